@@ -1,7 +1,7 @@
 package badlog.window.app
 
 import androidx.compose.ui.input.key.Key
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.export.COPY_GRAPHS
 import badlog.window.export.EXPORT_PAGE
 import badlog.window.export.PageSaver
@@ -23,7 +23,7 @@ import badlog.window.topics.TopicListing
 import badlog.window.video.Player
 
 /** Returns the keys that do the same as on an exported page. */
-internal fun actionCommands(perform: (Action) -> Unit): List<Command> = Action.entries.map { Command(it) { perform(it) } }
+internal fun actionCommands(perform: (KeyAction) -> Unit): List<Command> = KeyAction.entries.map { Command(it) { perform(it) } }
 
 /** Returns the keys for the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(

@@ -118,7 +118,8 @@ internal class Viewer(
     val topics = TopicListing()
     val statistics = SelectedStatistics()
     val player = Player(current, view)
-    val findings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
+    val findings: LogFindings =
+        LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn, send = { actions.send(it) })
     val since = SinceLastMatch(current, library)
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
     val notes = LogNotes(scope, current, notices, writes)
@@ -201,7 +202,9 @@ internal class Viewer(
     )
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val spoken = SpokenCursor(current, board, view)
-    val actions = Actions(current, view, board, formulas, findings, notes, keptLayouts, panels, video, spoken, live)
+    private val findingRequests = FindingRequests(current, findings, board, compared, since, panels, spoken)
+    private val requests = WindowRequests(board, formulas, findingRequests, notes, keptLayouts, panels, video, spoken, todo)
+    val actions: Actions = Actions(current, view, board, findings, live, requests)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */

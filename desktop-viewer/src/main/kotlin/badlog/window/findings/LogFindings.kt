@@ -6,15 +6,16 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.rules.folder.FolderRules
-import badlog.rules.incident.Incident
 import badlog.rules.incident.evidenceOf
 import badlog.rules.incident.firstEvidenceOf
 import badlog.rules.incident.incidentsIn
-import badlog.rules.incident.nextOf
 import badlog.rules.over
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.shown.finding.firstStep
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -39,6 +40,7 @@ import kotlin.time.TimeSource
  * @param folder returns the folder of logs, whose rules count.
  * @param awaitDrawn returns when the opened recording is visible.
  * @param rest returns when the rules, which took the time `running`, may run again over a log that grows.
+ * @param send lets an action change the state.
  * @param find runs the rules over a recording.
  */
 internal class LogFindings(
@@ -47,8 +49,9 @@ internal class LogFindings(
     private val board: GraphBoard,
     private val folder: () -> Path?,
     private val awaitDrawn: suspend () -> Unit,
+    private val send: (Action) -> Unit,
     private val rest: suspend (running: Duration) -> Unit = { delay(restAfter(it)) },
-    private val find: (view: LogView, file: Path, library: Path?) -> FindingList = ::findingsOf,
+    private val find: (view: LogView, file: Path, library: Path?) -> FoundInLog = ::findingsOf,
 ) : StateHolder<Findings>(Findings()) {
     /** The log whose worst finding will be shown once it is known; null for none. */
     private var worstWanted: Path? = null
@@ -94,11 +97,11 @@ internal class LogFindings(
     private fun goToWorst() {
         worstWanted = null
         val list = state.list ?: return
-        firstStep(list.all, list.incidents)?.let { goTo(it.place.finding, it.place.span.from) }
+        firstStep(list.all, list.incidents)?.let { send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
     }
 
     /** Adds the graphs of the first result, unless somebody has arranged others. */
-    private fun beginWithFirst(list: FindingList) {
+    private fun beginWithFirst(list: FoundInLog) {
         val open = current.recording ?: return
         if (!board.shows(open.standardGraphs)) return
         board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
@@ -111,38 +114,21 @@ internal class LogFindings(
     fun assign(signal: String, topic: String) {
         val open = current.recording ?: return
         val refusal = SignalAssignment(open.file, folder()).assign(signal, topic, open.forRules)
-        change { copy(refusal = refusal) }
+        send(FindingAction.Refuse(refusal))
         if (refusal == null) runAgain()
     }
 
     /** Records that the pointer is on [finding], or on none; on its mark at [place]. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
-    /**
-     * Shows the surroundings of [place], where [finding] was found, with the cursor there and its time shaded; and, above all other
-     * graphs, its evidence and that of its incident. A finding about the whole log does not change the visible range.
-     */
-    fun goTo(finding: Finding, place: Double = finding.time) {
-        view.go { visiting(placeOf(finding, place)) }
-        showEvidence(finding)
-    }
+    /** Goes to [place], where [finding] was found, see [FindingAction.GoTo]. */
+    fun goTo(finding: Finding, place: Double = finding.time) =
+        send(FindingAction.GoTo(placeOf(finding, place), state.list?.incidentOf(finding)))
 
     /** Shows, above all other graphs, the evidence of [finding] and of its incident. */
     fun showEvidence(finding: Finding) {
         val open = current.recording ?: return
-        board.showEvidence(evidenceBoard(open.view, incidentOf(finding).evidenceOf(finding), open.vocabulary))
-    }
-
-    /** Returns what to look at next for [finding]; may be empty. */
-    fun nextOf(finding: Finding): String = incidentOf(finding).nextOf(finding)
-
-    /** Returns the incident that [finding] is part of; null for none. */
-    fun incidentOf(finding: Finding): Incident? = state.list?.incidents?.find { finding in it }
-
-    /** Goes [steps] places forward within the selected finding. */
-    fun stepWithin(steps: Int) {
-        val finding = selected ?: return
-        state.list?.timeline?.within(finding, view.cursor ?: Double.NaN, steps)?.let { goTo(finding, it.span.from) }
+        board.showEvidence(evidenceBoard(open.view, state.list?.incidentOf(finding).evidenceOf(finding), open.vocabulary))
     }
 
     private fun select(finding: Finding?) {
@@ -168,15 +154,16 @@ internal fun restAfter(running: Duration): Duration = maxOf(2.seconds, running *
  *
  * @param library the folder of logs, see [FolderRules.of].
  */
-internal fun findingsOf(view: LogView, file: Path, library: Path?): FindingList {
+internal fun findingsOf(view: LogView, file: Path, library: Path?): FoundInLog {
     assertOffWindow()
     val rules = FolderRules.of(file, library)
     return try {
         val found = rules.rules.over(view, file.fileName.toString(), isEverywhere = true) {
             if (Thread.interrupted()) throw InterruptedException()
         }
-        FindingList(found.findings, found.skipped, rules.file, rules.problem, rules.rules.incidentsIn(found.findings), found.ran)
+        val source = rules.file?.let { "${it.fileName} in ${it.parent.fileName}" }
+        FoundInLog(found.findings, found.skipped, rules.rules.incidentsIn(found.findings), found.ran, source, rules.problem)
     } catch (_: OutOfMemoryError) {
-        FindingList(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
+        FoundInLog(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
     }
 }

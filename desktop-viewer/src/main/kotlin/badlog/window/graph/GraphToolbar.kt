@@ -16,7 +16,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.graph.scene.GraphScene
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
@@ -81,8 +81,8 @@ private fun LiveButton(live: LiveView) {
 @Composable
 private fun BoardButtons(board: GraphBoard, hasLabels: Boolean) {
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Undo (${Action.UNDO.shortcut})", Icons.Undo, "Undo".takeIf { hasLabels }, isEnabled = board.canUndo) { board.undo() }
-        ToolButton("Redo (${Action.REDO.shortcut})", Icons.Redo, "Redo".takeIf { hasLabels }, isEnabled = board.canRedo) { board.redo() }
+        ToolButton("Undo (${KeyAction.UNDO.shortcut})", Icons.Undo, "Undo".takeIf { hasLabels }, isEnabled = board.canUndo) { board.undo() }
+        ToolButton("Redo (${KeyAction.REDO.shortcut})", Icons.Redo, "Redo".takeIf { hasLabels }, isEnabled = board.canRedo) { board.redo() }
         ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) { board.change { Board() } }
     }
 }

@@ -5,7 +5,7 @@ import androidx.compose.ui.input.key.Key
 import badlog.core.recording.PathName
 import badlog.files.writeAtomically
 import badlog.viewer.choices.board.FolderLayout
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.StationChoice
 import badlog.window.files.FileChoice
@@ -35,7 +35,7 @@ internal fun LayoutMenu(
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
         val ofFolder = kept.state.files.keys.take(MOST_LISTED).map { name ->
-            MenuEntry(name, "A layout in the folder; ${Action.NEXT_LAYOUT.shortcut} shows the next one", why) { kept.show(name) }
+            MenuEntry(name, "A layout in the folder; ${KeyAction.NEXT_LAYOUT.shortcut} shows the next one", why) { kept.show(name) }
         }
         ofFolder + listOfNotNull(
             MenuEntry("Start board", "The graphs that this log begins with", why) { layouts.showStartBoard() },

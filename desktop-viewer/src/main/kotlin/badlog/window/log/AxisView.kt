@@ -8,8 +8,8 @@ import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.FindingPlace
-import badlog.viewer.session.Place
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Place
 
 /**
  * The person's place in the log, see [Place], and the current drag. Use it only on the window's thread.

@@ -2,7 +2,7 @@ package badlog.window.log
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
-import badlog.viewer.session.Stay
+import badlog.viewer.state.Stay
 import badlog.window.state.StateHolder
 import java.nio.file.Path
 

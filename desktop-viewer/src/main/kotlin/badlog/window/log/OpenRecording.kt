@@ -34,6 +34,7 @@ import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.path.FieldFile
 import badlog.viewer.draw.path.LogPaths
+import badlog.viewer.panel.LogTimes
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.window.pen.SkiaImage
@@ -105,6 +106,9 @@ internal class OpenRecording(
 
     /** Returns what can be drawn of the topics that are the signal [name]. */
     fun of(name: String): List<DrawableTopic> = signalTopics.of(name).mapNotNull { signal(it.topic) }
+
+    /** Writes its times. */
+    val times: LogTimes by lazy { LogTimes(span.width, view.xAxis, enabled) }
 
     /**
      * The initial graphs: those of the [layout] beside it, also those that it cannot draw, or else of its topics; if it can draw none of

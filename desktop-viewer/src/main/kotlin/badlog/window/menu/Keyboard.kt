@@ -25,8 +25,8 @@ import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.InterceptPlatformTextInput
 import androidx.compose.ui.platform.PlatformTextInputInterceptor
-import badlog.viewer.input.Action
 import badlog.viewer.input.HelpLine
+import badlog.viewer.input.KeyAction
 import badlog.viewer.input.KeyStroke
 
 /**
@@ -125,7 +125,7 @@ private val KeyEvent.isDigitWithCtrl: Boolean
  */
 internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit) {
     /** Creates the command of an action that pages also have: [run]. */
-    constructor(action: Action, run: () -> Unit) : this(action.group, action.meaning, action.keys.flatMap(::pressesOf), run)
+    constructor(action: KeyAction, run: () -> Unit) : this(action.group, action.meaning, action.keys.flatMap(::pressesOf), run)
 
     /** Its line in the help. */
     // Which characters need Shift depends on the keyboard.

@@ -34,16 +34,14 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.analysis.EventLog
-import badlog.core.analysis.Units
 import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.panel.LogTimes
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.text.countOf
-import badlog.viewer.text.decimalsFor
-import badlog.viewer.text.fixedText
-import badlog.viewer.text.minutesText
 import badlog.window.log.AxisView
 import badlog.window.log.FilteredEvents
 import badlog.window.log.OpenRecording
+import badlog.window.panel.inspectorLine
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import badlog.window.theme.SearchField
@@ -86,7 +84,7 @@ internal fun EventsPanel(view: AxisView, events: FilteredEvents, open: OpenRecor
 
 @Composable
 private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline, onGo: () -> Unit) {
-    val times = remember(open) { EventTimes(open) }
+    val times = open.times
     val state = rememberLazyListState()
     val nearest = remember(view, found) { derivedStateOf { view.cursor?.let { found.nearest(it) } ?: -1 } }
     FollowCursor(state, nearest)
@@ -124,7 +122,7 @@ private fun FollowCursor(state: LazyListState, nearest: State<Int>) {
 internal fun EventLine(
     events: EventTimeline,
     index: Int,
-    times: EventTimes,
+    times: LogTimes,
     isTopicShown: Boolean,
     nearest: State<Int>,
     onClick: () -> Unit,
@@ -184,19 +182,3 @@ private const val MAX_TOPICS = 40
 
 /** As many letters fit into a button; its own text would lose the end. */
 private const val MAX_TITLE_LENGTH = 24
-
-/** Writes the times of a recording's events: as they were logged, and in minutes since the robot was enabled. */
-internal class EventTimes(recording: OpenRecording) {
-    private val decimals = decimalsFor(recording.span.width)
-    private val enabledFrom = recording.enabled.firstOrNull()?.span?.from
-    private val seconds = Units.secondsIn(recording.view.xAxis.unit)
-
-    /** Returns [x] as it was logged, all with as many decimals; `–` for none. */
-    fun logged(x: Double): String = fixedText(x, decimals)
-
-    /** Returns `1:32.0` for 92 s after the robot was first enabled, negative before; null where it is unknown. */
-    fun sinceEnabled(x: Double): String? {
-        if (enabledFrom == null || seconds == null || !x.isFinite()) return null
-        return minutesText((x - enabledFrom) * seconds)
-    }
-}

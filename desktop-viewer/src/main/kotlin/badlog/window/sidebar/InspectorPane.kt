@@ -30,7 +30,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.LogView
 import badlog.core.recording.Severity
-import badlog.viewer.input.Action
+import badlog.viewer.state.Action
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.LogFindings
 import badlog.window.folder.SinceLastMatch
@@ -63,7 +63,7 @@ internal fun InspectorPane(
     video: LogVideo,
     todo: FolderTodo,
     panels: WindowPanels,
-    perform: (Action) -> Unit,
+    send: (Action) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val tab = panels.state.inspector ?: return
@@ -94,32 +94,13 @@ internal fun InspectorPane(
             val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
-
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
-
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
-
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
-
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
-
-                InspectorTab.FINDINGS -> FindingsPanel(
-                    compared,
-                    findings,
-                    todo,
-                    view,
-                    board,
-                    open,
-                    since.state,
-                    perform,
-                    showGraphs,
-                    Modifier.fillMaxSize(),
-                )
-
+                InspectorTab.FINDINGS -> FindingsPanel(findings, todo, view, board, open, since.state, send, Modifier.fillMaxSize())
                 InspectorTab.NOTES -> NotesPanel(notes, todo, view, open, showGraphs, Modifier.fillMaxSize())
-
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
-
                 InspectorTab.MODULES -> ModulesPanel(view, open, showGraphs, Modifier.fillMaxSize())
             }
         }
@@ -176,17 +157,6 @@ private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, o
 
 /** Returns how many of the problems of [view] matter; notes, which healthy logs also have, do not. */
 internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
-
-/** Makes it a line of a list that goes to a time: called [name], with [gap] above and below. */
-@Composable
-internal fun Modifier.inspectorLine(name: String, isSelected: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
-    .background(if (isSelected) LocalPalette.current.accentSoft else Color.Transparent)
-    .clickable(onClick = onClick)
-    .semantics(mergeDescendants = true) {
-        contentDescription = name
-        selected = isSelected
-    }
-    .padding(start = 12.dp, end = 14.dp, top = gap, bottom = gap)
 
 /** Copies a text to the clipboard. */
 @OptIn(ExperimentalComposeUiApi::class)

@@ -31,10 +31,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
+import badlog.viewer.panel.LogTimes
 import badlog.viewer.todo.NoteTask
 import badlog.window.log.AxisView
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
+import badlog.window.panel.inspectorLine
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import badlog.window.theme.fieldFrame
@@ -45,7 +47,7 @@ import badlog.window.todo.TodoMark
 /** The notes of [open], each with a link to its moment, which also calls [onGo], and the field for writing one. */
 @Composable
 internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
-    val times = remember(open) { EventTimes(open) }
+    val times = open.times
     Column(modifier) {
         val draft = notes.draft
         if (draft == null) {
@@ -71,7 +73,7 @@ internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open:
 }
 
 @Composable
-private fun NoteField(notes: LogNotes, draft: NoteDraft, times: EventTimes) {
+private fun NoteField(notes: LogNotes, draft: NoteDraft, times: LogTimes) {
     val palette = LocalPalette.current
     val focus = remember { FocusRequester() }
     val interactions = remember { MutableInteractionSource() }
@@ -111,7 +113,7 @@ private fun handles(event: KeyEvent, notes: LogNotes): Boolean {
 }
 
 @Composable
-private fun NoteLine(notes: LogNotes, note: Note, times: EventTimes, todo: FolderTodo, task: NoteTask, onClick: () -> Unit) {
+private fun NoteLine(notes: LogNotes, note: Note, times: LogTimes, todo: FolderTodo, task: NoteTask, onClick: () -> Unit) {
     Column(Modifier.inspectorLine("Note: ${note.text}", isSelected = false, gap = 4.dp, onClick)) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(times.logged(note.x), Modifier.weight(1f), color = LocalPalette.current.muted)

@@ -46,7 +46,7 @@ import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.search.Query
 import badlog.window.compare.ComparedRecordings
 import badlog.window.formula.FormulaStore
@@ -112,7 +112,7 @@ internal fun TopicPane(
             SearchField(list.query, "Search topics", keyed.weight(1f).padding(vertical = 8.dp)) {
                 topics.change { searching(it) }
             }
-            ToolButton("New formula… (${Action.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { formulas.write() }
+            ToolButton("New formula… (${KeyAction.NEW_FORMULA.shortcut})", Icons.Formula, isEnabled = open != null) { formulas.write() }
         }
         TargetLine(board, topics)
         when {

@@ -3,6 +3,7 @@ package badlog.window.findings
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.core.analysis.LogView
 import badlog.files.UserFolders
+import badlog.viewer.shown.finding.FoundInLog
 import badlog.window.app.Viewer
 import badlog.window.sidebar.MainView
 import io.kotest.assertions.nondeterministic.eventually
@@ -30,7 +31,7 @@ class LogFindingsSpec : FunSpec({
     fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
 
     /** The findings of [viewer], found by [find]. */
-    fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FindingList) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, rest = { rest() }, find)
+    fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FoundInLog) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, viewer.actions::send, rest = { rest() }, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
         val scope = CoroutineScope(Dispatchers.Main + Job())
@@ -67,7 +68,7 @@ class LogFindingsSpec : FunSpec({
         over { viewer ->
             val findings = findingsBy(viewer, rest = { rests.receive() }) { view, _, _ ->
                 runs.incrementAndGet()
-                FindingList(trouble = "${view.recording.rowCount} rows")
+                FoundInLog(trouble = "${view.recording.rowCount} rows")
             }
             viewer.scope.launch { findings.run() }
             change { viewer.current.replace(counted(folder, rows = 1)) }
@@ -116,7 +117,7 @@ class LogFindingsSpec : FunSpec({
                         throw e
                     }
                 }
-                FindingList(trouble = "quick")
+                FoundInLog(trouble = "quick")
             }
             viewer.scope.launch { findings.run() }
             change { viewer.current.replace(counted(home.resolve("slow"))) }

@@ -1,6 +1,7 @@
 package badlog.window.findings
 
 import badlog.rules.RulesFile
+import badlog.viewer.shown.finding.FoundInLog
 import badlog.window.bagOf
 import badlog.window.log.OpenRecording
 import badlog.window.recordingOf
@@ -20,4 +21,4 @@ internal fun counted(folder: Path, rows: Int = 100): OpenRecording = recordingOf
 )
 
 /** What the rules of the folder of [recording] find in it. */
-internal fun findingsIn(recording: OpenRecording): FindingList = findingsOf(recording.view, recording.file, library = null)
+internal fun findingsIn(recording: OpenRecording): FoundInLog = findingsOf(recording.view, recording.file, library = null)

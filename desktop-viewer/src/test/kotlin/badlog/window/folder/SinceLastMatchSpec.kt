@@ -17,6 +17,7 @@ import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
+import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.shown.folder.Changes
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
@@ -40,7 +41,7 @@ class SinceLastMatchSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             viewer.loader.open(folder.resolve("qualification-42.bag"))
             waitFor { viewer.current.recording != null }
-            viewer.findings.change { knowing(badlog.window.findings.FindingList()) }
+            viewer.findings.change { knowing(FoundInLog(ran = 0)) }
             viewer.panels.change { inspecting(InspectorTab.FINDINGS) }
             waitForIdle()
             onAllNodesWithContentDescription("Unlike the matches before").assertCountEquals(0)

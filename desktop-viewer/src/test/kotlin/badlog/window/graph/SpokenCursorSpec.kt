@@ -10,7 +10,7 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.app.ViewerScreen
 import badlog.window.bagOf
 import badlog.window.recordingOf
@@ -39,7 +39,7 @@ class SpokenCursorSpec : FunSpec({
 
             runOnIdle {
                 viewer.view.placeCursor(4.0)
-                viewer.actions.perform(Action.NEXT_SAMPLE)
+                viewer.actions.perform(KeyAction.NEXT_SAMPLE)
             }
             onNode(region).assertTextEquals("5.000 V, Voltage 7 V, Current 10 V")
             // A screen reader ignores what takes no room.
@@ -55,8 +55,8 @@ class SpokenCursorSpec : FunSpec({
         val viewer = viewer()
         viewer.board.change { withLineHidden(1, "Voltage", true) }
         viewer.view.placeCursor(4.0)
-        viewer.actions.perform(Action.SECOND_CURSOR)
-        viewer.actions.perform(Action.NEXT_SAMPLE)
+        viewer.actions.perform(KeyAction.SECOND_CURSOR)
+        viewer.actions.perform(KeyAction.NEXT_SAMPLE)
         viewer.spoken.state shouldBe "5.000 V, Current 10 V"
     }
 

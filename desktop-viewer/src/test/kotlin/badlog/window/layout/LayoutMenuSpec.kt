@@ -12,7 +12,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.defaultBoard
 import badlog.viewer.choices.range.Viewport
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.export.armBag
@@ -92,7 +92,7 @@ class LayoutMenuSpec : FunSpec({
             viewer.board.replace(Board())
             viewer.view.show(open.span)
             setContent { ViewerScreen(viewer) }
-            viewer.actions.perform(Action.NEXT_LAYOUT)
+            viewer.actions.perform(KeyAction.NEXT_LAYOUT)
             waitForNotice(viewer, "No layout is kept yet; Ctrl+S saves one beside the logs, such as “Power” or “Drive”.")
             fun keep(name: String, line: String) {
                 files.file = folder.resolve(name + Layout.ENDING)
@@ -104,11 +104,11 @@ class LayoutMenuSpec : FunSpec({
             keep("Arm", "Arm/Angle")
             runOnIdle {
                 viewer.view.change { showing(1.0, 2.0) }
-                viewer.actions.perform(Action.NEXT_LAYOUT)
+                viewer.actions.perform(KeyAction.NEXT_LAYOUT)
             }
             waitFor { viewer.board.state.graphs.single().title == "Arm/Current" }
             viewer.view.viewport.visible shouldBe Span(1.0, 2.0)
-            runOnIdle { viewer.actions.perform(Action.NEXT_LAYOUT) }
+            runOnIdle { viewer.actions.perform(KeyAction.NEXT_LAYOUT) }
             waitFor { viewer.board.state.graphs.single().title == "Arm/Angle" }
             choose("Power")
             waitFor { viewer.board.state.graphs.single().title == "Arm/Current" }

@@ -2,7 +2,7 @@ package badlog.window.log
 
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.app.Viewer
 import badlog.window.findings.findingsIn
 import badlog.window.graph.graphActions
@@ -18,7 +18,7 @@ class GraphBoardSpec : FunSpec({
 
     fun lines(board: GraphBoard) = board.state.graphs.map { it.lines }
 
-    fun Viewer.perform(action: Action) = commands.single { it.meaning == action.meaning }.action()
+    fun Viewer.perform(action: KeyAction) = commands.single { it.meaning == action.meaning }.action()
 
     fun Viewer.choose(label: String, id: Int) = graphActions(graphs, board.state.graphs.single { it.id == id }).flatten().single { it.label == label }.run()
 
@@ -51,18 +51,18 @@ class GraphBoardSpec : FunSpec({
         val before = viewer.board.state
         viewer.choose("Only this graph", before.graphs[1].id)
         viewer.board.state.graphs.map { it.lines } shouldBe listOf(before.graphs[1].lines)
-        viewer.perform(Action.UNDO)
+        viewer.perform(KeyAction.UNDO)
         viewer.board.state shouldBe before
         viewer.choose("Remove all graphs", before.graphs[0].id)
         viewer.board.state.graphs.size shouldBe 0
-        viewer.perform(Action.UNDO)
-        viewer.perform(Action.REDO)
+        viewer.perform(KeyAction.UNDO)
+        viewer.perform(KeyAction.REDO)
         viewer.board.state.graphs.size shouldBe 0
-        viewer.perform(Action.UNDO)
+        viewer.perform(KeyAction.UNDO)
         viewer.board.pointed = before.graphs[0].id
-        viewer.perform(Action.NEXT_HEIGHT)
+        viewer.perform(KeyAction.NEXT_HEIGHT)
         (viewer.board.state.graphs[0].height == null) shouldBe false
-        viewer.perform(Action.MOVE_DOWN)
+        viewer.perform(KeyAction.MOVE_DOWN)
         viewer.board.state.graphs[1].id shouldBe before.graphs[0].id
         viewer.board.canUndo shouldBe true
         viewer.board.replace(before)
@@ -73,13 +73,13 @@ class GraphBoardSpec : FunSpec({
         val viewer = viewerOf(sample("qualification-42.bag"))
         val before = viewer.board.state.graphs.map { it.id }
         viewer.board.pointed = before[2]
-        viewer.perform(Action.MOVE_UP)
+        viewer.perform(KeyAction.MOVE_UP)
         // What is below the pointer now.
         viewer.board.pointed = before[1]
-        viewer.perform(Action.MOVE_UP)
+        viewer.perform(KeyAction.MOVE_UP)
         viewer.board.state.graphs.first().id shouldBe before[2]
         viewer.board.pointerMoved()
-        viewer.perform(Action.MOVE_TO_TOP)
+        viewer.perform(KeyAction.MOVE_TO_TOP)
         viewer.board.state.graphs.take(2).map { it.id } shouldBe listOf(before[1], before[2])
     }
 
@@ -120,9 +120,9 @@ class GraphBoardSpec : FunSpec({
         viewer.board.isEvidence(graph.id) shouldBe true
         viewer.board.kept.graphs shouldNotContain graph
         viewer.board.pointed = graph.id
-        viewer.perform(Action.PIN)
+        viewer.perform(KeyAction.PIN)
         viewer.board.kept.graphs shouldContain graph
-        viewer.perform(Action.PIN)
+        viewer.perform(KeyAction.PIN)
         viewer.board.state.graphs shouldNotContain graph
     }
 

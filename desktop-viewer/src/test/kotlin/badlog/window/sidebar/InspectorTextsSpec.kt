@@ -24,13 +24,13 @@ class InspectorTextsSpec : FunSpec({
 
     test("an event's time counts from the moment at which the robot was enabled") {
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Enabled","unit":"ul","attrs":[]}],"values":[]}"""
-        val times = EventTimes(recordingOf("$header\nTime,Enabled\n0,0\n2.5,1\n200,1\n"))
+        val times = recordingOf("$header\nTime,Enabled\n0,0\n2.5,1\n200,1\n").times
         times.sinceEnabled(94.5) shouldBe "1:32.0"
         times.sinceEnabled(2.5) shouldBe "0:00.0"
         times.sinceEnabled(0.0) shouldBe "-0:02.5"
         times.sinceEnabled(Double.NaN) shouldBe null
         times.logged(94.5) shouldBe "94.50"
-        EventTimes(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1")))).sinceEnabled(0.0) shouldBe null
+        recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))).times.sinceEnabled(0.0) shouldBe null
     }
 
     test("values at the cursor are those of the graphs, or of a search, and what just changed comes first") {

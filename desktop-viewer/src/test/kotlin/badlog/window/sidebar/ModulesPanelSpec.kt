@@ -11,7 +11,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.bagOf
@@ -88,7 +88,7 @@ class ModulesPanelSpec : FunSpec({
             onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0
         }
         val none = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))))
-        none.actions.perform(Action.MODULES)
+        none.actions.perform(KeyAction.MODULES)
         runDesktopComposeUiTest(420, 800) {
             setContent { ViewerTheme(Theme.DARK) { TestInspector(none) } }
             onNodeWithText("This log has no swerve modules", substring = true).assertExists()

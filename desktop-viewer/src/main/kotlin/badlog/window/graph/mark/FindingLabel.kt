@@ -52,7 +52,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                 .labelFrame(palette.findingColor(finding.severity)),
         ) {
             // Somebody who opened an incident sees all of it, not only what came first.
-            val incident = scene.findings.incidentOf(finding)?.takeIf {
+            val incident = scene.findings.state.list?.incidentOf(finding)?.takeIf {
                 scene.findings.state.pointed == null &&
                     it.sentences[0].finding === finding && span.from == finding.time
             }

@@ -50,9 +50,8 @@ private fun Modifier.findingPointer(scene: GraphScene): Modifier = pointerInput(
             val change = event.changes.first()
             val x = visible.from + change.position.x / size.width * visible.width
             val reach = REACH * density / size.width * visible.width
-            val list = scene.findings.state.list
-            val found = list?.timeline?.pointedAt(x, reach, visible)
-            val place = if (found == null) Double.NaN else list.placeNear(found, x)
+            val found = scene.findings.state.list?.timeline?.pointedAt(x, reach, visible)
+            val place = if (found == null) Double.NaN else found.placeNear(x)?.from ?: found.time
             when (event.type) {
                 PointerEventType.Enter, PointerEventType.Move -> scene.findings.point(found, place)
                 PointerEventType.Exit -> scene.findings.point(null)

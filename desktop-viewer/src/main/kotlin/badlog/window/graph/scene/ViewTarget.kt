@@ -2,9 +2,9 @@ package badlog.window.graph.scene
 
 import badlog.core.analysis.Span
 import badlog.viewer.draw.axis.yParts
-import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.PlotDrag
 import badlog.viewer.session.gesture.PlotTarget
+import badlog.viewer.state.Place
 import badlog.window.graph.plot.PlotPicture
 import badlog.window.log.PlotGesture
 

@@ -5,9 +5,9 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.path.XyPicture
-import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.XyDrag
 import badlog.viewer.session.gesture.XyTarget
+import badlog.viewer.state.Place
 import badlog.window.graph.scene.GraphScene
 
 /** What gestures over graph [id], which shows [picture], change. */

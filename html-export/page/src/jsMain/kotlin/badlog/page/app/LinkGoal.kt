@@ -1,7 +1,7 @@
 package badlog.page.app
 
 import badlog.page.board.BoardSection
-import badlog.page.findings.FindingList
+import badlog.page.findings.FindingsSection
 import badlog.page.graph.GraphsInSight
 import badlog.viewer.session.link.PageAddress
 import kotlinx.browser.document
@@ -9,7 +9,7 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 
 /** The part of the page that a link points at: the board, a finding, or a graph. */
-internal class LinkGoal(private val board: BoardSection, private val inSight: GraphsInSight, private val findings: FindingList) {
+internal class LinkGoal(private val board: BoardSection, private val inSight: GraphsInSight, private val findings: FindingsSection) {
     /** What has the keyboard's focus because a link points at it. */
     private var focused: Element? = null
 

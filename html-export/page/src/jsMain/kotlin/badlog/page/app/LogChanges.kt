@@ -2,17 +2,17 @@ package badlog.page.app
 
 import badlog.page.compare.CompareBar
 import badlog.page.compare.PageComparison
-import badlog.page.dom.element
-import badlog.page.findings.changesList
 import badlog.page.opened.LogOpening
 import badlog.page.opened.OpenedLog
 import badlog.page.view.Notice
 import badlog.rules.Finding
+import badlog.viewer.shown.folder.Changes
 import org.w3c.dom.HTMLElement
 
 /**
  * What is unlike the matches before the shown log, and the graph of one of these differences over the last match that shows the same.
  *
+ * @param page the page of the log, which is left when another one is opened.
  * @param onShow called with the difference that a person wants to see; shows its graph.
  */
 internal class LogChanges(
@@ -20,31 +20,36 @@ internal class LogChanges(
     private val comparison: PageComparison,
     private val compareBar: CompareBar,
     private val notice: Notice,
+    private val page: () -> HTMLElement,
     private val onShow: (Finding) -> Unit,
 ) {
-    val element: HTMLElement = element("div")
+    private var now = Changes<OpenedLog>()
 
-    /** Shows them, again whenever more of the list is known. */
-    fun start() {
-        show()
-        opening.onRead(::show)
+    /** The differences that are known so far. */
+    val differences: List<Finding> get() = now.differences
+
+    /** Finds them, again whenever more of the list is known; [onChange] is called when they differ. */
+    fun start(onChange: () -> Unit) {
+        fun find() {
+            val before = now
+            now = opening.changes()
+            if (now != before) onChange()
+        }
+        find()
+        opening.onRead(::find)
     }
 
-    private fun show() {
-        val found = opening.changes()
-        element.textContent = ""
-        val list = changesList(found) { difference ->
-            onShow(difference)
-            found.previous[difference]?.let(::compareWith)
-        }
-        list?.let(element::appendChild)
+    /** Shows the graph of [difference] over the last match that shows the same. */
+    fun draw(difference: Finding) {
+        onShow(difference)
+        now.previous[difference]?.let(::compareWith)
     }
 
     private fun compareWith(listed: OpenedLog) {
         if (!listed.isHere) notice.say("Fetching ${listed.fileName}…")
         opening.withBytes(listed).then({ log ->
             val isCompared = log.files.any { it in comparison.files + compareBar.waiting }
-            if (element.isConnected && !isCompared) compareBar.open(log.files)
-        }, { if (element.isConnected) notice.say("${listed.fileName} cannot be fetched. ${it.message}") })
+            if (page().isConnected && !isCompared) compareBar.open(log.files)
+        }, { if (page().isConnected) notice.say("${listed.fileName} cannot be fetched. ${it.message}") })
     }
 }

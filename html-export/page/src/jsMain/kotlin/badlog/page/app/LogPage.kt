@@ -17,7 +17,7 @@ import badlog.page.embedded.About
 import badlog.page.embedded.GivenLayout
 import badlog.page.export.sendMoment
 import badlog.page.findings.EvidenceSection
-import badlog.page.findings.FindingList
+import badlog.page.findings.FindingsSection
 import badlog.page.findings.SignalChoice
 import badlog.page.folder.EventsLink
 import badlog.page.folder.FolderList
@@ -62,11 +62,13 @@ import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardAbove
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.choices.note.NoteHistory
-import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.path.fieldOfJson
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
+import badlog.viewer.state.FindingAction
+import badlog.viewer.state.FindingRequest
+import badlog.viewer.state.Store
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -110,9 +112,9 @@ internal class LogPage(
     private val eventsLink = EventsLink(folders)
     private val formulaDialog = FormulaDialog(formulas, formulaGraphs::add, formulaGraphs::change, formulaGraphs::remove)
     private val formulaButton = element("div", "formula-button") {
-        addButton("", "", "${Action.NEW_FORMULA.meaning} (${Action.NEW_FORMULA.shortcut})") { formulaDialog.open() }.apply {
+        addButton("", "", "${KeyAction.NEW_FORMULA.meaning} (${KeyAction.NEW_FORMULA.shortcut})") { formulaDialog.open() }.apply {
             id = "add-formula"
-            setAttribute("aria-label", Action.NEW_FORMULA.meaning)
+            setAttribute("aria-label", KeyAction.NEW_FORMULA.meaning)
             appendChild(Icon.FORMULA.draw())
             add("span", "", "Formula")
         }
@@ -138,26 +140,25 @@ internal class LogPage(
     private val live = LiveRegion(scene, lines::shown)
     private val comparison = PageComparison(formulas, about.name)
     private val compareBar = CompareBar(comparison, scene.notice)
-    private val changes = LogChanges(opening, comparison, compareBar, scene.notice) { difference ->
+    private val changes: LogChanges = LogChanges(opening, comparison, compareBar, scene.notice, { element }) { difference ->
         pinEvidence(difference, null)
         boardSection.bringIntoSight()
     }
-    private val findings =
-        FindingList(
-            scene,
-            SignalChoice(formulas.given, signals, scene.notice, onOtherSignals),
-            changes.element,
-            ::showEvidence,
-            ::pinEvidence,
-        )
-    private val rules = PageRules(this.additions, embeddedFindings, about.name, scene, findings) { element.isConnected }
+    private val signalChoice = SignalChoice(formulas.given, signals, scene.notice, onOtherSignals)
+    private val findings = FindingsSection(scene, signalChoice, embeddedFindings, { changes.differences }) { store.send(it) }
+    private val rules = PageRules(this.additions, embeddedFindings, about.name, findings) { element.isConnected }
     private val noteList = NoteList(scene, notes, noteDialog::edit)
-    private val evidence = EvidenceSection(scene, graphs, signals, findings::stepWithin, ::send)
+    private val evidence = EvidenceSection(scene, graphs, signals, { store.send(FindingAction.StepWithin(it)) }, ::send)
     private val topicDialog = TopicDialog(scene)
     private val layouts =
         PageLayouts(scene, formulas, formulaGraphs, about.name, { boardAbove(view, signals) }) { boardSection.bringIntoSight() }
     private val boardSection: BoardSection = BoardSection(scene, graphs, topicDialog, layouts.buttons.element)
     private val inSight = GraphsInSight { boardSection.cards + folders.cards }
+    private val keys = BoardKeys(board, graphs, boardSection)
+    private val findingRequests = FindingRequests(signalChoice, changes, live, ::showEvidence, ::pinEvidence)
+    private val requests =
+        PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, live, findingRequests::perform)
+    private val store: Store = pageStore(scene, findings, keys, requests::perform)
     private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
     private val problems = ProblemStrip(view, additionProblems(formulas, additions, layout))
@@ -170,7 +171,8 @@ internal class LogPage(
     }
     private val export = ExportMenu(scene, printing, copy::save) { boardSection.cards }
     private val content = element("div", "content")
-    private val searched: SearchedParts = SearchedParts(boardSection, folders, findings, noteList, navigation, eventsLink, values, content)
+    private val searched: SearchedParts =
+        SearchedParts(boardSection, folders, findings, { store.send(it) }, noteList, navigation, eventsLink, values, content)
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -217,7 +219,7 @@ internal class LogPage(
     }
 
     init {
-        changes.start()
+        changes.start(findings::show)
         board.onChange(values::refresh)
         board.onChange(comparison::followFormulas)
         comparison.onChange {
@@ -233,8 +235,7 @@ internal class LogPage(
             redraw()
         }
         BoardDrag(board, graphs, boardSection)
-        val keys = BoardKeys(board, graphs, boardSection)
-        Keyboard(scene, search, findings, evidence, keys, values, modules, formulaDialog, noteDialog, layouts.dialog, help, video, live)
+        Keyboard(scene, search, evidence, help, store::send)
     }
 
     /** What stays of it when the log has grown. */
@@ -319,8 +320,8 @@ internal class LogPage(
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 
-    private fun showEvidence(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
-        evidence.show(place, incident, isWhole)
+    private fun showEvidence(request: FindingRequest.Show) {
+        evidence.show(request.place, request.incident, request.isWhole)
         values.refresh()
         if (evidence.cards.isEmpty()) inSight.showAny()
     }

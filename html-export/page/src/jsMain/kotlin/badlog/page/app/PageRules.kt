@@ -1,20 +1,19 @@
 package badlog.page.app
 
 import badlog.core.analysis.LogView
-import badlog.page.findings.FindingList
+import badlog.page.findings.FindingsSection
 import badlog.page.rules.RuleSearch
 import badlog.page.screen.setRulesState
-import badlog.page.view.Scene
-import badlog.page.view.timelineOf
 import badlog.protocol.PageAdditions
 import badlog.rules.Finding
 import badlog.rules.LogFindings
 import badlog.rules.incident.Incident
 import badlog.rules.incident.incidentsIn
+import badlog.viewer.shown.finding.FoundInLog
 import kotlinx.browser.window
 
 /**
- * Runs the rules of [additions] over the log, and lists in [list] what they find beside what is [embedded] in the page.
+ * Runs the rules of [additions] over the log, and shows in [section] what they find beside what is [embedded] in the page.
  *
  * @param file the name of the log's file.
  * @param isShown returns whether the log's page is still shown.
@@ -23,8 +22,7 @@ internal class PageRules(
     private val additions: PageAdditions,
     private val embedded: List<Finding>,
     private val file: String,
-    private val scene: Scene,
-    private val list: FindingList,
+    private val section: FindingsSection,
     private val isShown: () -> Boolean,
 ) {
     /** What they found so far; null until they have run. */
@@ -48,7 +46,7 @@ internal class PageRules(
      */
     fun start(logged: LogView, onFound: (LogFindings, List<Incident>) -> Unit) {
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
-        if (found == null) list.wait()
+        if (found == null) section.wait()
         val pause = if (found == null) 0.0 else ranAt + PAUSE - window.performance.now()
         if (pause <= 0) return run(logged, onFound)
         setRulesState("done")
@@ -66,7 +64,11 @@ internal class PageRules(
             },
             onFailure = onFailure@{ reason ->
                 if (!isShown()) return@onFailure
-                list.fail(reason)
+                section.found =
+                    FoundInLog(
+                        embedded,
+                        trouble = "The rules could not be run (${reason.trimEnd('.')}); reload the page, or run badlog report on the file.",
+                    )
                 setRulesState("failed")
             },
         )
@@ -74,8 +76,9 @@ internal class PageRules(
 
     private fun take(found: LogFindings): List<Incident> {
         this.found = found
-        scene.findings = timelineOf(found.findings + embedded)
-        return additions.rules.incidentsIn(found.findings, additions.differences).also { list.show(found.ran, found.skipped, it) }
+        val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
+        section.found = FoundInLog(found.findings + embedded, found.skipped, incidents, found.ran)
+        return incidents
     }
 
     private companion object {

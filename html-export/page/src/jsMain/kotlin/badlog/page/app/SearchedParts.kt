@@ -4,7 +4,7 @@ import badlog.page.board.BoardSection
 import badlog.page.dom.bringIntoSight
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.findings.FindingList
+import badlog.page.findings.FindingsSection
 import badlog.page.folder.EventsLink
 import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
@@ -12,6 +12,8 @@ import badlog.page.note.NoteList
 import badlog.page.panel.CursorPanel
 import badlog.page.view.Hits
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
@@ -19,7 +21,8 @@ import org.w3c.dom.HTMLElement
 internal class SearchedParts(
     private val board: BoardSection,
     private val folders: FolderList,
-    private val findings: FindingList,
+    private val findings: FindingsSection,
+    private val send: (Action) -> Unit,
     private val notes: NoteList,
     private val navigation: FolderNavigation,
     private val events: EventsLink,
@@ -33,7 +36,8 @@ internal class SearchedParts(
     fun show(query: Query): Hits {
         board.filter(query)
         val inFolders = folders.filter(query)
-        val hits = inFolders + Hits(findings = findings.filter(query), notes = notes.filter(query))
+        send(FindingAction.Search(query.text))
+        val hits = inFolders + Hits(findings = findings.hits, notes = notes.filter(query))
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update(isSearching = !query.isEmpty)
         events.update()

@@ -14,7 +14,7 @@ import badlog.page.graph.VisibleGraphs
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.shortTitles
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countOf
 import kotlinx.browser.document
@@ -52,8 +52,8 @@ internal class BoardSection(
             hint = add("span", "unit board-hint", "Pin graphs (P) to see them together here.")
             add("div", "graph-tools") {
                 add = addIconButton("", Icon.PLUS, "Add topics") { topics.open() }.apply { id = "add-topics" }
-                undo = addIconButton("", Icon.UNDO, "Undo (${Action.UNDO.shortcut})") { board.undo() }.apply { id = "undo" }
-                redo = addIconButton("redo", Icon.UNDO, "Redo (${Action.REDO.shortcut})") { board.redo() }.apply { id = "redo" }
+                undo = addIconButton("", Icon.UNDO, "Undo (${KeyAction.UNDO.shortcut})") { board.undo() }.apply { id = "undo" }
+                redo = addIconButton("redo", Icon.UNDO, "Redo (${KeyAction.REDO.shortcut})") { board.redo() }.apply { id = "redo" }
                 val start = "Start board: the graphs that this page opened with"
                 addIconButton("", Icon.START, start) { board.startAgain() }.id = "start-board"
                 appendChild(layouts)

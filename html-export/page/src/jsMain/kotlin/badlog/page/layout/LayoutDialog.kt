@@ -9,7 +9,7 @@ import badlog.page.view.Notice
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.keptLayoutAfter
 import badlog.viewer.choices.board.noLayoutKept
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
@@ -31,7 +31,7 @@ internal class LayoutDialog(
 
     private val dialog = Dialog("layout-dialog", "topic-dialog", "Layouts") {
         add("div", "formula-body") {
-            add("p", "unit", "This browser keeps them for all logs; ${Action.NEXT_LAYOUT.shortcut} shows the next one.")
+            add("p", "unit", "This browser keeps them for all logs; ${KeyAction.NEXT_LAYOUT.shortcut} shows the next one.")
             list = add("ul", "topic-list")
             name = add("input", "formula-input").unsafeCast<HTMLInputElement>()
             addButton("", "Keep this board", "Keep this board (Enter)") { keep() }.id = "keep-layout"

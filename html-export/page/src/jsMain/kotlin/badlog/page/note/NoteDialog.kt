@@ -10,7 +10,7 @@ import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.Notebook
 import badlog.viewer.choices.note.marked
 import badlog.viewer.choices.note.markedText
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLTextAreaElement
 import org.w3c.dom.events.KeyboardEvent
@@ -20,7 +20,7 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
     private lateinit var text: HTMLTextAreaElement
 
     val button: HTMLElement = element("div", "formula-button") {
-        addButton("", "", "${Action.NEW_NOTE.meaning} (${Action.NEW_NOTE.shortcut})") { write(scene.place.now.ofNote) }.apply {
+        addButton("", "", "${KeyAction.NEW_NOTE.meaning} (${KeyAction.NEW_NOTE.shortcut})") { write(scene.place.now.ofNote) }.apply {
             id = "add-note"
             setAttribute("aria-label", "Write a note")
             appendChild(Icon.NOTE.draw())

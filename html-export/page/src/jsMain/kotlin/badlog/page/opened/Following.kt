@@ -6,7 +6,7 @@ import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
 import badlog.page.served.NotNow
 import badlog.page.view.PagePlace
-import badlog.viewer.session.Stay
+import badlog.viewer.state.Stay
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element

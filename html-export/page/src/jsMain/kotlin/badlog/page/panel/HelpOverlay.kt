@@ -2,9 +2,9 @@ package badlog.page.panel
 
 import badlog.page.dom.Dialog
 import badlog.page.dom.add
-import badlog.viewer.input.Action
 import badlog.viewer.input.GRAPH_GESTURES
 import badlog.viewer.input.HelpLine
+import badlog.viewer.input.KeyAction
 import badlog.viewer.input.SEARCH_HELP
 import org.w3c.dom.HTMLElement
 
@@ -16,7 +16,7 @@ internal class HelpOverlay {
     val element: HTMLElement = dialog.element
 
     private fun HTMLElement.addContent() {
-        val lines = GRAPH_GESTURES + Action.entries.map { it.help } + OTHERS + SEARCH_HELP
+        val lines = GRAPH_GESTURES + KeyAction.entries.map { it.help } + OTHERS + SEARCH_HELP
         for ((group, ofGroup) in lines.groupBy { it.group }) {
             add("h3", "", group)
             add("dl", "help-keys") { for (line in ofGroup) addLine(line) }

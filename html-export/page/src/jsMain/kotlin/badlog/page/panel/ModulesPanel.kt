@@ -14,7 +14,7 @@ import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.swerve.DrivePicture
-import badlog.viewer.input.Action
+import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.swerve.ErrorSize
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.viewer.shown.swerve.worstModuleText
@@ -47,7 +47,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         setAttribute("aria-label", "Swerve modules")
         add("header", "graph-head") {
             add("h2", "findings-title", "Modules")
-            add("div", "graph-tools") { addIconButton("", Icon.CLOSE, "Close the modules (${Action.MODULES.shortcut})") { close() } }
+            add("div", "graph-tools") { addIconButton("", Icon.CLOSE, "Close the modules (${KeyAction.MODULES.shortcut})") { close() } }
         }
         add("div", "cursor-panel-rows") {
             worst = add("p", "modules-worst")
@@ -63,7 +63,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
 
     /** Opens and closes it; hidden if the log has no modules. */
     val button: HTMLElement = element("div", "modules-button") {
-        addIconButton("", Icon.WHEELS, "Swerve modules (${Action.MODULES.shortcut})") { toggle() }.apply {
+        addIconButton("", Icon.WHEELS, "Swerve modules (${KeyAction.MODULES.shortcut})") { toggle() }.apply {
             id = "modules-button"
             setAttribute("aria-expanded", "false")
         }

@@ -8,12 +8,6 @@ import badlog.viewer.text.word
 /** Returns [findings] by their places on the x axis. */
 internal fun timelineOf(findings: List<Finding>): FindingTimeline<Finding> = FindingTimeline(findings, { it.severity }, { it.places })
 
-/** Whether it has a place on the x axis. */
-internal val Finding.isPlaced: Boolean get() = time.isFinite()
-
-/** Where its first span ends, or its time if it has none. */
-internal val Finding.end: Double get() = maxOf(time, spans.firstOrNull()?.to ?: time)
-
 /** Returns what was found at its place nearest to [x]. */
 internal fun Finding.textNear(x: Double): String = placeNear(x)?.let(::textAt) ?: text
 

@@ -2,9 +2,9 @@ package badlog.page.view
 
 import badlog.core.analysis.Span
 import badlog.viewer.choices.range.Viewport
-import badlog.viewer.session.Place
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Place
 
 /**
  * The reader's place in the log. Its parts tell those who listen to them alone of their changes: moving a cursor redraws no graph.

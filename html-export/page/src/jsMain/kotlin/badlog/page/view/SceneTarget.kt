@@ -1,8 +1,8 @@
 package badlog.page.view
 
-import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.PlotDrag
 import badlog.viewer.session.gesture.PlotTarget
+import badlog.viewer.state.Place
 
 /** What gestures change on the page: the reader’s place. */
 internal open class SceneTarget(private val scene: Scene) : PlotTarget {

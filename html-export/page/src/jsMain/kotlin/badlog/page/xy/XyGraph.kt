@@ -25,10 +25,10 @@ import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.draw.plot.PlotMargins
 import badlog.viewer.input.DragKind
-import badlog.viewer.session.Place
 import badlog.viewer.session.gesture.XyDrag
 import badlog.viewer.session.gesture.XyGestures
 import badlog.viewer.session.gesture.XyTarget
+import badlog.viewer.state.Place
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement

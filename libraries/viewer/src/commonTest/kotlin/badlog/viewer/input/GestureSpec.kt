@@ -18,19 +18,19 @@ class GestureSpec : FunSpec({
     val zoomed = whole.showing(40.0, 60.0)
 
     test("each key does one thing, whether or not a keyboard needs Shift for a character") {
-        Action.entries.flatMap { it.keys.toList() }.shouldBeUnique()
-        Action.of("N", shift = false) shouldBe Action.NEXT_FINDING
-        Action.of("N", shift = true) shouldBe Action.PREVIOUS_FINDING
-        Action.of("+", shift = true) shouldBe Action.ZOOM_IN
-        Action.of("+", shift = false) shouldBe Action.ZOOM_IN
-        Action.of("E", shift = true).shouldBeNull()
-        Action.of("Q", shift = false).shouldBeNull()
+        KeyAction.entries.flatMap { it.keys.toList() }.shouldBeUnique()
+        KeyAction.of("N", shift = false) shouldBe KeyAction.NEXT_FINDING
+        KeyAction.of("N", shift = true) shouldBe KeyAction.PREVIOUS_FINDING
+        KeyAction.of("+", shift = true) shouldBe KeyAction.ZOOM_IN
+        KeyAction.of("+", shift = false) shouldBe KeyAction.ZOOM_IN
+        KeyAction.of("E", shift = true).shouldBeNull()
+        KeyAction.of("Q", shift = false).shouldBeNull()
     }
 
     test("the help has every key, with Shift where it is needed") {
-        Action.NEXT_VIEW.help shouldBe HelpLine("Graphs", "Shift+Backspace", "Next view")
-        Action.SHOW_ALL.help.how shouldBe "0  Home"
-        Action.entries.map { it.meaning }.shouldBeUnique()
+        KeyAction.NEXT_VIEW.help shouldBe HelpLine("Graphs", "Shift+Backspace", "Next view")
+        KeyAction.SHOW_ALL.help.how shouldBe "0  Home"
+        KeyAction.entries.map { it.meaning }.shouldBeUnique()
     }
 
     test("a drag zooms, with Shift pans, with Alt zooms y") {
@@ -64,12 +64,12 @@ class GestureSpec : FunSpec({
     }
 
     test("with Ctrl or Alt, a key means something else") {
-        Action.of("Z", shift = false, ctrl = true) shouldBe Action.UNDO
-        Action.of("Z", shift = true, ctrl = true) shouldBe Action.REDO
-        Action.of("Z", shift = false) shouldBe null
-        Action.of("↑", shift = false, alt = true) shouldBe Action.MOVE_UP
-        Action.of("N", shift = false, ctrl = true) shouldBe null
-        Action.REDO.help.how shouldBe "Ctrl+Shift+Z  Ctrl+Y"
+        KeyAction.of("Z", shift = false, ctrl = true) shouldBe KeyAction.UNDO
+        KeyAction.of("Z", shift = true, ctrl = true) shouldBe KeyAction.REDO
+        KeyAction.of("Z", shift = false) shouldBe null
+        KeyAction.of("↑", shift = false, alt = true) shouldBe KeyAction.MOVE_UP
+        KeyAction.of("N", shift = false, ctrl = true) shouldBe null
+        KeyAction.REDO.help.how shouldBe "Ctrl+Shift+Z  Ctrl+Y"
     }
 
     test("two quick clicks at one place are a double click, and a third begins a new one") {

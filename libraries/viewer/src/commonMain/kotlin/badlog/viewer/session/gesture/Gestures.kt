@@ -3,8 +3,8 @@ package badlog.viewer.session.gesture
 import badlog.viewer.input.DoubleClick
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.PlotPointer
-import badlog.viewer.session.Place
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Place
 import kotlin.math.hypot
 
 /** What gestures change, on the page and in the window. */

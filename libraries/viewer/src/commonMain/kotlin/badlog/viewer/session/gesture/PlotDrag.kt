@@ -3,7 +3,7 @@ package badlog.viewer.session.gesture
 import badlog.core.analysis.Span
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.DragKind
-import badlog.viewer.session.Place
+import badlog.viewer.state.Place
 
 /**
  * A drag over a plot.

@@ -13,13 +13,12 @@ import badlog.viewer.draw.mark.FindingPlace
 fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? {
     val first = firstToSee(findings, incidents) ?: return null
     first.incident?.let(::stepTo)?.let { return it }
-    return FindingStep(first.begin.firstPlace ?: placeOf(first.begin, Span(Double.NaN, Double.NaN)), first.incident)
+    return FindingStep(first.begin.firstPlace, first.incident)
 }
 
 /** Returns the step to where [incident] begins; null if all of it is about the whole log. */
 internal fun stepTo(incident: Incident): FindingStep? = (listOf(incident.first) + incident.sentences.map { it.finding })
-    .firstNotNullOfOrNull { it.firstPlace }?.let { FindingStep(it, incident) }
+    .firstOrNull { it.time.isFinite() }?.let { FindingStep(it.firstPlace, incident) }
 
-private val Finding.firstPlace: FindingPlace<Finding>? get() = places.firstOrNull()?.let { placeOf(this, it) }
-
-private fun placeOf(finding: Finding, span: Span) = FindingPlace(finding, finding.severity, span)
+/** The place of the finding to look at first; NaN for a finding about the whole log. */
+val Finding.firstPlace: FindingPlace<Finding> get() = FindingPlace(this, severity, places.firstOrNull() ?: Span(Double.NaN, Double.NaN))

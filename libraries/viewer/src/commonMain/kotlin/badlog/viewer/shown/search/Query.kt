@@ -10,8 +10,10 @@ package badlog.viewer.shown.search
  * - `is:` and `has:` ask for traits of the topic, see [Trait]; with any other word after the colon they are ordinary words.
  *
  * While typing, incomplete parts have no effect: a sign without a word, and an empty alternative, are ignored.
+ *
+ * @property text what was typed.
  */
-class Query(text: String) {
+class Query(val text: String) {
     private class Term(val isWanted: Boolean, val word: String, val trait: Trait?, val variants: List<String>) {
         fun occursIn(text: String) = word in text || variants.any { occursIn(text, it) }
     }

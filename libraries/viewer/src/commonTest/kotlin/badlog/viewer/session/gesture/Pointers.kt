@@ -4,7 +4,7 @@ import badlog.core.analysis.Span
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.input.PointerButton
-import badlog.viewer.session.Place
+import badlog.viewer.state.Place
 
 /** A pointer on a frame of 1000 by 100 pixels. */
 internal fun pointer(

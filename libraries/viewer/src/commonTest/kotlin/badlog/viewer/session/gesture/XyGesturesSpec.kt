@@ -10,8 +10,8 @@ import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.draw.path.XyLog
 import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.input.PointerButton
-import badlog.viewer.session.Place
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Place
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
 import io.kotest.core.spec.style.FunSpec

@@ -7,7 +7,7 @@ package badlog.viewer.input
  * @property meaning what it does, for the help.
  * @property keys the keys; each does the same.
  */
-enum class Action(val group: String, val meaning: String, vararg val keys: KeyStroke) {
+enum class KeyAction(val group: String, val meaning: String, vararg val keys: KeyStroke) {
     /** The cursor goes to the previous sample. */
     PREVIOUS_SAMPLE("Graphs", "Cursor to the previous sample", KeyStroke("←")),
 
@@ -122,7 +122,7 @@ enum class Action(val group: String, val meaning: String, vararg val keys: KeySt
         /**
          * Returns what [key], written as in [keys], does with these modifiers, where [ctrl] is the command key on a Mac; null for nothing.
          */
-        fun of(key: String, shift: Boolean, ctrl: Boolean = false, alt: Boolean = false): Action? = entries.firstOrNull { action ->
+        fun of(key: String, shift: Boolean, ctrl: Boolean = false, alt: Boolean = false): KeyAction? = entries.firstOrNull { action ->
             action.keys.any { it.key == key && it.ctrl == ctrl && it.alt == alt && (it.shift == shift || it.isSign) }
         }
     }

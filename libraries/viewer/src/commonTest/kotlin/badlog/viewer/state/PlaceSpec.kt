@@ -1,4 +1,4 @@
-package badlog.viewer.session
+package badlog.viewer.state
 
 import badlog.core.analysis.Span
 import badlog.viewer.choices.range.Viewport

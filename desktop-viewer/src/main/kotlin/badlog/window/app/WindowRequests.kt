@@ -1,0 +1,56 @@
+package badlog.window.app
+
+import badlog.viewer.state.FindingRequest
+import badlog.viewer.state.Request
+import badlog.viewer.state.TodoRequest
+import badlog.window.formula.FormulaStore
+import badlog.window.graph.SpokenCursor
+import badlog.window.layout.KeptLayouts
+import badlog.window.log.GraphBoard
+import badlog.window.log.LogNotes
+import badlog.window.sidebar.InspectorTab
+import badlog.window.sidebar.WindowPanels
+import badlog.window.todo.FolderTodo
+import badlog.window.todo.TodoSheet
+import badlog.window.video.LogVideo
+
+/** Does what actions ask of the window. Use it only on the window's thread. */
+internal class WindowRequests(
+    private val board: GraphBoard,
+    private val formulas: FormulaStore,
+    private val findings: FindingRequests,
+    private val notes: LogNotes,
+    private val layouts: KeptLayouts,
+    private val panels: WindowPanels,
+    private val video: LogVideo,
+    private val spoken: SpokenCursor,
+    private val todo: FolderTodo,
+) {
+    /** Does what [request] asks for. */
+    fun perform(request: Request) = when (request) {
+        is FindingRequest -> findings.perform(request)
+        is TodoRequest -> perform(request)
+        Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
+        Request.Modules -> panels.change { toggled(InspectorTab.MODULES) }
+        Request.Pin -> board.togglePin()
+        is Request.Graph -> board.keepInSight(request.id)
+        is Request.Layout -> layouts.step(request.steps)
+        Request.Cursor -> spoken.sayValues()
+        Request.Formula -> formulas.write()
+        is Request.Note -> write(request)
+        is Request.Mark -> notes.mark(request.x, spoken.placeOf(request.x))
+        is Request.Frames -> video.step(request.count)
+    }
+
+    private fun perform(request: TodoRequest) = when (request) {
+        is TodoRequest.Write -> todo.write(request.task, request.deed)
+        is TodoRequest.AskDone -> todo.ask(TodoSheet.Done(request.item))
+        is TodoRequest.AskPerson -> todo.ask(TodoSheet.Assign(request.item))
+    }
+
+    private fun write(request: Request.Note) {
+        if (notes.state.log == null) return
+        panels.change { inspecting(InspectorTab.NOTES) }
+        notes.write(request.x)
+    }
+}

@@ -1,0 +1,144 @@
+package badlog.window.panel
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.vector.ImageVector
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.Button
+import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Choices
+import badlog.viewer.panel.Field
+import badlog.viewer.panel.Fold
+import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Paragraph
+import badlog.viewer.panel.Part
+import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.Rows
+import badlog.viewer.panel.Tone
+import badlog.viewer.panel.Trouble
+import badlog.viewer.state.Action
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.Tip
+import badlog.window.theme.ToolButton
+import badlog.viewer.panel.Row as PanelRow
+
+/** Shows [part]; of a fold only its title, since what it contains are further parts. */
+@Composable
+internal fun PartView(part: Part, send: (Action) -> Unit) {
+    when (part) {
+        is Heading -> HeadingView(part, send)
+        is Paragraph -> ParagraphView(part, send)
+        is Trouble -> TroubleView(part)
+        is Buttons -> FlowRow(Modifier.padding(horizontal = 12.dp), Arrangement.spacedBy(2.dp)) { ButtonsView(part.buttons, send) }
+        is Choices -> ChoicesView(part, send)
+        is Field -> FieldView(part, send)
+        is Fold -> FoldTitle(part, send)
+        is Rows -> for (row in part.rows) RowView(row, send)
+        is PanelRow -> RowView(part, send)
+    }
+}
+
+@Composable
+private fun HeadingView(heading: Heading, send: (Action) -> Unit) {
+    Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 4.dp, top = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+        // The tab above has the title.
+        Text(heading.status, Modifier.weight(1f), fontWeight = FontWeight.Medium)
+        ButtonsView(heading.tools, send, areIcons = true)
+    }
+}
+
+@Composable
+private fun ParagraphView(paragraph: Paragraph, send: (Action) -> Unit) {
+    Row(Modifier.fillMaxWidth().padding(horizontal = 12.dp, vertical = 2.dp), verticalAlignment = Alignment.CenterVertically) {
+        ToneText(paragraph, Modifier.weight(1f))
+        paragraph.button?.let { ButtonsView(listOf(it), send) }
+    }
+}
+
+/** The text of [paragraph] alone, as it is meant. */
+@Composable
+internal fun ToneText(paragraph: Paragraph, modifier: Modifier = Modifier) {
+    val palette = LocalPalette.current
+    val color = when (paragraph.tone) {
+        Tone.BODY -> palette.text
+        Tone.MUTED -> palette.muted
+        Tone.ALERT -> palette.error
+    }
+    Text(paragraph.text, modifier, color, fontSize = 12.sp)
+}
+
+/** Shows [buttons], only their icons if they [areIcons]. */
+@Composable
+internal fun ButtonsView(buttons: List<Button>, send: (Action) -> Unit, areIcons: Boolean = false) {
+    for (button in buttons) {
+        val text = button.label.takeIf { !areIcons }
+        ToolButton(button.hint, button.icon?.vector, text, isEnabled = button.isEnabled) { send(button.action) }
+    }
+}
+
+private val PartIcon.vector: ImageVector
+    get() = when (this) {
+        PartIcon.PREVIOUS -> Icons.Up
+        PartIcon.NEXT -> Icons.Down
+        PartIcon.AGAIN -> Icons.Reset
+        PartIcon.PIN -> Icons.Pin
+        PartIcon.ADD -> Icons.Add
+        PartIcon.REMOVE -> Icons.Remove
+        PartIcon.DONE -> Icons.Check
+        PartIcon.PERSON -> Icons.Flag
+        PartIcon.UNDONE -> Icons.Undo
+    }
+
+@Composable
+private fun ChoicesView(choices: Choices, send: (Action) -> Unit) {
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .padding(horizontal = 8.dp, vertical = 4.dp)
+            .background(LocalPalette.current.accentSoft, RoundedCornerShape(4.dp))
+            .padding(horizontal = 6.dp, vertical = 4.dp)
+            .semantics { contentDescription = choices.title },
+    ) {
+        Text(choices.title, fontWeight = FontWeight.Medium)
+        for (button in choices.buttons) {
+            Tip(button.hint) {
+                Text(button.label, Modifier.fillMaxWidth().clickable(role = Role.Button) { send(button.action) }.padding(vertical = 2.dp))
+            }
+        }
+    }
+}
+
+@Composable
+private fun FoldTitle(fold: Fold, send: (Action) -> Unit) {
+    val palette = LocalPalette.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .clickable(role = Role.Button) { send(fold.toggle) }
+            .padding(start = 8.dp, end = 14.dp, top = 8.dp, bottom = 4.dp),
+        Arrangement.spacedBy(4.dp),
+        Alignment.CenterVertically,
+    ) {
+        Icon(if (fold.isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
+        Text(fold.title, color = palette.muted)
+    }
+}

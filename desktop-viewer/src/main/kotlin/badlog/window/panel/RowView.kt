@@ -1,0 +1,160 @@
+package badlog.window.panel
+
+import androidx.compose.foundation.ContextMenuItem
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.core.recording.Severity
+import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Line
+import badlog.viewer.panel.Paragraph
+import badlog.viewer.panel.Part
+import badlog.viewer.state.Action
+import badlog.viewer.text.word
+import badlog.window.findings.findingColor
+import badlog.window.findings.findingSoft
+import badlog.window.menu.ContextArea
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
+import badlog.viewer.panel.Row as PanelRow
+
+/** Shows [row]: in a frame if its lines belong together, otherwise its severity and times beside its text. */
+@Composable
+internal fun RowView(row: PanelRow, send: (Action) -> Unit) {
+    if (row.isFramed) return FramedRow(row, send)
+    if (row.menu.isEmpty()) return PlainRow(row, send)
+    ContextArea({ row.menu.map { ContextMenuItem(it.label) { send(it.action) } } }) { PlainRow(row, send) }
+}
+
+@Composable
+private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
+    Row(
+        Modifier.inspectorLine(row.name, row.isCurrent, gap = 5.dp) { row.open?.let(send) },
+        horizontalArrangement = Arrangement.spacedBy(8.dp),
+    ) {
+        Column(Modifier.width(62.dp)) {
+            row.severity?.let { SeverityBadge(it) }
+            for (line in row.lines) {
+                line.since?.let { Time(it) }
+                Time(line.time)
+            }
+        }
+        Column(Modifier.weight(1f)) {
+            NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
+            for (line in row.lines) Text(line.text)
+            if (row.count.isNotEmpty()) Text(row.count, color = LocalPalette.current.muted, fontSize = 12.sp)
+            BelowRow(row.below, send)
+        }
+    }
+}
+
+@Composable
+private fun SeverityBadge(severity: Severity) {
+    val palette = LocalPalette.current
+    Text(
+        severity.word,
+        Modifier
+            .fillMaxWidth()
+            .background(palette.findingSoft(severity), RoundedCornerShape(4.dp))
+            .padding(horizontal = 4.dp),
+        color = palette.findingColor(severity),
+        fontSize = 12.sp,
+        textAlign = TextAlign.Center,
+    )
+}
+
+@Composable
+private fun Time(text: String) {
+    Text(
+        text,
+        Modifier.fillMaxWidth(),
+        color = LocalPalette.current.muted,
+        fontSize = 11.sp,
+        textAlign = TextAlign.End,
+        maxLines = 1,
+        overflow = TextOverflow.Ellipsis,
+    )
+}
+
+@Composable
+private fun FramedRow(row: PanelRow, send: (Action) -> Unit) {
+    val palette = LocalPalette.current
+    val severity = row.severity ?: Severity.NOTE
+    val color = palette.findingColor(severity)
+    val shape = RoundedCornerShape(4.dp)
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .padding(start = 8.dp, end = 14.dp, top = 3.dp, bottom = 3.dp)
+            .background(palette.findingSoft(severity), shape)
+            .border(2.dp, if (row.isCurrent) color else Color.Transparent, shape)
+            .padding(horizontal = 6.dp, vertical = 4.dp),
+    ) {
+        Text(
+            "${severity.word}: ${row.title}",
+            Modifier
+                .fillMaxWidth()
+                .clickable(role = Role.Button) { row.open?.let(send) }
+                .semantics {
+                    contentDescription = row.name
+                    selected = row.isCurrent
+                },
+            color = color,
+            fontWeight = FontWeight.Medium,
+        )
+        for (line in row.lines) FramedLine(line, send)
+        BelowRow(row.below, send)
+    }
+}
+
+@Composable
+private fun FramedLine(line: Line, send: (Action) -> Unit) {
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .clickable(role = Role.Button) { line.open?.let(send) }
+            .semantics {
+                contentDescription = line.name
+                selected = line.isCurrent
+            }
+            .padding(vertical = 2.dp),
+        Arrangement.spacedBy(6.dp),
+    ) {
+        Text(line.time, color = LocalPalette.current.muted, fontSize = 11.sp)
+        Text(line.text, Modifier.weight(1f))
+    }
+}
+
+/** Shows what is below the text of a row. */
+@Composable
+private fun BelowRow(parts: List<Part>, send: (Action) -> Unit) {
+    for (part in parts) {
+        when (part) {
+            is Paragraph -> ToneText(part, Modifier.fillMaxWidth())
+            is Buttons -> FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) { ButtonsView(part.buttons, send) }
+            else -> PartView(part, send)
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package badlog.page.app
+
+import badlog.page.board.BoardKeys
+import badlog.page.formula.FormulaDialog
+import badlog.page.layout.LayoutDialog
+import badlog.page.note.NoteDialog
+import badlog.page.panel.CursorPanel
+import badlog.page.panel.ModulesPanel
+import badlog.page.video.VideoPanel
+import badlog.viewer.state.FindingRequest
+import badlog.viewer.state.Request
+import badlog.viewer.state.TodoRequest
+
+/** Does what actions ask of the page. */
+internal class PageRequests(
+    private val board: BoardKeys,
+    private val values: CursorPanel,
+    private val modules: ModulesPanel,
+    private val formulas: FormulaDialog,
+    private val notes: NoteDialog,
+    private val layouts: LayoutDialog,
+    private val video: VideoPanel,
+    private val live: LiveRegion,
+    private val onFinding: (FindingRequest) -> Unit,
+) {
+    /** Does what [request] asks for. */
+    fun perform(request: Request): Unit = when (request) {
+        is FindingRequest -> onFinding(request)
+
+        // A page cannot write beside the logs, so it has no team's list.
+        is TodoRequest -> Unit
+
+        Request.Values -> values.toggle()
+
+        Request.Modules -> modules.toggle()
+
+        Request.Pin -> board.togglePin()
+
+        is Request.Graph -> board.keepInSight(request.id)
+
+        is Request.Layout -> layouts.step(request.steps)
+
+        Request.Cursor -> live.announceCursor()
+
+        Request.Formula -> formulas.open()
+
+        is Request.Note -> notes.write(request.x)
+
+        is Request.Mark -> notes.mark(request.x)
+
+        is Request.Frames -> video.step(request.count)
+    }
+}

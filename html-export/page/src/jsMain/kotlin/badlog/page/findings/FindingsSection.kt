@@ -1,0 +1,150 @@
+package badlog.page.findings
+
+import badlog.page.dom.PageEvents
+import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
+import badlog.page.dom.isHidden
+import badlog.page.dom.isNarrow
+import badlog.page.parts.PartNodes
+import badlog.page.parts.patch
+import badlog.page.view.Scene
+import badlog.rules.Finding
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.panel.LogTimes
+import badlog.viewer.panel.finding.FindingsRoom
+import badlog.viewer.panel.finding.FindingsShown
+import badlog.viewer.panel.finding.findingsPanel
+import badlog.viewer.session.link.FindingName
+import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.firstStep
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
+import badlog.viewer.state.FindingsState
+import kotlinx.browser.window
+import org.w3c.dom.HTMLElement
+
+/**
+ * The findings of the log, see [findingsPanel]. Hidden while there is nothing to show.
+ *
+ * @param signals the signals that a reader assigned to topics.
+ * @param embedded what was found before the page was made.
+ * @param differences returns how the log differs from those before it.
+ * @param send lets an action change the state.
+ */
+internal class FindingsSection(
+    private val scene: Scene,
+    private val signals: SignalChoice,
+    embedded: List<Finding>,
+    private val differences: () -> List<Finding>,
+    private val send: (Action) -> Unit,
+) {
+    private val times = LogTimes(scene.range.full.width, scene.xAxis, scene.enabled)
+    private val nodes = PartNodes(send)
+    private var drawn: FindingPlace<Finding>? = null
+    private var isRunning = false
+
+    val element: HTMLElement = element("section", "findings card") {
+        id = "findings"
+        setAttribute("aria-label", "Findings")
+    }
+
+    /** What rules found, and what was embedded. */
+    var found: FoundInLog = FoundInLog(embedded)
+        set(value) {
+            field = value
+            isRunning = false
+            scene.findings = value.timeline
+            show()
+        }
+
+    /** What is searched and unfolded. */
+    var state: FindingsState = FindingsState()
+        set(value) {
+            if (value == field) return
+            field = value
+            show()
+        }
+
+    init {
+        scene.cursor.onChange { if (scene.visited !== drawn) show() }
+        show()
+    }
+
+    /** Shows that rules are running, unless they end soon. */
+    fun wait() {
+        var isOver = false
+        PageEvents.onEnd { isOver = true }
+        val before = found
+        window.setTimeout({ if (!isOver && found === before) showRunning() }, PATIENCE)
+    }
+
+    private fun showRunning() {
+        isRunning = true
+        show()
+    }
+
+    /** The number of findings that the search finds; none without a search. */
+    val hits: Int get() = if (state.query.isBlank()) 0 else found.foundBy(state.query).findings.size
+
+    /** Goes to what to see first of [findings], as a list of logs and the window do, see [firstStep]. */
+    fun goToWorst(findings: List<Finding>) {
+        firstStep(findings, found.incidents)?.let { send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
+    }
+
+    /** Goes to the finding that begins at [x] and is called [name], or else to the worst one there. Returns whether there is one. */
+    fun visitAt(x: Double, name: FindingName?): Boolean {
+        val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
+        send(FindingAction.GoTo(place, found.incidentOf(place.finding)))
+        return true
+    }
+
+    /** Gives the keyboard's focus to the link of the finding that the reader has gone to. Nothing scrolls. Returns whether it is listed. */
+    fun focusCurrent(): Boolean {
+        val finding = scene.visited?.finding ?: return false
+        val row = element.querySelector(".finding[aria-current]") ?: element.querySelector("[aria-current]") ?: return false
+        val links = row.querySelectorAll(".event-go")
+        // An incident has a link for each of its sentences, a row of a finding has only its own.
+        val index = found.incidentOf(finding)?.sentences.orEmpty().indexOfFirst { it.finding === finding }
+        val link = links.item(maxOf(0, index)) ?: links.item(0) ?: return false
+        link.unsafeCast<HTMLElement>().focusInPlace()
+        return true
+    }
+
+    /** Lists more on paper, where nothing can be unfolded, than on the screen. */
+    fun print(isOnPaper: Boolean) = send(if (isOnPaper) FindingAction.ListMore else FindingAction.ListFew)
+
+    /** Shows it as it is now. */
+    fun show() {
+        drawn = scene.visited
+        val parts = findingsPanel(
+            FindingsShown(
+                found,
+                isRunning,
+                state,
+                drawn,
+                times,
+                differences(),
+                signals.topics,
+                signals.assigned,
+                room = if (isNarrow) FindingsRoom.NARROW else FindingsRoom.SHARED,
+            ),
+        )
+        element.patch(nodes.of(parts))
+        element.isHidden = parts.isEmpty()
+        element.classList.toggle(
+            "has-spans",
+            found.all.any { finding ->
+                finding.spans.firstOrNull()?.let { it.to > finding.time } == true
+            },
+        )
+        val list = element.querySelector(".is-long")?.unsafeCast<HTMLElement>() ?: return
+        val row = list.querySelector("[aria-current]")?.unsafeCast<HTMLElement>() ?: return
+        // Scrolls only the list: everything above and below it stays where it is.
+        list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
+    }
+
+    private companion object {
+        /** Milliseconds before running rules are mentioned. */
+        const val PATIENCE = 400
+    }
+}

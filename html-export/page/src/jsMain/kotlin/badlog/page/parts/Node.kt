@@ -1,0 +1,23 @@
+package badlog.page.parts
+
+import badlog.page.dom.Icon
+import org.w3c.dom.events.Event
+
+/**
+ * What an element of the page should be, see [patch].
+ *
+ * @property key identifies the element among those beside it; empty where its place does.
+ * @property text its text; null if it has [children] instead. It becomes a text node, so nothing in a file can become markup.
+ * @property icon drawn at its beginning; null for none.
+ * @property on what happens at its events, by their types.
+ */
+internal class Node(
+    val tag: String,
+    val className: String = "",
+    val text: String? = null,
+    val key: String = "",
+    val attributes: Map<String, String> = emptyMap(),
+    val icon: Icon? = null,
+    val on: Map<String, (Event) -> Unit> = emptyMap(),
+    val children: List<Node> = emptyList(),
+)

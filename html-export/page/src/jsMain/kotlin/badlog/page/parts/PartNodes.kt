@@ -1,0 +1,224 @@
+package badlog.page.parts
+
+import badlog.page.dom.Icon
+import badlog.viewer.panel.Button
+import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Choices
+import badlog.viewer.panel.Field
+import badlog.viewer.panel.Fold
+import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Paragraph
+import badlog.viewer.panel.Part
+import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.Row
+import badlog.viewer.panel.Rows
+import badlog.viewer.panel.Trouble
+import badlog.viewer.state.Action
+import badlog.viewer.text.word
+import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.events.Event
+
+/** Makes nodes of the parts of a panel; the class of each is the first word of its key. What a person does is passed to [send]. */
+internal class PartNodes(private val send: (Action) -> Unit) {
+    private val suggested = ArrayList<List<String>>()
+
+    /** Returns the [parts] of a panel as nodes. */
+    fun of(parts: List<Part>): List<Node> {
+        suggested.clear()
+        return nodesOf(parts)
+    }
+
+    private fun nodesOf(parts: List<Part>) = parts.map(::of)
+
+    private fun of(part: Part): Node = when (part) {
+        is Heading -> heading(part)
+        is Paragraph -> paragraph(part)
+        is Trouble -> trouble(part)
+        is Buttons -> Node("div", part.className, key = part.key, children = part.buttons.map(::textButton))
+        is Choices -> choices(part)
+        is Field -> field(part)
+        is Fold -> fold(part)
+        is Rows -> rows(part)
+        is Row -> row(part)
+    }
+
+    private fun heading(heading: Heading) = Node(
+        "header",
+        "graph-head",
+        key = heading.key,
+        children = listOf(
+            Node("h2", "findings-title", heading.title),
+            Node("span", "unit", heading.status, attributes = mapOf("role" to "status")),
+        ) + heading.tools.map(::iconButton),
+    )
+
+    private fun paragraph(paragraph: Paragraph): Node {
+        val button = paragraph.button ?: return Node("p", paragraph.className, paragraph.text, paragraph.key)
+        return Node(
+            "p",
+            paragraph.className,
+            key = paragraph.key,
+            children = listOf(Node("span", text = "${paragraph.text} "), textButton(button)),
+        )
+    }
+
+    private fun trouble(trouble: Trouble): Node {
+        val text = listOf(Node("span", text = trouble.text)) +
+            if (trouble.pointer.isEmpty()) emptyList() else listOf(Node("pre", "pointer", trouble.pointer))
+        val word = trouble.severity.word
+        val parts = listOf(Node("span", "severity is-$word", word), Node("div", "problem-text", children = text))
+        return Node("div", "problem", key = trouble.key, children = parts)
+    }
+
+    private fun choices(choices: Choices): Node {
+        val list = Node("ul", children = choices.buttons.map { Node("li", key = it.label, children = listOf(textButton(it))) })
+        val title = Node("h3", text = choices.title)
+        return Node(
+            "section",
+            choices.className,
+            key = choices.key,
+            attributes = mapOf("aria-label" to choices.title),
+            children = listOf(title, list),
+        )
+    }
+
+    private fun field(field: Field): Node {
+        val changed = { event: Event ->
+            val text = event.target.unsafeCast<HTMLInputElement>().value
+            if (text.isNotEmpty() || field.isSearch) send(field.onText(text))
+        }
+        // Fields with the same suggestions share their list: there may be thousands.
+        val index = suggested.indexOfFirst { it === field.suggestions }
+        val list = if (index >= 0) index else suggested.size
+        val attributes =
+            mapOf("title" to field.hint) + if (field.suggestions.isEmpty()) emptyMap() else mapOf("list" to "suggestions-$list")
+        val input = Node("input", attributes = attributes, on = mapOf((if (field.isSearch) "input" else "change") to changed))
+        val parts = listOf(Node("span", text = "${field.label} "), input)
+        val isFirst = field.suggestions.isNotEmpty() && index < 0
+        if (isFirst) suggested += field.suggestions
+        return Node(
+            "label",
+            field.className,
+            key = field.key,
+            children = if (isFirst) parts + suggestions(field.suggestions, list) else parts,
+        )
+    }
+
+    private fun suggestions(names: List<String>, list: Int): Node {
+        val options = names.map { Node("option", key = it, attributes = mapOf("value" to it)) }
+        return Node("datalist", attributes = mapOf("id" to "suggestions-$list"), children = options)
+    }
+
+    private fun fold(fold: Fold): Node {
+        // The state decides whether it is open, not the browser.
+        val toggle = { event: Event ->
+            event.preventDefault()
+            send(fold.toggle)
+        }
+        val title = Node("summary", text = fold.title, on = mapOf("click" to toggle))
+        val open = if (fold.isOpen) mapOf("open" to "") else emptyMap()
+        return Node(
+            "details",
+            fold.className,
+            key = fold.key,
+            attributes = open,
+            children =
+            listOf(title) + if (fold.isOpen) nodesOf(fold.parts) else emptyList(),
+        )
+    }
+
+    private fun rows(rows: Rows): Node {
+        // Anything that scrolls must react to keys.
+        val attributes = mapOf("aria-label" to rows.name) + if (rows.isLong) mapOf("tabindex" to "0") else emptyMap()
+        return Node(
+            "ol",
+            rows.className + if (rows.isLong) " is-long" else "",
+            key = rows.key,
+            attributes = attributes,
+            children = rows.rows.map(::row),
+        )
+    }
+
+    private fun row(row: Row): Node {
+        val severity = row.severity?.word
+        val badge = if (severity == null) emptyList() else listOf(Node("span", "severity is-$severity", severity))
+        val parts = if (row.isFramed) framed(row) else plain(row)
+        val current = if (row.isCurrent) mapOf("aria-current" to "true") else emptyMap()
+        val pressed = { event: Event ->
+            if (event.target.asDynamic().closest("button, a") == null) row.open?.let(send) ?: Unit
+        }
+        return Node(
+            "li",
+            row.className,
+            key = row.key,
+            attributes = current,
+            on = mapOf("click" to pressed),
+            children = badge + parts + row.tools.map { iconButton(it, "pin") },
+        )
+    }
+
+    private fun framed(row: Row): List<Node> {
+        val lines = row.lines.mapIndexed { i, line ->
+            Node("p", key = "line $i", children = listOf(time(line.time, line.open), Node("span", text = line.text)))
+        }
+        return listOf(Node("div", "incident-text", children = lines + nodesOf(row.below)))
+    }
+
+    private fun plain(row: Row): List<Node> {
+        val line = row.lines.firstOrNull()
+        val until = line?.until.orEmpty()
+        val time = line?.let { time(if (until.isEmpty()) it.time else "${it.time} – $until", it.open) }
+        val texts = listOf(Node("span", "finding-source", row.title)) + row.lines.map { Node("span", text = it.text) }
+        val count = if (row.count.isEmpty()) null else Node("span", "unit finding-count", row.count)
+        return listOfNotNull(time, Node("span", "finding-text", children = texts + nodesOf(row.below)), count)
+    }
+
+    private fun time(text: String, open: Action?): Node = if (open == null) {
+        Node("span", "finding-whole", text)
+    } else {
+        Node(
+            "button",
+            "event-go",
+            text,
+            attributes = mapOf("type" to "button", "title" to "Zoom to it"),
+            on = mapOf(
+                "click" to { _: Event ->
+                    send(open)
+                },
+            ),
+        )
+    }
+
+    private fun textButton(button: Button) = Node(
+        "button",
+        "text-button",
+        button.label,
+        attributes =
+        mapOf("type" to "button") + (if (button.hint == button.label) emptyMap() else mapOf("title" to button.hint)) + disabled(button),
+        on = mapOf("click" to { _: Event -> send(button.action) }),
+    )
+
+    private fun iconButton(button: Button, className: String = "") = Node(
+        "button",
+        "icon-button $className".trim(),
+        key = button.label,
+        attributes = mapOf("type" to "button", "title" to button.hint, "aria-label" to button.hint) + disabled(button),
+        icon = button.icon?.icon,
+        on = mapOf("click" to { _: Event -> send(button.action) }),
+    )
+
+    private fun disabled(button: Button) = if (button.isEnabled) emptyMap() else mapOf("disabled" to "")
+
+    private val Part.className: String get() = key.substringBefore(' ')
+}
+
+private val PartIcon.icon: Icon
+    get() = when (this) {
+        PartIcon.PREVIOUS, PartIcon.NEXT -> Icon.BACK
+        PartIcon.AGAIN -> Icon.RESET
+        PartIcon.PIN -> Icon.PIN
+        PartIcon.ADD -> Icon.PLUS
+        PartIcon.REMOVE -> Icon.MINUS
+        PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
+        PartIcon.UNDONE -> Icon.UNDO
+    }

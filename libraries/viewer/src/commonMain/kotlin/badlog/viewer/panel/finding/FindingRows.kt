@@ -1,0 +1,98 @@
+package badlog.viewer.panel.finding
+
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.viewer.panel.Button
+import badlog.viewer.panel.Line
+import badlog.viewer.panel.Paragraph
+import badlog.viewer.panel.Part
+import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.Row
+import badlog.viewer.panel.Rows
+import badlog.viewer.panel.Tone
+import badlog.viewer.shown.finding.firstPlace
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
+import badlog.viewer.state.FindingRequest
+import badlog.viewer.text.countText
+import badlog.viewer.text.word
+import badlog.viewer.todo.taskOf
+
+/** Returns [incidents] as rows: what came first and what followed, each linked to its place; null for none. */
+internal fun incidentRows(shown: FindingsShown, incidents: List<Incident>): Rows? =
+    if (incidents.isEmpty()) null else Rows("incidents", "Incidents", incidents.map { incidentRow(shown, it) })
+
+private fun incidentRow(shown: FindingsShown, incident: Incident): Row {
+    val current = shown.visited?.finding
+    val sentences = incident.sentences
+    val first = sentences.first().finding
+    val open = sentences.map { it.finding }.firstOrNull { it.time.isFinite() }
+    val read = sentences.map { it.finding }.find { it === current }
+    return Row(
+        "incident ${incident.name} ${incident.time}",
+        incident.severity,
+        "Incident: ${incident.name}",
+        incident.name,
+        sentences.map { lineOf(shown, it.finding, it.text, incident) },
+        isFramed = true,
+        isCurrent = current != null && current in incident,
+        open = goTo(open ?: first, incident, isWhole = true),
+        tools = if (shown.details == null) listOf(pin(first, incident)) else emptyList(),
+        below = if (read != null && shown.details != null) detailsOf(shown, read) else nextOf(incident.next),
+    )
+}
+
+/** Returns [findings] as rows: severity, time, rule, text. */
+internal fun findingRows(shown: FindingsShown, findings: List<Finding>): List<Row> {
+    // A hook may report the same twice.
+    val times = HashMap<String, Int>()
+    return findings.map { finding ->
+        val name = "finding ${finding.rule} ${finding.topic}"
+        val before = times[name] ?: 0
+        times[name] = before + 1
+        findingRow(shown, finding, if (before == 0) name else "$name $before")
+    }
+}
+
+private fun findingRow(shown: FindingsShown, finding: Finding, key: String): Row {
+    val isCurrent = finding === shown.visited?.finding
+    val incident = shown.found?.incidentOf(finding)
+    val isRepeated = finding.spanCount > 1 && "${finding.spanCount}" !in finding.text
+    return Row(
+        key,
+        finding.severity,
+        "Finding, ${finding.severity.word}: ${finding.rule}",
+        finding.rule,
+        listOf(lineOf(shown, finding, finding.text, incident = null)),
+        count = if (isRepeated) "${countText(finding.spanCount)} times" else "",
+        isCurrent = isCurrent,
+        open = goTo(finding, incident, isWhole = false),
+        tools = if (finding.evidence.isEmpty() || shown.details != null) emptyList() else listOf(pin(finding, incident)),
+        menu = shown.todo?.let { todoButtons(it, taskOf(finding)) }.orEmpty(),
+        below = if (isCurrent && shown.details != null) detailsOf(shown, finding) else todoLines(shown.todo, taskOf(finding)),
+    )
+}
+
+private fun lineOf(shown: FindingsShown, finding: Finding, text: String, incident: Incident?): Line {
+    val isPlaced = finding.time.isFinite()
+    val end = finding.spans.firstOrNull()?.to ?: finding.time
+    return Line(
+        text,
+        time = if (isPlaced) shown.times.logged(finding.time) else "whole log",
+        until = if (incident == null && end > finding.time) shown.times.logged(end) else "",
+        since = shown.times.sinceEnabled(finding.time),
+        name = if (incident == null) "" else "Finding, ${finding.severity.word}: ${finding.rule}",
+        open = if (isPlaced || incident != null) goTo(finding, incident, isWhole = false) else null,
+        isCurrent = finding === shown.visited?.finding,
+    )
+}
+
+private fun goTo(finding: Finding, incident: Incident?, isWhole: Boolean): Action =
+    FindingAction.GoTo(finding.firstPlace, incident, isWhole)
+
+private fun pin(finding: Finding, incident: Incident?) =
+    Button("Add its graphs to the board", Action.Ask(FindingRequest.Pin(finding, incident)), PartIcon.PIN)
+
+/** Returns what to look at [next] as a part; none if that is empty. */
+internal fun nextOf(next: String): List<Part> =
+    if (next.isEmpty()) emptyList() else listOf(Paragraph("incident-next", "Next: $next", Tone.MUTED))

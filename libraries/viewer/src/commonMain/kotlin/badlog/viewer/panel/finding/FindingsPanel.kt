@@ -1,0 +1,200 @@
+package badlog.viewer.panel.finding
+
+import badlog.core.recording.Severity
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.viewer.input.KeyAction
+import badlog.viewer.panel.Button
+import badlog.viewer.panel.Buttons
+import badlog.viewer.panel.Choices
+import badlog.viewer.panel.Field
+import badlog.viewer.panel.Fold
+import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Paragraph
+import badlog.viewer.panel.Part
+import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.Rows
+import badlog.viewer.panel.Tone
+import badlog.viewer.panel.Trouble
+import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.SearchedFindings
+import badlog.viewer.shown.folder.Changes
+import badlog.viewer.state.Action
+import badlog.viewer.state.FEW_FINDINGS
+import badlog.viewer.state.FINDINGS_AT_A_TIME
+import badlog.viewer.state.FindingAction
+import badlog.viewer.state.FindingRequest
+import badlog.viewer.text.countText
+
+/**
+ * Returns the panel of findings: incidents first, then what belongs to none, the worst first; then the rules that could not run. Empty while
+ * there is nothing to say.
+ */
+fun findingsPanel(shown: FindingsShown): List<Part> {
+    val found = shown.found ?: return if (shown.isRunning) listOf(Heading(TITLE, RUNNING)) else emptyList()
+    if (found.all.isEmpty() && found.ran == null && found.trouble == null && !shown.isRunning) return emptyList()
+    val searched = found.foundBy(shown.state.query)
+    val listed = listedFindings(shown, searched)
+    val isLong = shown.room != FindingsRoom.WHOLE && shown.state.listed != null && listed.findings.isNotEmpty()
+    return listOfNotNull(
+        heading(shown, found, searched),
+        rulesLine(shown, found),
+        shown.state.refusal?.let { Trouble("refusal", Severity.WARNING, it) },
+        changes(shown.differences),
+    ) + troubles(found) + listOfNotNull(
+        search(shown, found),
+        incidentRows(shown, listed.incidents),
+        hidden(searched),
+        Rows("findings-list", TITLE, findingRows(shown, listed.findings), isLong),
+        more(shown, listed),
+        within(shown, searched),
+        skipped(shown, found),
+    ) + assigned(shown)
+}
+
+private fun heading(shown: FindingsShown, found: FoundInLog, searched: SearchedFindings): Heading {
+    val counts = if (found.all.isEmpty() && found.ran != null && found.trouble == null) SearchedFindings.NOTHING else searched.counts
+    val status = listOf(counts, if (shown.isRunning) RUNNING else "").filter { it.isNotEmpty() }.joinToString()
+    if (shown.room != FindingsRoom.WHOLE) return Heading(TITLE, status)
+    val hasPlaces = found.timeline.places.isNotEmpty()
+    return Heading(
+        TITLE,
+        status,
+        listOf(
+            Button(
+                "Previous finding",
+                Action.Press(KeyAction.PREVIOUS_FINDING),
+                PartIcon.PREVIOUS,
+                "Previous finding (${KeyAction.PREVIOUS_FINDING.shortcut})",
+                hasPlaces,
+            ),
+            Button(
+                "Next finding",
+                Action.Press(KeyAction.NEXT_FINDING),
+                PartIcon.NEXT,
+                "Next finding (${KeyAction.NEXT_FINDING.shortcut})",
+                hasPlaces,
+            ),
+            Button("Run the rules again", Action.Ask(FindingRequest.RunRules), PartIcon.AGAIN),
+        ),
+    )
+}
+
+private fun rulesLine(shown: FindingsShown, found: FoundInLog): Part? =
+    if (shown.room == FindingsRoom.WHOLE) Paragraph("rules", "Rules: ${found.rules ?: "built-in"}.", Tone.MUTED) else null
+
+private fun changes(differences: List<Finding>): Part? = if (differences.isEmpty()) {
+    null
+} else {
+    val buttons = differences.map { Button(it.text, Action.Ask(FindingRequest.Compare(it)), hint = Changes.hintOf(it)) }
+    Choices("changes", Changes.TITLE, buttons)
+}
+
+private fun troubles(found: FoundInLog): List<Part> {
+    val wrong = found.skipped.filter { it.isMistake }.map { "The rule “${it.rule}” is wrong. ${it.message}" }
+    return (listOfNotNull(found.trouble) + wrong).mapIndexed { i, text ->
+        Trouble("trouble $i", Severity.WARNING, text.substringBefore('\n'), text.substringAfter('\n', ""))
+    }
+}
+
+private fun search(shown: FindingsShown, found: FoundInLog): Part? {
+    if (shown.room != FindingsRoom.WHOLE || found.all.isEmpty()) return null
+    return Field("search", "Search findings", text = shown.state.query, isSearch = true) { FindingAction.Search(it) }
+}
+
+private fun hidden(searched: SearchedFindings): Part? = if (searched.hidden.isEmpty()) {
+    null
+} else {
+    val show = Button("Show them", FindingAction.Search(""), hint = "Show the findings that the search hides")
+    Paragraph("findings-hidden", searched.hidden, Tone.MUTED, show)
+}
+
+/**
+ * What a list shows at once.
+ *
+ * @property incidents the incidents that are listed.
+ * @property findings the findings that are listed below the incidents.
+ * @property left how much is left out.
+ */
+private class Listed(val incidents: List<Incident>, val findings: List<Finding>, val left: Int)
+
+private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): Listed {
+    val beside = searched.beside
+    if (shown.room == FindingsRoom.WHOLE) return Listed(searched.incidents, beside.outside, left = 0)
+    val all = beside.outside + beside.within
+    val isNarrow = shown.room == FindingsRoom.NARROW
+    val wanted = shown.state.listed
+    // A phone's first screen shall have a graph.
+    val few = if (!isNarrow) {
+        FEW_FINDINGS
+    } else if (searched.incidents.isEmpty()) {
+        1
+    } else {
+        0
+    }
+    // Nobody unfolds a list for two more lines.
+    val slack = if (few == 0) 0 else SLACK
+    val count = wanted ?: if (beside.outside.size <= few + slack) beside.outside.size else few
+    val current = shown.visited?.finding
+    val incidents = searched.incidents.filterIndexed { i, incident ->
+        i == 0 || !isNarrow || wanted != null || (current != null && current in incident)
+    }
+    val findings = all.take(count)
+    return Listed(incidents, findings, all.size - findings.size + searched.incidents.size - incidents.size)
+}
+
+private fun more(shown: FindingsShown, listed: Listed): Part? {
+    val left = listed.left
+    val more = if (left > FINDINGS_AT_A_TIME) "Show more (${countText(left)} left)" else "Show ${countText(left)} more"
+    val buttons = listOfNotNull(
+        if (left > 0) Button(more, FindingAction.ListMore) else null,
+        if (shown.state.listed != null && shown.room != FindingsRoom.WHOLE) Button("Show fewer", FindingAction.ListFew) else null,
+    )
+    return if (buttons.isEmpty()) null else Buttons("findings-more", buttons)
+}
+
+private fun within(shown: FindingsShown, searched: SearchedFindings): Part? {
+    val within = searched.beside.within
+    if (shown.room != FindingsRoom.WHOLE || within.isEmpty()) return null
+    val isOpen = shown.state.isWithinOpen || shown.state.query.isNotEmpty()
+    val title = "${countText(within.size, "more finding")}, part of the incidents"
+    return Fold(
+        "findings-within",
+        title,
+        isOpen,
+        FindingAction.ToggleWithin,
+        listOf(Rows("findings-list", title, findingRows(shown, within))),
+    )
+}
+
+private fun skipped(shown: FindingsShown, found: FoundInLog): Part? {
+    val notLookedAt = found.notLookedAt ?: return null
+    val lacking = found.skipped.filter { !it.isMistake }
+    if (lacking.isEmpty()) return null
+    val fields = notLookedAt.lacking.take(MOST_LACKING).map { signal ->
+        Field("signals-lacking $signal", "“$signal” is", "Choose the topic for “$signal”", suggestions = shown.topics) {
+            Action.Ask(FindingRequest.Assign(signal, it))
+        }
+    }
+    val rules = lacking.map { Paragraph("rule ${it.rule}", "${it.rule}: ${it.message}", Tone.MUTED) }
+    return Fold("findings-skipped", notLookedAt.text, shown.state.isSkippedOpen, FindingAction.ToggleSkipped, fields + rules)
+}
+
+private fun assigned(shown: FindingsShown): List<Part> {
+    if (shown.assigned.isEmpty()) return emptyList()
+    val lines = shown.assigned.map { (signal, topic) ->
+        val forget = Button("Forget “$signal”", Action.Ask(FindingRequest.Forget(signal)))
+        Paragraph("signals-chosen $signal", "“$signal” is “$topic” in this browser.", Tone.MUTED, forget)
+    }
+    val hint = "For the folder of your logs: there, window and command line use it"
+    return lines + Buttons("signals-saved", listOf(Button("Save badlog-signals.toml", Action.Ask(FindingRequest.SaveSignals), hint = hint)))
+}
+
+private const val TITLE = "Findings"
+private const val RUNNING = "running the rules…"
+
+/** The number of further findings that are listed, too, if these are all. */
+private const val SLACK = 2
+
+/** As many signals as a person assigns at a time. */
+private const val MOST_LACKING = 5

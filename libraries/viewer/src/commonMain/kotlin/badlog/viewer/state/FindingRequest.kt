@@ -1,0 +1,47 @@
+package badlog.viewer.state
+
+import badlog.rules.Finding
+import badlog.rules.incident.Incident
+import badlog.viewer.choices.board.EvidenceOffer
+import badlog.viewer.draw.mark.FindingPlace
+
+/** What only a shell can do about the findings of a log. */
+sealed interface FindingRequest : Request {
+    /**
+     * Shows the evidence of a finding that was gone to.
+     *
+     * @property place the place of the finding.
+     * @property incident the incident that the finding is part of; null for none.
+     * @property isWhole whether the person means all of [incident].
+     * @property spoken what a screen reader says, after a key; null after a click.
+     */
+    data class Show(val place: FindingPlace<Finding>, val incident: Incident?, val isWhole: Boolean, val spoken: String? = null) :
+        FindingRequest
+
+    /** Says that there is no finding to go to, or that the rules are still running. */
+    data object SayNone : FindingRequest
+
+    /** Adds the graphs that show [finding], and [incident] if it is part of one, to the board. */
+    data class Pin(val finding: Finding, val incident: Incident?) : FindingRequest
+
+    /** Keeps the graphs that are shown for a finding on the board. */
+    data object Keep : FindingRequest
+
+    /** Shows the graphs of [offer] beside those of the finding that was gone to. */
+    data class Add(val offer: EvidenceOffer) : FindingRequest
+
+    /** Shows the graph of [difference] over the match before that shows the same. */
+    data class Compare(val difference: Finding) : FindingRequest
+
+    /** Runs the rules again. */
+    data object RunRules : FindingRequest
+
+    /** Makes [topic] the signal [signal], and runs the rules again; if it cannot be that, [FindingAction.Refuse] says why. */
+    data class Assign(val signal: String, val topic: String) : FindingRequest
+
+    /** Takes back what a person assigned to [signal], and runs the rules again. */
+    data class Forget(val signal: String) : FindingRequest
+
+    /** Saves the signals that a person assigned as a file. */
+    data object SaveSignals : FindingRequest
+}

@@ -1,0 +1,67 @@
+package badlog.viewer.state
+
+import badlog.viewer.choices.board.GraphHeight
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.input.KeyAction
+
+/** Returns what [action] leads to, on the page and in the window, from [state] of a log of which [shown] is known. */
+fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
+    is Action.Press -> state.after(shown, action.key)
+    is Action.Ask -> Outcome(state, action.request)
+    is FindingAction -> state.after(shown, action)
+}
+
+private fun ViewerState.after(shown: Shown, key: KeyAction): Outcome = when (key) {
+    KeyAction.PREVIOUS_SAMPLE -> stepped(shown, -1)
+    KeyAction.NEXT_SAMPLE -> stepped(shown, 1)
+    KeyAction.TEN_SAMPLES_BACK -> stepped(shown, -KeyAction.MANY_SAMPLES)
+    KeyAction.TEN_SAMPLES_ON -> stepped(shown, KeyAction.MANY_SAMPLES)
+    KeyAction.SECOND_CURSOR -> Outcome(at(place.run { copy(cursors = cursors.withSecond()) }), Request.Cursor)
+    KeyAction.ZOOM_IN -> showing { zoomed(1, place.cursors.x) }
+    KeyAction.ZOOM_OUT -> showing { zoomed(-1, place.cursors.x) }
+    KeyAction.SHOW_ALL -> showing { reset() }
+    KeyAction.PREVIOUS_VIEW -> showing { back() }
+    KeyAction.NEXT_VIEW -> showing { forward() }
+    KeyAction.SHOW_ENABLED -> showing { showingEnabled(shown.enabled) }
+    KeyAction.PAN_LEFT -> showing { panned(-KeyAction.PAN_SHARE) }
+    KeyAction.PAN_RIGHT -> showing { panned(KeyAction.PAN_SHARE) }
+    KeyAction.NEXT_FINDING -> nextFinding(shown, 1)
+    KeyAction.PREVIOUS_FINDING -> nextFinding(shown, -1)
+    KeyAction.MOVE_UP -> moved(shown, -1)
+    KeyAction.MOVE_DOWN -> moved(shown, 1)
+    KeyAction.MOVE_TO_TOP -> moved(shown, -shown.graphs.graphs.size)
+    KeyAction.NEXT_HEIGHT -> resized(shown)
+    KeyAction.UNDO -> Outcome(copy(board = board.undone()))
+    KeyAction.REDO -> Outcome(copy(board = board.redone()))
+    KeyAction.PIN -> Outcome(this, Request.Pin)
+    KeyAction.NEXT_LAYOUT -> Outcome(this, Request.Layout(1))
+    KeyAction.PREVIOUS_LAYOUT -> Outcome(this, Request.Layout(-1))
+    KeyAction.CURSOR_VALUES -> Outcome(this, Request.Values)
+    KeyAction.MODULES -> Outcome(this, Request.Modules)
+    KeyAction.NEW_FORMULA -> Outcome(this, Request.Formula)
+    KeyAction.NEW_NOTE -> Outcome(this, Request.Note(place.ofNote))
+    KeyAction.MARK -> Outcome(this, Request.Mark(shown.newest ?: place.ofNote))
+    KeyAction.PREVIOUS_FRAME -> Outcome(this, Request.Frames(-1))
+    KeyAction.NEXT_FRAME -> Outcome(this, Request.Frames(1))
+}
+
+private fun ViewerState.showing(step: Viewport.() -> Viewport) = Outcome(at(place.copy(range = place.range.step())))
+
+/** Moves a cursor by [count] samples, or to the sample nearest to the middle of what is visible, and shows it. */
+private fun ViewerState.stepped(shown: Shown, count: Int): Outcome {
+    val start = shown.samples.nearest(place.range.visible.run { (from + to) / 2 })
+    if (start.isNaN()) return Outcome(this)
+    val cursors = place.cursors.moved(start) { shown.samples.from(it, count) }
+    val range = cursors.moving?.let(place.range::revealing) ?: place.range
+    return Outcome(at(place.copy(range = range, cursors = cursors)), Request.Cursor)
+}
+
+private fun ViewerState.moved(shown: Shown, places: Int): Outcome {
+    val graph = shown.graph ?: return Outcome(this)
+    return Outcome(changed(shown.graphs, shown.graphs.moved(graph, places)), Request.Graph(graph))
+}
+
+private fun ViewerState.resized(shown: Shown): Outcome {
+    val graph = shown.graphs.graphs.find { it.id == shown.graph } ?: return Outcome(this)
+    return Outcome(changed(shown.graphs, shown.graphs.resized(graph.id, GraphHeight.of(graph.height).next.pixels)))
+}

@@ -1,0 +1,37 @@
+package badlog.viewer.state
+
+/**
+ * What only a shell can do for an action. Its `when` over these has no `else`, so that a new one does not compile until page and window
+ * both do it.
+ */
+sealed interface Request {
+    /** Opens the values at the cursor, or closes them. */
+    data object Values : Request
+
+    /** Opens the modules of a swerve drive at the cursor, or closes them; for a log without any, it says so. */
+    data object Modules : Request
+
+    /** Adds the graph that keys apply to, or removes it: it need not be one of the board's. */
+    data object Pin : Request
+
+    /** Shows graph [id] of the board, which was moved, if it is out of sight. */
+    data class Graph(val id: Int) : Request
+
+    /** Shows the graphs of the kept layout that is [steps] after the one shown, see [keptLayoutAfter][badlog.viewer.choices.board.keptLayoutAfter]. */
+    data class Layout(val steps: Int) : Request
+
+    /** Tells where the keys have moved a cursor. */
+    data object Cursor : Request
+
+    /** Asks for a formula. */
+    data object Formula : Request
+
+    /** Asks for the text of a note at [x]. */
+    data class Note(val x: Double) : Request
+
+    /** Adds a mark at [x], a note that needs no text. */
+    data class Mark(val x: Double) : Request
+
+    /** Shows the picture of the video that is [count] further on, or back if negative, and moves the cursor there. */
+    data class Frames(val count: Int) : Request
+}

@@ -1,0 +1,27 @@
+package badlog.viewer.state
+
+import badlog.core.analysis.EnabledSpan
+import badlog.viewer.choices.board.Board
+import badlog.viewer.shown.cursor.CursorSteps
+import badlog.viewer.shown.finding.FoundInLog
+
+/** What [reduce] needs of an open log besides the state: each is asked for by the first action that needs it. */
+interface Shown {
+    /** The samples that a cursor steps to. */
+    val samples: CursorSteps
+
+    /** When the robot was enabled. */
+    val enabled: List<EnabledSpan>
+
+    /** What rules found; null until they have run. */
+    val found: FoundInLog?
+
+    /** The graphs of the board that can be drawn of the log. */
+    val graphs: Board
+
+    /** The id of the one of [graphs] that keys apply to; null for none. */
+    val graph: Int? get() = null
+
+    /** The newest moment of a log that is being written; null for any other. */
+    val newest: Double? get() = null
+}

@@ -1,0 +1,198 @@
+package badlog.viewer.state
+
+import badlog.core.analysis.EnabledSpan
+import badlog.core.analysis.Span
+import badlog.core.recording.Severity
+import badlog.rules.Finding
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardHistory
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.draw.mark.FindingTimeline
+import badlog.viewer.input.KeyAction
+import badlog.viewer.shown.cursor.CursorSteps
+import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.firstPlace
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.types.shouldBeInstanceOf
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.enum
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+
+class ReduceSpec : FunSpec({
+    fun found(rule: String, severity: Severity, vararg spans: Span): Finding {
+        val time = spans.firstOrNull()?.from ?: Double.NaN
+        return Finding(rule, severity, null, rule, time, spans.toList(), spans.size, "s", false, emptyList(), "")
+    }
+
+    val early = found("Early", Severity.ERROR, Span(21.0, 30.0))
+    val late = found("Late", Severity.WARNING, Span(81.0, 81.0))
+
+    val board = Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))
+
+    class Log(
+        override val graphs: Board,
+        override val graph: Int? = board.graphs[1].id,
+        override val samples: CursorSteps = CursorSteps(listOf(DoubleArray(101) { it.toDouble() })),
+        override val enabled: List<EnabledSpan> = emptyList(),
+        override val found: FoundInLog? = FoundInLog(listOf(early, late)),
+        override val newest: Double? = null,
+    ) : Shown
+
+    val beginning = ViewerState(Place(Viewport(Span(0.0, 100.0))), BoardHistory(board))
+    val log = Log(board)
+
+    fun after(state: ViewerState, shown: Shown, key: KeyAction) = reduce(state, shown, Action.Press(key))
+    fun ViewerState.then(vararg keys: KeyAction) = keys.fold(this) { state, key -> after(state, Log(state.board.now), key).state }
+    fun ViewerState.names() = this.board.now.graphs.map { it.lines.single() }
+
+    test("the cursor of keys begins at the sample in the middle, goes on by samples, and is shown when it leaves what is visible") {
+        beginning.then(KeyAction.NEXT_SAMPLE).place.cursors.pinned shouldBe 50.0
+        beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE, KeyAction.TEN_SAMPLES_BACK).place.cursors.pinned shouldBe 41.0
+        val far = beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.ZOOM_IN, KeyAction.ZOOM_IN, KeyAction.ZOOM_IN, KeyAction.ZOOM_IN, KeyAction.TEN_SAMPLES_ON)
+            .then(KeyAction.TEN_SAMPLES_ON)
+        (70.0 in far.place.range.visible) shouldBe true
+        after(beginning, log, KeyAction.NEXT_SAMPLE).request shouldBe Request.Cursor
+    }
+
+    test("a mark goes to the cursor, or else to the middle of what is visible; in a log that grows, to the newest moment") {
+        after(beginning, log, KeyAction.MARK).request shouldBe Request.Mark(50.0)
+        after(beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE), log, KeyAction.MARK).request shouldBe Request.Mark(51.0)
+        after(beginning.then(KeyAction.NEXT_SAMPLE), Log(board, newest = 100.0), KeyAction.MARK).request shouldBe Request.Mark(100.0)
+    }
+
+    test("a log without samples has nothing to step to") {
+        val outcome = after(beginning, Log(board, samples = CursorSteps(emptyList())), KeyAction.NEXT_SAMPLE)
+        outcome.state shouldBe beginning
+        outcome.request shouldBe null
+    }
+
+    test("keys move the second cursor while there is one") {
+        beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.SECOND_CURSOR, KeyAction.NEXT_SAMPLE).place.cursors shouldBe Cursors(50.0, 51.0)
+        beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.SECOND_CURSOR, KeyAction.SECOND_CURSOR).place.cursors.second shouldBe null
+    }
+
+    test("the next finding takes range and cursor with it, asks for its evidence, and a key brings the range back") {
+        val outcome = after(beginning, log, KeyAction.NEXT_FINDING)
+        val place = outcome.state.place
+        place.visited?.finding shouldBe early
+        place.cursors.pinned shouldBe 21.0
+        (place.range.visible.width < 20) shouldBe true
+        outcome.request.shouldBeInstanceOf<FindingRequest.Show>().place.finding shouldBe early
+        outcome.state.then(KeyAction.NEXT_FINDING).place.visited?.finding shouldBe late
+        outcome.state.then(KeyAction.PREVIOUS_VIEW).place.range.visible shouldBe Span(0.0, 100.0)
+    }
+
+    test("before the rules have run, the key for the next finding goes nowhere, and says so") {
+        val outcome = after(beginning, Log(board, found = null), KeyAction.NEXT_FINDING)
+        outcome.state shouldBe beginning
+        outcome.request shouldBe FindingRequest.SayNone
+    }
+
+    test("a finding about the whole log is selected where the person is") {
+        val whole = found("Whole", Severity.ERROR)
+        val timeline = FindingTimeline(listOf(whole), { it.severity }, { it.places })
+        timeline.places shouldBe emptyList()
+        val place = beginning.then(KeyAction.ZOOM_IN).place
+        val after = place.visiting(FindingPlace(whole, whole.severity, Span(Double.NaN, Double.NaN)))
+        after.range.visible shouldBe place.range.visible
+        after.cursors shouldBe place.cursors
+        after.visited?.finding shouldBe whole
+    }
+
+    fun ViewerState.after(action: Action, found: FoundInLog = FoundInLog(listOf(early, late))) = reduce(this, Log(board, found = found), action)
+
+    test("going to a finding lists it, whatever is searched, folded or not listed yet, and asks for its evidence") {
+        val many = FoundInLog(List(400) { found("Rule $it", Severity.NOTE, Span(it / 5.0, it / 5.0)) })
+        val goal = many.all[350]
+        val outcome = beginning.after(FindingAction.GoTo(goal.firstPlace, null), many)
+        outcome.state.findings.listed shouldBe 351
+        outcome.state.place.visited?.finding shouldBe goal
+        outcome.request shouldBe FindingRequest.Show(outcome.state.place.visited!!, null, isWhole = false)
+        beginning.after(FindingAction.GoTo(many.all[3].firstPlace, null), many).state.findings.listed shouldBe null
+        outcome.state.after(FindingAction.ListFew, many).state.findings.listed shouldBe null
+        beginning.after(FindingAction.ListMore, many).state.findings.listed shouldBe 300
+    }
+
+    test("steps within a finding stop at its last place, and go nowhere before a finding was gone to") {
+        val often = found("Often", Severity.ERROR, Span(10.0, 10.0), Span(30.0, 30.0))
+        val log = FoundInLog(listOf(often))
+        val first = beginning.after(FindingAction.GoTo(often.firstPlace, null), log).state
+        val second = first.after(FindingAction.StepWithin(1), log)
+        second.state.place.cursors.pinned shouldBe 30.0
+        (second.request as FindingRequest.Show).spoken shouldBe null
+        second.state.after(FindingAction.StepWithin(1), log).state.place.cursors.pinned shouldBe 30.0
+        beginning.after(FindingAction.StepWithin(1), log).state shouldBe beginning
+    }
+
+    test("a new search lists the first few again, and what is folded or refused is part of the state") {
+        val searched = beginning.after(FindingAction.ListMore).state.after(FindingAction.Search("late")).state
+        searched.findings shouldBe FindingsState(query = "late")
+        beginning.after(FindingAction.ToggleSkipped).state.findings.isSkippedOpen shouldBe true
+        beginning.after(FindingAction.ToggleWithin).state.after(FindingAction.ToggleWithin).state shouldBe beginning
+        beginning.after(FindingAction.Refuse("no")).state.findings.refusal shouldBe "no"
+        beginning.after(Action.Ask(FindingRequest.RunRules)).request shouldBe FindingRequest.RunRules
+    }
+
+    test("a store lets actions change the state, and passes on what only the shell can do") {
+        val cell = object : StateCell {
+            override var state = beginning
+        }
+        val asked = ArrayList<Request>()
+        val store = Store(cell, log, asked::add)
+        store.send(Action.Press(KeyAction.NEXT_FINDING))
+        store.state.place.visited?.finding shouldBe early
+        asked.single().shouldBeInstanceOf<FindingRequest.Show>().spoken shouldBe "error: Early. Early"
+    }
+
+    test("graphs are moved and resized, each of which can be undone and done again") {
+        beginning.then(KeyAction.MOVE_UP).names() shouldBe listOf("B", "A", "C")
+        beginning.then(KeyAction.MOVE_DOWN).names() shouldBe listOf("A", "C", "B")
+        beginning.then(KeyAction.MOVE_DOWN, KeyAction.MOVE_TO_TOP).names() shouldBe listOf("B", "A", "C")
+        after(beginning, log, KeyAction.MOVE_UP).request shouldBe Request.Graph(board.graphs[1].id)
+        beginning.then(KeyAction.MOVE_UP, KeyAction.UNDO).names() shouldBe listOf("A", "B", "C")
+        beginning.then(KeyAction.MOVE_UP, KeyAction.UNDO, KeyAction.REDO).names() shouldBe listOf("B", "A", "C")
+        beginning.then(KeyAction.NEXT_HEIGHT).board.now.graphs[1].height shouldBe 380
+    }
+
+    test("without a graph that keys apply to, the board stays") {
+        val nowhere = Log(board, graph = null)
+        for (action in listOf(KeyAction.MOVE_UP, KeyAction.MOVE_DOWN, KeyAction.MOVE_TO_TOP, KeyAction.NEXT_HEIGHT)) {
+            after(beginning, nowhere, action).state shouldBe beginning
+            after(beginning, nowhere, action).request shouldBe null
+        }
+    }
+
+    test("a note is asked for at the cursor, or else in the middle of what is visible") {
+        after(beginning, log, KeyAction.NEW_NOTE).request shouldBe Request.Note(50.0)
+        after(beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE), log, KeyAction.NEW_NOTE).request shouldBe Request.Note(51.0)
+    }
+
+    test("whatever keys are pressed, what is visible stays within the log, and place and board are changed by no request alone") {
+        checkAll(Arb.list(Arb.enum<KeyAction>(), 0..60)) { actions ->
+            var state = beginning
+            for (action in actions) {
+                val outcome = after(state, Log(state.board.now), action)
+                val visible = outcome.state.place.range.visible
+                (visible.from >= 0.0 && visible.to <= 100.0 && visible.from < visible.to) shouldBe true
+                outcome.state.board.now.graphs.size shouldBe 3
+                if (outcome.request is Request.Note || outcome.request is Request.Frames || outcome.request == Request.Values) {
+                    outcome.state shouldBe state
+                }
+                state = outcome.state
+            }
+        }
+    }
+
+    test("what is cancelled goes one at a time: selection, second cursor, first cursor, pointer") {
+        var place = Place(Viewport(Span(0.0, 100.0)), Cursors(1.0, 2.0, 3.0), Span(4.0, 5.0))
+        place = place.cancelled()
+        place shouldBe Place(Viewport(Span(0.0, 100.0)), Cursors(1.0, 2.0, 3.0))
+        place = place.cancelled()
+        place.cursors shouldBe Cursors(1.0, null, 3.0)
+        place.cancelled().cancelled().cursors shouldBe Cursors()
+    }
+})

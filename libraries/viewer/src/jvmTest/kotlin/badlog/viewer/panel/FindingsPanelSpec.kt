@@ -1,0 +1,190 @@
+package badlog.viewer.panel
+
+import badlog.core.analysis.Span
+import badlog.core.analysis.XAxis
+import badlog.core.recording.Severity
+import badlog.rules.BUILT_IN
+import badlog.rules.Finding
+import badlog.rules.RuleSet
+import badlog.rules.SkippedRule
+import badlog.rules.incident.incidentsIn
+import badlog.viewer.bagView
+import badlog.viewer.choices.board.EvidenceOffer
+import badlog.viewer.panel.finding.FindingDetails
+import badlog.viewer.panel.finding.FindingsRoom
+import badlog.viewer.panel.finding.FindingsShown
+import badlog.viewer.panel.finding.findingsPanel
+import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.firstPlace
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
+import badlog.viewer.state.FindingRequest
+import badlog.viewer.state.FindingsState
+import badlog.viewer.state.TodoRequest
+import badlog.viewer.todo.TodoDeed
+import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.taskOf
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.nulls.shouldBeNull
+import io.kotest.matchers.shouldBe
+
+class FindingsPanelSpec : FunSpec({
+    fun found(rule: String, severity: Severity, vararg spans: Span, next: String = "", caveats: List<String> = emptyList()) = Finding(rule, severity, null, "$rule was seen.", spans.firstOrNull()?.from ?: Double.NaN, spans.toList(), spans.size, "s", evidence = listOf("A"), next = next, caveats = caveats)
+
+    val times = LogTimes(100.0, bagView(listOf("Time|xaxis", "A"), listOf("0,1", "100,1")).xAxis, emptyList())
+    val early = found("Early", Severity.ERROR, Span(10.0, 12.5))
+    val late = found("Late", Severity.NOTE, Span(80.0, 80.0))
+    val whole = found("Whole", Severity.WARNING)
+    val some = FoundInLog(listOf(early, late, whole), ran = 3)
+
+    fun shown(found: FoundInLog? = some, state: FindingsState = FindingsState(), visited: Finding? = null, room: FindingsRoom = FindingsRoom.WHOLE, details: FindingDetails? = null) = FindingsShown(found, isRunning = found == null, state, visited?.firstPlace, times, details = details, room = room)
+
+    fun List<Part>.rows(key: String = "findings-list") = filterIsInstance<Rows>().filter { it.key == key }.flatMap { it.rows }
+    fun List<Part>.fold(key: String) = filterIsInstance<Fold>().single { it.key == key }
+    fun List<Part>.buttons(): List<Button> = flatMap { part ->
+        when (part) {
+            is Buttons -> part.buttons
+            is Choices -> part.buttons
+            is Heading -> part.tools
+            is Paragraph -> listOfNotNull(part.button)
+            is Fold -> part.parts.buttons()
+            is Rows -> part.rows.flatMap { it.tools + it.below.buttons() }
+            else -> emptyList()
+        }
+    }
+
+    fun many(count: Int) = FoundInLog(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
+
+    test("findings are listed with severity, time and text, the worst first; what has no time is about the whole log") {
+        val parts = findingsPanel(shown())
+        parts.filterIsInstance<Heading>().single().status shouldBe "1 error, 1 warning, 1 note"
+        val rows = parts.rows()
+        rows.map { it.title } shouldBe listOf("Early", "Whole", "Late")
+        rows.map { row -> row.lines.single().run { time to until } } shouldBe listOf("10.00" to "12.50", "whole log" to "", "80.00" to "")
+        rows.map { it.isCurrent } shouldBe listOf(false, false, false)
+        rows[0].open shouldBe FindingAction.GoTo((rows[0].open as FindingAction.GoTo).place, null)
+        (rows[0].open as FindingAction.GoTo).place.span shouldBe Span(10.0, 12.5)
+    }
+
+    test("while rules run the panel says so, and before anything is known it is empty") {
+        findingsPanel(shown(found = null)).filterIsInstance<Heading>().single().status shouldBe "running the rules…"
+        findingsPanel(shown(FoundInLog())).shouldBeEmpty()
+        findingsPanel(shown(FoundInLog(ran = 4))).filterIsInstance<Heading>().single().status shouldBe "Nothing was found."
+    }
+
+    test("rules that could not run, and rules that are wrong, are troubles with the place of the mistake") {
+        val wrong = SkippedRule("Half", 1, "Line 4: unknown\nmean(A, 5)\n^^^^", isMistake = true)
+        val parts = findingsPanel(shown(FoundInLog(skipped = listOf(wrong), ran = 1, trouble = "badlog-rules.toml: bad")))
+        parts.filterIsInstance<Trouble>().map { it.text } shouldBe listOf("badlog-rules.toml: bad", "The rule “Half” is wrong. Line 4: unknown")
+        parts.filterIsInstance<Trouble>().last().pointer shouldBe "mean(A, 5)\n^^^^"
+        parts.filterIsInstance<Heading>().single().status shouldBe ""
+    }
+
+    test("incidents come first, their sentences stand nowhere else, and what they leave out is folded") {
+        fun of(rule: String, time: Double, severity: Severity) = Finding(rule, severity, "Arm/Output", "$rule.", time, listOf(Span(time, time + 1)), 1, "s")
+        val all = listOf(of("Motor stalled", 20.0, Severity.ERROR), of("Low battery", 20.5, Severity.ERROR), of("Own rule", 90.0, Severity.WARNING))
+        val incidents = RuleSet.BUILT_IN.incidentsIn(all)
+        val parts = findingsPanel(shown(FoundInLog(all, incidents = incidents, ran = 3), visited = all[0]))
+        val incident = parts.rows("incidents").single()
+        incident.isFramed shouldBe true
+        incident.isCurrent shouldBe true
+        incident.lines.map { it.isCurrent } shouldBe listOf(true, false)
+        (incident.open as FindingAction.GoTo).isWhole shouldBe true
+        parts.indexOfFirst { it.key == "incidents" } shouldBe parts.indexOfFirst { it is Rows }
+        parts.rows().map { it.title } shouldBe listOf("Own rule")
+    }
+
+    test("above graphs a few are listed, two more if these are all, and the others when asked for") {
+        findingsPanel(shown(many(7), room = FindingsRoom.SHARED)).rows().size shouldBe 7
+        val parts = findingsPanel(shown(many(8), room = FindingsRoom.SHARED))
+        parts.rows().size shouldBe 5
+        parts.buttons().single { it.action == FindingAction.ListMore }.label shouldBe "Show 3 more"
+        val more = findingsPanel(shown(many(400), FindingsState(listed = 300), room = FindingsRoom.SHARED))
+        more.rows().size shouldBe 300
+        more.filterIsInstance<Rows>().single().isLong shouldBe true
+        more.buttons().filter { it.label.startsWith("Show") }.map { it.label } shouldBe listOf("Show 100 more", "Show fewer")
+        findingsPanel(shown(many(8), room = FindingsRoom.NARROW)).rows().size shouldBe 1
+        findingsPanel(shown(many(400))).rows().size shouldBe 400
+    }
+
+    test("below the finding that was gone to are its places, what to look at next, what would make it wrong, and other graphs") {
+        val places = arrayOf(Span(10.0, 11.0), Span(30.0, 31.0))
+        val often = found("Often", Severity.ERROR, *places, next = "Look at the cable.", caveats = listOf("Sampled twice a second."))
+        val offer = EvidenceOffer("Voltage", listOf("V"))
+        val details = FindingDetails(hasGraphs = true, offers = listOf(offer))
+        val row = findingsPanel(shown(FoundInLog(listOf(often), ran = 1), visited = often, details = details)).rows().single()
+        row.isCurrent shouldBe true
+        row.below.filterIsInstance<Paragraph>().map { it.text } shouldBe
+            listOf("1 of 2: 10.00", "Often was seen.", "Next: Look at the cable.", "Sampled twice a second.")
+        row.below.buttons().map { it.label to it.isEnabled } shouldBe
+            listOf("Previous place" to false, "Next place" to true, "Keep" to true, "Voltage" to true)
+        row.below.buttons().last().action shouldBe Action.Ask(FindingRequest.Add(offer))
+        row.tools.shouldBeEmpty()
+        val apart = findingsPanel(shown(FoundInLog(listOf(often), ran = 1), visited = often)).rows().single()
+        apart.below.shouldBeEmpty()
+        apart.tools.single().action shouldBe Action.Ask(FindingRequest.Pin(often, null))
+    }
+
+    test("a search hides findings, says how many, and shows them again") {
+        val parts = findingsPanel(shown(state = FindingsState(query = "early")))
+        parts.rows().map { it.title } shouldBe listOf("Early")
+        val hidden = parts.filterIsInstance<Paragraph>().single { it.key == "findings-hidden" }
+        hidden.text shouldBe "2 findings hidden by the search."
+        hidden.button?.action shouldBe FindingAction.Search("")
+        val field = parts.filterIsInstance<Field>().single()
+        field.text shouldBe "early"
+        field.onText("late") shouldBe FindingAction.Search("late")
+        findingsPanel(shown(room = FindingsRoom.SHARED)).filterIsInstance<Field>().shouldBeEmpty()
+    }
+
+    test("what could not be looked at is folded, with a field for each of at most five signals that rules lack") {
+        val skipped = List(8) { SkippedRule("Rule $it", 1, "no signal", isMistake = false, lacking = "signal $it") }
+        val fold = findingsPanel(shown(FoundInLog(skipped = skipped, ran = 2), FindingsState(isSkippedOpen = true))).fold("findings-skipped")
+        fold.isOpen shouldBe true
+        fold.toggle shouldBe FindingAction.ToggleSkipped
+        val fields = fold.parts.filterIsInstance<Field>()
+        fields.map { it.label } shouldBe List(5) { "“signal $it” is" }
+        fields[1].onText("B") shouldBe Action.Ask(FindingRequest.Assign("signal 1", "B"))
+        fold.parts.filterIsInstance<Paragraph>().size shouldBe 8
+        findingsPanel(shown()).filterIsInstance<Fold>().shouldBeEmpty()
+    }
+
+    test("a team says what becomes of a finding where it has a list, and what it said stands below the finding") {
+        val list = TodoList.of(emptyList(), emptyList())
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = list, details = FindingDetails(false, emptyList())))
+        val row = parts.rows().first()
+        row.menu.map { it.label } shouldBe listOf("Mark as done…", "Assign…", "Put on the list")
+        row.menu.last().action shouldBe Action.Ask(TodoRequest.Write(taskOf(early), TodoDeed.Open))
+        row.below.buttons().map { it.label } shouldBe row.menu.map { it.label }
+        findingsPanel(shown()).rows().first().menu.shouldBeEmpty()
+    }
+
+    test("how the log differs from those before it stands above all findings, and is drawn over them on request") {
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, differences = listOf(late)))
+        val choices = parts.filterIsInstance<Choices>().single()
+        choices.title shouldBe "Unlike the matches before"
+        choices.buttons.single().action shouldBe Action.Ask(FindingRequest.Compare(late))
+        (parts.indexOf(choices) < parts.indexOfFirst { it is Rows }) shouldBe true
+    }
+
+    test("signals that a person assigned are listed, to be forgotten or saved") {
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, assigned = mapOf("battery" to "Volts"), room = FindingsRoom.SHARED))
+        parts.filterIsInstance<Paragraph>().single().run {
+            text shouldBe "“battery” is “Volts” in this browser."
+            button?.action shouldBe Action.Ask(FindingRequest.Forget("battery"))
+        }
+        parts.buttons().last().action shouldBe Action.Ask(FindingRequest.SaveSignals)
+    }
+
+    test("no two rows have the same key, even if a hook reports the same twice") {
+        val twice = FoundInLog(listOf(early, found("Early", Severity.ERROR, Span(10.0, 12.5)), late), ran = 1)
+        findingsPanel(shown(twice)).rows().map { it.key }.shouldBeUnique()
+    }
+
+    test("times are written from when the robot was enabled where that is known") {
+        times.sinceEnabled(5.0).shouldBeNull()
+        times.logged(Double.NaN) shouldBe "–"
+    }
+})
