@@ -2,6 +2,7 @@ package badlog.window.panel
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
@@ -9,7 +10,9 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.selection.SelectionContainer
 import androidx.compose.material3.Icon
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -19,15 +22,18 @@ import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
-import badlog.viewer.panel.Choices
+import badlog.viewer.panel.Choice
+import badlog.viewer.panel.Code
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Offers
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
@@ -49,7 +55,9 @@ internal fun PartView(part: Part, send: (Action) -> Unit) {
         is Paragraph -> ParagraphView(part, send)
         is Trouble -> TroubleView(part)
         is Buttons -> FlowRow(Modifier.padding(horizontal = 12.dp), Arrangement.spacedBy(2.dp)) { ButtonsView(part.buttons, send) }
-        is Choices -> ChoicesView(part, send)
+        is Offers -> OffersView(part, send)
+        is Choice -> ChoiceView(part, send)
+        is Code -> CodeView(part)
         is Field -> FieldView(part, send)
         is Fold -> FoldTitle(part, send)
         is Rows -> for (row in part.rows) RowView(row, send)
@@ -109,17 +117,17 @@ private val PartIcon.vector: ImageVector
     }
 
 @Composable
-private fun ChoicesView(choices: Choices, send: (Action) -> Unit) {
+private fun OffersView(offers: Offers, send: (Action) -> Unit) {
     Column(
         Modifier
             .fillMaxWidth()
             .padding(horizontal = 8.dp, vertical = 4.dp)
             .background(LocalPalette.current.accentSoft, RoundedCornerShape(4.dp))
             .padding(horizontal = 6.dp, vertical = 4.dp)
-            .semantics { contentDescription = choices.title },
+            .semantics { contentDescription = offers.title },
     ) {
-        Text(choices.title, fontWeight = FontWeight.Medium)
-        for (button in choices.buttons) {
+        Text(offers.title, fontWeight = FontWeight.Medium)
+        for (button in offers.buttons) {
             Tip(button.hint) {
                 Text(button.label, Modifier.fillMaxWidth().clickable(role = Role.Button) { send(button.action) }.padding(vertical = 2.dp))
             }
@@ -140,5 +148,36 @@ private fun FoldTitle(fold: Fold, send: (Action) -> Unit) {
     ) {
         Icon(if (fold.isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
         Text(fold.title, color = palette.muted)
+    }
+}
+
+@Composable
+private fun ChoiceView(choice: Choice, send: (Action) -> Unit) {
+    FlowRow(
+        Modifier.fillMaxWidth().padding(horizontal = 22.dp),
+        Arrangement.spacedBy(2.dp),
+        itemVerticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(choice.name, color = LocalPalette.current.muted)
+        for (option in choice.options) {
+            ToolButton("${choice.name} ${option.label}", text = option.label, isOn = option.isOn) { send(option.action) }
+        }
+    }
+}
+
+@Composable
+private fun CodeView(code: Code) {
+    SelectionContainer(Modifier.padding(start = 22.dp, end = 14.dp, top = 2.dp, bottom = 6.dp)) {
+        Text(
+            code.text,
+            Modifier
+                .fillMaxWidth()
+                .background(LocalPalette.current.raised, RoundedCornerShape(4.dp))
+                .horizontalScroll(rememberScrollState())
+                .padding(horizontal = 8.dp, vertical = 4.dp),
+            fontFamily = FontFamily.Monospace,
+            fontSize = 12.sp,
+            softWrap = false,
+        )
     }
 }

@@ -3,10 +3,12 @@ package badlog.page.parts
 import badlog.page.dom.Icon
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
-import badlog.viewer.panel.Choices
+import badlog.viewer.panel.Choice
+import badlog.viewer.panel.Code
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Offers
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
@@ -35,7 +37,9 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         is Paragraph -> paragraph(part)
         is Trouble -> trouble(part)
         is Buttons -> Node("div", part.className, key = part.key, children = part.buttons.map(::textButton))
-        is Choices -> choices(part)
+        is Offers -> offers(part)
+        is Choice -> choice(part)
+        is Code -> Node("pre", part.className, part.text, part.key, attributes = mapOf("tabindex" to "0"))
         is Field -> field(part)
         is Fold -> fold(part)
         is Rows -> rows(part)
@@ -70,15 +74,31 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         return Node("div", "problem", key = trouble.key, children = parts)
     }
 
-    private fun choices(choices: Choices): Node {
-        val list = Node("ul", children = choices.buttons.map { Node("li", key = it.label, children = listOf(textButton(it))) })
-        val title = Node("h3", text = choices.title)
+    private fun offers(offers: Offers): Node {
+        val list = Node("ul", children = offers.buttons.map { Node("li", key = it.label, children = listOf(textButton(it))) })
+        val title = Node("h3", text = offers.title)
         return Node(
             "section",
-            choices.className,
-            key = choices.key,
-            attributes = mapOf("aria-label" to choices.title),
+            offers.className,
+            key = offers.key,
+            attributes = mapOf("aria-label" to offers.title),
             children = listOf(title, list),
+        )
+    }
+
+    private fun choice(choice: Choice): Node {
+        val options = choice.options.map { option ->
+            val pressed = mapOf("type" to "button", "aria-pressed" to "${option.isOn}")
+            Node("button", "text-button", option.label, attributes = pressed, on = mapOf("click" to { _: Event -> send(option.action) }))
+        }
+        val named = mapOf("role" to "group", "aria-label" to choice.name)
+        return Node(
+            "div",
+            "choice ${choice.className}",
+            key = choice.key,
+            attributes = named,
+            children =
+            listOf(Node("span", text = "${choice.name} ")) + options,
         )
     }
 

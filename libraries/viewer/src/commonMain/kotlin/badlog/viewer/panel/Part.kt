@@ -52,7 +52,16 @@ enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, DONE, PERSON, UND
 class Buttons(override val key: String, val buttons: List<Button>) : Part
 
 /** Sentences to press, below each other in a box with a [title]. */
-class Choices(override val key: String, val title: String, val buttons: List<Button>) : Part
+class Offers(override val key: String, val title: String, val buttons: List<Button>) : Part
+
+/** One of several: a person chooses one of [options], the one with [Option.isOn] is chosen. */
+class Choice(override val key: String, val name: String, val options: List<Option>) : Part
+
+/** One of a [Choice], called [label]. */
+class Option(val label: String, val isOn: Boolean, val action: Action)
+
+/** Lines of a program. */
+class Code(override val key: String, val text: String) : Part
 
 /** Parts that a press on [title] shows or hides. */
 class Fold(override val key: String, val title: String, val isOpen: Boolean, val toggle: Action, val parts: List<Part>) : Part

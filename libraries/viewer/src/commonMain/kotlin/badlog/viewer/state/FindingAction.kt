@@ -2,6 +2,7 @@ package badlog.viewer.state
 
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.signals.logging.LoggingLibrary
 import badlog.viewer.draw.mark.FindingPlace
 
 /** What a person does with the findings of a log. */
@@ -32,6 +33,9 @@ sealed interface FindingAction : Action {
 
     /** Folds or unfolds the rules that could not run. */
     data object ToggleSkipped : FindingAction
+
+    /** Shows the lines with which [library] logs what is missing. */
+    data class ShowLines(val library: LoggingLibrary) : FindingAction
 
     /** Learns why a topic cannot be the signal that it was chosen for; null if it can. */
     data class Refuse(val reason: String?) : FindingAction

@@ -1,5 +1,7 @@
 package badlog.viewer.state
 
+import badlog.signals.logging.LoggingLibrary
+
 /**
  * What a person searches and unfolds in the findings of a log.
  *
@@ -7,6 +9,7 @@ package badlog.viewer.state
  * @property listed how many findings beside the incidents are listed, if not the first few; null for these.
  * @property isWithinOpen whether findings that incidents contain but do not mention are unfolded.
  * @property isSkippedOpen whether the rules that could not run are unfolded.
+ * @property library the library whose lines for missing signals are shown.
  * @property refusal why a topic was not assigned to a signal, as a sentence; null if nothing was refused.
  */
 data class FindingsState(
@@ -14,5 +17,6 @@ data class FindingsState(
     val listed: Int? = null,
     val isWithinOpen: Boolean = false,
     val isSkippedOpen: Boolean = false,
+    val library: LoggingLibrary = LoggingLibrary.WPILIB,
     val refusal: String? = null,
 )

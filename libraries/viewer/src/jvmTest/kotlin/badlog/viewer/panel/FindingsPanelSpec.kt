@@ -8,6 +8,7 @@ import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.incident.incidentsIn
+import badlog.signals.logging.LoggingLibrary
 import badlog.viewer.bagView
 import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.panel.finding.FindingDetails
@@ -46,7 +47,7 @@ class FindingsPanelSpec : FunSpec({
     fun List<Part>.buttons(): List<Button> = flatMap { part ->
         when (part) {
             is Buttons -> part.buttons
-            is Choices -> part.buttons
+            is Offers -> part.buttons
             is Heading -> part.tools
             is Paragraph -> listOfNotNull(part.button)
             is Fold -> part.parts.buttons()
@@ -151,6 +152,20 @@ class FindingsPanelSpec : FunSpec({
         findingsPanel(shown()).filterIsInstance<Fold>().shouldBeEmpty()
     }
 
+    test("for signals that a program can log there are the lines to write, with the library that a person chooses") {
+        val skipped = listOf("battery", "packet loss", "no such").map { SkippedRule("Rule of $it", 1, "no signal", isMistake = false, lacking = it) }
+        fun parts(state: FindingsState) = findingsPanel(shown(FoundInLog(skipped = skipped, ran = 2), state)).fold("findings-skipped").parts
+        val first = parts(FindingsState(isSkippedOpen = true))
+        first.filterIsInstance<Code>().single().text shouldBe """SmartDashboard.putNumber("Battery Voltage", RobotController.getBatteryVoltage());"""
+        val options = first.filterIsInstance<Choice>().single().options
+        options.map { it.label } shouldBe listOf("WPILib", "AdvantageKit", "Epilogue", "DogLog", "Phoenix", "badlog")
+        options.filter { it.isOn }.map { it.label } shouldBe listOf("WPILib")
+        options[3].action shouldBe FindingAction.ShowLines(LoggingLibrary.DOGLOG)
+        parts(FindingsState(library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
+            """DogLog.log("Battery Voltage", RobotController.getBatteryVoltage());"""
+        first.filterIsInstance<Paragraph>().first().text shouldBe "“packet loss” is in the Driver Station's log only: open that beside this one."
+    }
+
     test("a team says what becomes of a finding where it has a list, and what it said stands below the finding") {
         val list = TodoList.of(emptyList(), emptyList())
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = list, details = FindingDetails(false, emptyList())))
@@ -163,10 +178,10 @@ class FindingsPanelSpec : FunSpec({
 
     test("how the log differs from those before it stands above all findings, and is drawn over them on request") {
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, differences = listOf(late)))
-        val choices = parts.filterIsInstance<Choices>().single()
-        choices.title shouldBe "Unlike the matches before"
-        choices.buttons.single().action shouldBe Action.Ask(FindingRequest.Compare(late))
-        (parts.indexOf(choices) < parts.indexOfFirst { it is Rows }) shouldBe true
+        val offers = parts.filterIsInstance<Offers>().single()
+        offers.title shouldBe "Unlike the matches before"
+        offers.buttons.single().action shouldBe Action.Ask(FindingRequest.Compare(late))
+        (parts.indexOf(offers) < parts.indexOfFirst { it is Rows }) shouldBe true
     }
 
     test("signals that a person assigned are listed, to be forgotten or saved") {

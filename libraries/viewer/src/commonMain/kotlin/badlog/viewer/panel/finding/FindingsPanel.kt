@@ -3,13 +3,19 @@ package badlog.viewer.panel.finding
 import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
+import badlog.signals.logging.LoggingLibrary
+import badlog.signals.logging.howToLog
+import badlog.signals.logging.isOfDriverStation
 import badlog.viewer.input.KeyAction
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
-import badlog.viewer.panel.Choices
+import badlog.viewer.panel.Choice
+import badlog.viewer.panel.Code
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Offers
+import badlog.viewer.panel.Option
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
@@ -87,7 +93,7 @@ private fun changes(differences: List<Finding>): Part? = if (differences.isEmpty
     null
 } else {
     val buttons = differences.map { Button(it.text, Action.Ask(FindingRequest.Compare(it)), hint = Changes.hintOf(it)) }
-    Choices("changes", Changes.TITLE, buttons)
+    Offers("changes", Changes.TITLE, buttons)
 }
 
 private fun troubles(found: FoundInLog): List<Part> {
@@ -171,13 +177,27 @@ private fun skipped(shown: FindingsShown, found: FoundInLog): Part? {
     val notLookedAt = found.notLookedAt ?: return null
     val lacking = found.skipped.filter { !it.isMistake }
     if (lacking.isEmpty()) return null
-    val fields = notLookedAt.lacking.take(MOST_LACKING).map { signal ->
+    val signals = notLookedAt.lacking.take(MOST_LACKING)
+    val fields = signals.map { signal ->
         Field("signals-lacking $signal", "“$signal” is", "Choose the topic for “$signal”", suggestions = shown.topics) {
             Action.Ask(FindingRequest.Assign(signal, it))
         }
     }
     val rules = lacking.map { Paragraph("rule ${it.rule}", "${it.rule}: ${it.message}", Tone.MUTED) }
-    return Fold("findings-skipped", notLookedAt.text, shown.state.isSkippedOpen, FindingAction.ToggleSkipped, fields + rules)
+    val parts = fields + howToLog(shown.state.library, signals) + rules
+    return Fold("findings-skipped", notLookedAt.text, shown.state.isSkippedOpen, FindingAction.ToggleSkipped, parts)
+}
+
+/** Returns the lines with which [library] logs those of [signals] that a program can log. */
+private fun howToLog(library: LoggingLibrary, signals: List<String>): List<Part> {
+    val lines = signals.mapNotNull { howToLog(it, library) }
+    val ofStation = signals.filter(::isOfDriverStation).map { signal ->
+        Paragraph("station $signal", "“$signal” is in the Driver Station's log only: open that beside this one.", Tone.MUTED)
+    }
+    if (lines.isEmpty()) return ofStation
+    val options = LoggingLibrary.entries.map { Option(it.title, it == library, FindingAction.ShowLines(it)) }
+    return listOf(Choice("logging-library", "How to log what is missing, with", options), Code("logging-lines", lines.joinToString("\n"))) +
+        ofStation
 }
 
 private fun assigned(shown: FindingsShown): List<Part> {
