@@ -63,6 +63,9 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Text is not UTF-8 and was read as Windows-1252. */
     NOT_UTF8(Severity.WARNING),
 
+    /** A CSV file separates its cells, writes its numbers or describes its columns in an unusual way, and was read that way. */
+    CSV_DIALECT(Severity.NOTE),
+
     /** Numbers with a decimal comma were read as if it were a point. */
     DECIMAL_COMMA(Severity.WARNING),
 

@@ -2,7 +2,7 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.PathName
 import badlog.core.recording.Value
-import badlog.formats.column.wallTimeText
+import badlog.core.text.wallTimeText
 
 /** What certain entries say about the whole run: the match, and the time of day. */
 internal class MatchMetadata {

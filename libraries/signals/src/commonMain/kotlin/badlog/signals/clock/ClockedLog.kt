@@ -3,8 +3,8 @@ package badlog.signals.clock
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.recording.Recording
+import badlog.core.text.daysTo
 import badlog.signals.match.MatchOfLog
-import badlog.signals.match.daysTo
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals

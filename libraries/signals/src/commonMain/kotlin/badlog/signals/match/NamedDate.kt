@@ -1,5 +1,7 @@
 package badlog.signals.match
 
+import badlog.core.text.daysTo
+
 /**
  * A date in a name.
  *
@@ -67,17 +69,6 @@ private fun secondOf(year: Int, month: String, day: String, hour: String, minute
     return believable(days * DAY + hours * HOUR + minutes * MINUTE + seconds)
 }
 
-/** Returns the days from 1970 to a date; null if there is no such date. */
-internal fun daysTo(year: Int, month: Int, day: Int): Long? {
-    if (month !in 1..12 || day !in 1..MONTHS[month - 1]) return null
-    val isLeapYear = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0)
-    if (month == 2 && day == 29 && !isLeapYear) return null
-    // Counting years from March puts the leap day at the end.
-    val marchYear = if (month > 2) year else year - 1
-    val dayOfYear = (153 * (if (month > 2) month - 3 else month + 9) + 2) / 5 + day - 1
-    return marchYear * 365L + marchYear / 4 - marchYear / 100 + marchYear / 400 + dayOfYear - DAYS_TO_1970
-}
-
 // A robot's clock starts at about 1970 until something sets it.
 private fun believable(second: Long): Long? = second.takeIf { it in FIRST..LAST }
 
@@ -89,7 +80,6 @@ private val MONTH_FIRST = Regex("(\\d{1,2})/(\\d{1,2})/(\\d{4})(?:[ ,T]+(\\d{1,2
 private val WITH_OFFSET = Regex(
     "(\\d{4})-(\\d{2})-(\\d{2})[T ](\\d{2}):(\\d{2})(?::(\\d{2})(?:\\.\\d+)?)? ?(Z|UTC|[+-]\\d{2}(?::?\\d{2})?)",
 )
-private val MONTHS = listOf(31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
 private const val SHORTEST_NUMBER = 9
 
 /** Above this, seconds would be in the year 5138. */
@@ -97,7 +87,6 @@ private const val MILLISECONDS = 1e11
 private const val MINUTE = 60
 private const val HOUR = 3600
 private const val DAY = 86400L
-private const val DAYS_TO_1970 = 719468
 private const val FARTHEST = 18 * HOUR
 
 /** The beginning of 2000 and the end of 2199. */
