@@ -147,6 +147,9 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A WPILOG has more topics, or an array more elements, than can be shown; the others were dropped. */
     TOO_MANY_TOPICS(Severity.ERROR),
 
+    /** A path of a WPILOG has more poses than are shown. */
+    LONG_PATH(Severity.NOTE),
+
     /** Samples of a topic are not in order of time in the file; they were sorted. */
     TIMES_SORTED(Severity.NOTE),
 
