@@ -23,8 +23,8 @@ fun dateInName(name: String): NamedDate? {
 }
 
 /**
- * Returns the date in [text] on a clock on the wall here, in s since 1970 on that clock: as in ISO 8601, month first with slashes, or
- * seconds or milliseconds since 1970; otherwise null.
+ * Returns the date in [text] on a clock on the wall here, in s since 1970 on that clock: as in ISO 8601, in RFC 1123, as Java's `Date`
+ * is printed, month first with slashes, or seconds or milliseconds since 1970; otherwise null.
  */
 fun dateInText(text: String): Long? {
     val number = text.toDoubleOrNull()
@@ -32,34 +32,12 @@ fun dateInText(text: String): Long? {
         val second = if (number > MILLISECONDS) number / 1000 else number
         return if (second in FIRST.toDouble()..LAST.toDouble()) believable(localSecondOf(second.toLong())) else null
     }
-    WITH_OFFSET.matchEntire(text)?.let {
-        val (year, month, day, hour, minute, second, offset) = it.destructured
-        val there = secondOf(year.toInt(), month, day, hour, minute, second) ?: return null
-        return believable(localSecondOf(there - (offsetOf(offset) ?: return null)))
-    }
-    MONTH_FIRST.matchEntire(text)?.let {
-        val (month, day, year, hour, minute, second) = it.destructured
-        return secondOf(year.toInt(), month, day, hour, minute, second)
-    }
-    return dateInName(text)?.second
+    writtenDate(text)?.let { date -> return believable(date.utcSecond?.let(::localSecondOf) ?: date.second) }
+    return if (isWrittenDate(text)) null else dateInName(text)?.second
 }
 
 /** Returns the time of a clock on the wall here at [second] since 1970 in UTC, in s since 1970 on that clock. */
 expect fun localSecondOf(second: Long): Long
-
-/** Returns the seconds by which a clock at [offset], such as `Z`, `+01:00` or `-0530`, is ahead of UTC; null if it is none. */
-private fun offsetOf(offset: String): Int? {
-    if (offset.length == 1 || offset == "UTC") return 0
-    val digits = offset.drop(1).replace(":", "")
-    val seconds = digits.take(2).toInt() * HOUR + digits.drop(2).ifEmpty { "0" }.toInt() * MINUTE
-    return if (seconds > FARTHEST) {
-        null
-    } else if (offset[0] == '-') {
-        -seconds
-    } else {
-        seconds
-    }
-}
 
 private fun secondOf(year: Int, month: String, day: String, hour: String, minute: String, second: String): Long? {
     fun number(text: String) = if (text.isEmpty()) 0 else text.toInt()
@@ -76,10 +54,6 @@ private val FOUR_DIGIT_YEAR = Regex(
     "(?<!\\d)(\\d{4})[-_.]?(\\d{2})[-_.]?(\\d{2})(?:[T_ .-]{0,3}(\\d{2})[-_.:hH]?(\\d{2})(?:[-_.:mM]?(\\d{2}))?)?(?!\\d)",
 )
 private val TWO_DIGIT_YEAR = Regex("(?<!\\d)(\\d{2})-(\\d{2})-(\\d{2})[T_ -](\\d{2})[-_.:](\\d{2})(?:[-_.:](\\d{2}))?(?!\\d)")
-private val MONTH_FIRST = Regex("(\\d{1,2})/(\\d{1,2})/(\\d{4})(?:[ ,T]+(\\d{1,2}):(\\d{2})(?::(\\d{2}))?)?.*")
-private val WITH_OFFSET = Regex(
-    "(\\d{4})-(\\d{2})-(\\d{2})[T ](\\d{2}):(\\d{2})(?::(\\d{2})(?:\\.\\d+)?)? ?(Z|UTC|[+-]\\d{2}(?::?\\d{2})?)",
-)
 private const val SHORTEST_NUMBER = 9
 
 /** Above this, seconds would be in the year 5138. */
@@ -87,7 +61,6 @@ private const val MILLISECONDS = 1e11
 private const val MINUTE = 60
 private const val HOUR = 3600
 private const val DAY = 86400L
-private const val FARTHEST = 18 * HOUR
 
 /** The beginning of 2000 and the end of 2199. */
 private const val FIRST = 946_684_800L
