@@ -134,6 +134,7 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
 
     private fun putNumber(): Boolean {
         if (dialect.between == null) return dialect.hasComma && putPlain()
+        if (putGrouped(dialect.between.code)) return true
         put(CsvNumber.of(text())?.text(dialect.between, dialect.hasComma) ?: return false)
         return true
     }
@@ -156,6 +157,45 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
         for (i in 0 until size) put(if (cell[i].toInt() == COMMA) DOT else cell[i].toInt())
         return true
     }
+
+    /** Writes a number with [between] between thousands, if it is written as usual; nothing otherwise. */
+    private fun putGrouped(between: Int): Boolean {
+        val sizeBefore = outSize
+        var digits = 0
+        var groups = 0
+        var hasPoint = false
+        var hasDigit = false
+        for (i in 0 until size) {
+            val byte = cell[i].toInt()
+            val isUsual = when {
+                byte in ZERO..NINE -> true.also {
+                    digits++
+                    hasDigit = true
+                }
+
+                byte == between && !hasPoint -> (if (groups == 0) digits in 1..GROUP else digits == GROUP).also {
+                    groups++
+                    digits = 0
+                }
+
+                isPoint(byte) && byte != between && !hasPoint -> (groups == 0 || digits == GROUP).also { hasPoint = true }
+
+                else -> byte == MINUS && i == 0
+            }
+            if (!isUsual) {
+                outSize = sizeBefore
+                return false
+            }
+            if (byte != between) put(if (byte == COMMA) DOT else byte)
+        }
+        // A group begins with a zero in no number that somebody grouped.
+        val first = cell[if (cell[0].toInt() == MINUS && size > 1) 1 else 0].toInt()
+        val isWhole = hasDigit && (groups == 0 || (first != ZERO && (hasPoint || digits == GROUP)))
+        if (!isWhole) outSize = sizeBefore
+        return isWhole
+    }
+
+    private fun isPoint(byte: Int) = byte == DOT || (byte == COMMA && dialect.hasComma)
 
     private fun putOdd(): Boolean {
         put(CsvNumber.of(text())?.text(null, isComma = true) ?: return false)
@@ -180,6 +220,9 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
     private companion object {
         /** No number and no time is longer. */
         const val MAX_CELL = 64
+
+        /** The digits between two marks. */
+        const val GROUP = 3
 
         /** A quote that nothing closes must not swallow the file. */
         const val MAX_TEXT = 1 shl 16

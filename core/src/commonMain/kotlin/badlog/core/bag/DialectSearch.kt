@@ -15,7 +15,7 @@ internal object DialectSearch {
     private const val SEMICOLON = ';'.code
 
     private class Cell(val text: String) {
-        val number = CsvNumber.of(text)
+        val number by lazy(LazyThreadSafetyMode.NONE) { CsvNumber.of(text) }
         val isEmpty get() = text.isBlank()
         val isValue get() = number?.isPossible == true || text.trim().lowercase() in WORDS || microsOfIsoTime(text.trim()) != null
     }
@@ -26,7 +26,9 @@ internal object DialectSearch {
         val rows = lines.drop(1).filter { it.size == width }
 
         /** How well the rows fit: in rows with a value, each value counts for it, each other text against it. */
-        val score = if (width < 2) 0 else rows.filter { row -> row.any { it.isValue } }.sumOf(::scoreOf)
+        val score by lazy(LazyThreadSafetyMode.NONE) {
+            if (width < 2) 0 else rows.filter { row -> row.any { it.isValue } }.sumOf(::scoreOf)
+        }
 
         private fun scoreOf(row: List<Cell>) = row.count { it.isValue } - row.count { !it.isValue && !it.isEmpty }
     }
@@ -58,7 +60,9 @@ internal object DialectSearch {
         val hasTitles = first.any { !it.isEmpty && !it.isValue }
         val body = if (hasTitles) reading.rows else reading.rows + listOf(first)
         val isUsual = reading.separator == COMMA
-        val numbers = body.flatten().mapNotNull { it.number }
+        // Without such a mark, points are decimal ones between commas.
+        val marked = if (isUsual && body.none { row -> row.any { cell -> cell.text.any { it in MARKS } } }) emptyList() else body.flatten()
+        val numbers = marked.mapNotNull { it.number }
         fun points(mark: Char) = numbers.count { it.point == mark }
         fun isBetween(mark: Char) = numbers.any { it.grouping == mark }
         fun isOpen(mark: Char) = numbers.any { it.openMark == mark }
@@ -120,6 +124,7 @@ internal object DialectSearch {
         }
     }
 
+    private const val MARKS = ", '\u00A0"
     private const val NAMING = "sep="
     private const val WIDEST = 1 shl 16
     private val WORDS = setOf("true", "false", "nan", "inf", "-inf", "infinity", "-infinity", "null")

@@ -15,7 +15,7 @@ class ForeignFileSpec : FunSpec({
         "\u0089MCAP0\r\n\u0001" to "an MCAP log",
         "SQLite format 3\u0000\u0010" to "an SQLite database",
         "<!DOCTYPE html>\n<html><body>404 Not Found</body></html>" to "a web page",
-        "\u00ef\u00bb\u00bf\n <HTML>" to "a web page",
+        "\u00ef\u00bb\u00bf\n <HTML>" to "a web page in place of a log",
         "<?xml version=\"1.0\"?>\n<Error><Code>NoSuchKey</Code></Error>" to "an XML file",
         "PK\u0003\u0004\u0014\u0000\u0006\u0000\u0008\u0000Q12.wpilog" to "an archive",
         "PK\u0003\u0004\u0014\u0000\u0006\u0000[Content_Types].xml" to "a spreadsheet",
