@@ -86,6 +86,7 @@ class BadlogSpec : FunSpec({
             listOf("fetch", "1014", "--limit", "fast"), listOf("fetch", "1014", "--delete-older-than", "2 weeks"), listOf("fetch", "1", "2"),
             listOf("lake", "a"), listOf("sql"), listOf("sql", "a", "SELECT 1", "--csv", "--json"), listOf("mcp"), listOf("mcp", "a", "b"), listOf("mcp", "a", "--json"),
             listOf("rules"), listOf("rules", "run", "a"), listOf("rules", "check"), listOf("rules", "check", "a", "--silent"), listOf("rules", "new", "a"), listOf("rules", "new", "a", "--from", "b", "--at", "x", "--name", "c"),
+            listOf("info", ""), listOf("info", "a.bag", ""), listOf("export", ""), listOf("find", "", "a.bag"), listOf("assign", "", "battery", "a"),
             listOf("record"), listOf("record", "0"), listOf("record", "a b"), listOf("record", "1", "2"), listOf("record", "localhost:0"),
         )
         for (arguments in wrong) {

@@ -3,6 +3,7 @@ package badlog.cli.assign
 import badlog.catalog.folder.SignalAssignment
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogLoop
+import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.console.Spelling
@@ -36,8 +37,10 @@ internal class AssignTask(
         val written = try {
             assign(console)
         } catch (e: Exception) {
-            console.warn(LogLoop.sentenceOf(e, log))
-            return ExitCode.NOTHING
+            return Outcomes("assign", console, isJson).run {
+                failed(log, LogLoop.sentenceOf(e, log))
+                end()
+            }
         }
         val above = generateSequence(folder.parent) { it.parent }.map { it.resolve(SignalsFile.NAME) }.firstOrNull(Files::isRegularFile)
         if (isNew && above != null) {

@@ -59,6 +59,8 @@ internal abstract class SubCommand(
     }
 
     private fun requireNoOption() {
+        // A script's empty variable would otherwise mean the current folder.
+        if (words.any { it.isEmpty() }) throw UsageError("an argument is empty; name a log, a folder or a question")
         val before = commandLine.arguments.takeWhile { it != "--" }.toSet()
         val unknown = words.firstOrNull { it.startsWith("-") && it.length > 1 && it in before } ?: return
         val name = unknown.substringBefore('=')

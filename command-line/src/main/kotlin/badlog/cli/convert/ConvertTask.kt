@@ -79,7 +79,7 @@ internal class ConvertTask(
             leftOut.all,
             log.all.errors.map(::UndefinedJson),
         )
-        return Outcome(recording.isSalvaged, text.joinToString("\n"), jsonOf(json))
+        return Outcome(recording.isSalvaged || leftOut.hasLoss, text.joinToString("\n"), jsonOf(json))
     }
 
     private fun write(file: Path, recording: Recording, calculated: Recording, target: Path, progress: Progress): Omissions {

@@ -50,6 +50,7 @@ internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
             topicsText("the bytes", topics.count { it.isOfBytes }),
         ),
         remarks = listOfNotNull(betweenText(between)),
+        hasLoss = between > 0,
     )
 }
 

@@ -6,6 +6,7 @@ import badlog.cli.text.sizeText
 import badlog.exporter.BADLOG_VERSION
 import badlog.fetch.RobotAddress
 import badlog.fetch.answering
+import badlog.files.OwletSearch
 import badlog.files.UserFolders
 import badlog.files.terminal.browserCommand
 import java.io.IOException
@@ -82,11 +83,11 @@ internal class Checkup(private val computer: Computer, private val addresses: Li
         else -> CheckFinding("window", CheckState.OK, "$window")
     }
 
-    private fun owlet(): CheckFinding = when (val owlet = computer.program("owlet")) {
+    private fun owlet(): CheckFinding = when (val owlet = OwletSearch(computer.system, computer.user, computer.variable).any) {
         null -> CheckFinding(
             "owlet",
             CheckState.MISSING,
-            "not on the PATH, so .hoot logs cannot be read; get it from CTRE if you have such logs",
+            "not found, so .hoot logs cannot be read; AdvantageScope downloads it, or get it from CTRE, if you have such logs",
         )
 
         else -> CheckFinding("owlet", CheckState.OK, "$owlet")

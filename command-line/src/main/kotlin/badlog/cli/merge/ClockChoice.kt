@@ -76,19 +76,54 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
      * @throws Failure if one cannot be moved.
      */
     fun moved(parts: List<LogPart>, station: StationPart? = null): MovedLogs {
+        if (alignsEnabled && offsets.isEmpty() && station == null && parts.none(::isOfMotors)) return aligned(parts)
         val moves = ArrayList<Move>()
         val edges = if (alignsEnabled) edgesOf(parts.first()) else emptyList()
         val all = parts.mapIndexed { index, part ->
             val offset = offsets.find { it.isOf(part.file) }
             when {
                 offset != null -> part.later(offset.seconds).also { moves += Move(it, 0, 0.0) }
+
                 part === station?.part -> station.beside(parts.first()).also { moves += Move(it, station.fit.edges, station.fit.error) }
+
                 index > 0 && isOfMotors(part) -> byMotors(part, parts.first())?.also { moves += it }?.part ?: part
-                alignsEnabled && index > 0 -> aligned(part, edges).also { moves += it }.part
+
+                alignsEnabled && index > 0 -> fitOf(part, edges).let { fit ->
+                    Move(part.later(fit.seconds), fit.edges, fit.error).also { moves += it }.part
+                }
+
                 else -> part
             }
         }
         return MovedLogs(all, moves)
+    }
+
+    /**
+     * Returns [parts], moved so that the robot is enabled at the same times, on the clock of the one that would otherwise move to later
+     * times; on a later one if another would begin before 0. Their order makes no difference.
+     */
+    private fun aligned(parts: List<LogPart>): MovedLogs {
+        val edges = edgesOf(parts.first())
+        val fits = parts.drop(1).map { fitOf(it, edges) }
+        val offsets = listOf(0.0) + fits.map { it.seconds }
+        val last = offsets.max()
+        val early = parts.zip(offsets).filterNot { (part, _) -> part.hasRows || part.firstX.isNaN() }.minOfOrNull { (part, offset) ->
+            part.firstX +
+                offset -
+                last
+        }
+        val later = maxOf(0.0, -(early ?: 0.0)) - last
+        val moved = parts.zip(offsets) { part, offset -> if (round((offset + later) * MICROS) == 0.0) part else part.later(offset + later) }
+        val moves = moved.mapIndexedNotNull { index, part ->
+            if (part ===
+                parts[index]
+            ) {
+                null
+            } else {
+                (fits.getOrNull(index - 1) ?: fits.minBy { it.edges }).let { Move(part, it.edges, it.error) }
+            }
+        }
+        return MovedLogs(moved, moves)
     }
 
     private fun isOfMotors(part: LogPart) = part.recording.format == RevlogFormat
@@ -107,11 +142,8 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return fit?.let { Move(part.later(maxOf(it.seconds, -part.firstX)), it.edges, it.error, "motors driven") }
     }
 
-    private fun aligned(part: LogPart, edges: List<EnabledEdge>): Move {
-        val fit = ClockFit.ofEdges(edgesOf(part), edges)
-            ?: throw Failure("The logs share no time of enabling or disabling; use --offset instead.")
-        return Move(part.later(fit.seconds), fit.edges, fit.error)
-    }
+    private fun fitOf(part: LogPart, edges: List<EnabledEdge>): ClockFit = ClockFit.ofEdges(edgesOf(part), edges)
+        ?: throw Failure("The logs share no time of enabling or disabling; use --offset instead.")
 
     private fun edgesOf(part: LogPart): List<EnabledEdge> =
         LogView.of(part.recording).withSignals(signalsBeside(part.file), part.file.fileName.toString()).enabledEdges().ifEmpty {

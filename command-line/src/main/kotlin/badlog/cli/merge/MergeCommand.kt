@@ -33,7 +33,7 @@ internal class MergeCommand :
     private val offsets by option("--offset", metavar = "FILE=S").convert { Offset.of(it) ?: fail("write FILE=SECONDS") }.multiple()
         .help("Shift this log by S seconds; may be repeated.")
     private val aligned by option("--align", metavar = "enabled").choice("enabled")
-        .help("Shift logs so that “enabled” matches the first log.")
+        .help("Shift logs so that “enabled” matches in all.")
     private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
         .help("Add the Driver Station log of the same match.")
 

@@ -11,11 +11,13 @@ import badlog.formats.wpilog.Omission
  * @param things what is missing, each as a short text such as `38 units`.
  * @param omissions what a WPILOG cannot express.
  * @param remarks what else is missing, each as a sentence without its end.
+ * @property hasLoss whether samples are missing that nobody asked to leave out.
  */
 internal class Omissions(
     private val things: List<String> = emptyList(),
     private val omissions: List<Omission> = emptyList(),
     private val remarks: List<String> = emptyList(),
+    val hasLoss: Boolean = false,
 ) {
     /** The text after the count of what was written. */
     val tail: String get() = if (things.isEmpty()) "" else "; the file cannot hold ${things.joinToString()}"
@@ -33,7 +35,8 @@ internal class Omissions(
             topic + omission.what.removeSuffix(".") + (if (omission.count > 1) " (${grouped(omission.count.toLong())})" else "") + "."
         }
 
-    operator fun plus(other: Omissions) = Omissions(things + other.things, omissions + other.omissions, remarks + other.remarks)
+    operator fun plus(other: Omissions) =
+        Omissions(things + other.things, omissions + other.omissions, remarks + other.remarks, hasLoss || other.hasLoss)
 
     private fun placeOf(alike: List<Omission>): String {
         val count = alike.sumOf { it.count.toLong() }

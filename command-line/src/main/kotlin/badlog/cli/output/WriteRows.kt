@@ -4,6 +4,7 @@ import badlog.core.analysis.Units
 import badlog.core.bag.RecordingWriter
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.formats.wpilog.Omission
 
 /** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that cannot express. */
 internal fun writeRows(
@@ -32,7 +33,12 @@ internal fun writeRows(
         }
         done += run.count()
     }
-    return if (format == RecordingFormat.CSV) omissionsOfCsv(recording) else Omissions()
+    return omissionsOfNaN(recording) + if (format == RecordingFormat.CSV) omissionsOfCsv(recording) else Omissions()
+}
+
+private fun omissionsOfNaN(recording: Recording): Omissions {
+    val emptied = recording.topics.associate { it.name to RecordingWriter.emptiedNaNs(it) }.filterValues { it > 0 }
+    return Omissions(omissions = emptied.map { (name, count) -> Omission(name, "NaN is written as an empty cell.", count) })
 }
 
 private fun omissionsOfCsv(recording: Recording): Omissions {

@@ -57,6 +57,17 @@ class AssignSpec : FunSpec({
         }
     }
 
+    test("a refusal is JSON, too") {
+        inFolder { folder ->
+            badlogJson("assign", folder.with("a.bag", LOG), "batery", "Power/My Volts").run {
+                code shouldBe ExitCode.NOTHING
+                err shouldBe ""
+                json.single().getValue("status").jsonPrimitive.content shouldBe "failed"
+                json.single().getValue("error").jsonPrimitive.content shouldContain "did you mean"
+            }
+        }
+    }
+
     test("what cannot be is refused with a sentence, and nothing is written") {
         inFolder { folder ->
             val log = folder.with("a.bag", LOG)

@@ -160,7 +160,7 @@ class ConvertWpilogSpec : FunSpec({
         inFolder { folder ->
             val log = folder.sampleLog("practice.bag")
             fun rows(vararg options: String): Int {
-                badlog("convert", log, "-o", folder / "rows.csv", "--force", *options).code shouldBe ExitCode.WHOLE
+                badlog("convert", log, "-o", folder / "rows.csv", "--force", *options)
                 return readRecording(folder / "rows.csv", LOG_FORMATS).also { it.format shouldBe RecordingFormat.CSV }.rowCount
             }
             rows("--period", "0.5") shouldBe 92
@@ -169,6 +169,32 @@ class ConvertWpilogSpec : FunSpec({
             rows("--rows-at", "Time") shouldBe 2248
             leftOut(folder, log, "--to", "csv", "--rows-at", "Time") shouldContain "33 attributes"
             leftOut(folder, log, "--to", "csv", "--period", "0.5").first() shouldContain " samples lie between two rows and are left out (--rows-at, --period)"
+        }
+    }
+
+    test("samples that are in none of the rows are a loss, unless there are none") {
+        inFolder { folder ->
+            folder.with("a.bag", "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"y\"}]}\nTime,y\n0,1\n0.3,2\n0.31,3\n")
+            badlog("convert", "--to", "wpilog", folder / "a.bag")
+            fun ended(vararg options: String) = badlogJson("convert", folder / "a.wpilog", "-o", folder / "b.bag", "--force", *options)
+            ended("--period", "1").run {
+                code shouldBe ExitCode.SALVAGED
+                json.single().getValue("status").jsonPrimitive.content shouldBe "salvaged"
+            }
+            ended("--rows-at", "Time").run {
+                code shouldBe ExitCode.WHOLE
+                json.single().getValue("status").jsonPrimitive.content shouldBe "whole"
+            }
+        }
+    }
+
+    test("NaN comes back, or is reported where it is written as an empty cell") {
+        inFolder { folder ->
+            val late = Logged("late", "double", "", listOf(0.5 to 1.0, 0.6 to Double.NaN))
+            val log = folder.wpilog("a.wpilog", listOf(late, Logged("y", "double", "", listOf(0.0 to Double.NaN, 0.6 to 2.0))))
+            leftOut(folder, log, "-o", folder / "b.bag", "--period", "0.1", "--force").filter { "NaN" in it } shouldContainExactly
+                listOf("“late”: NaN is written as an empty cell.")
+            readRecording(folder / "b.bag", LOG_FORMATS).topics.first { it.name == "y" }.counts.notFinite shouldBe 6
         }
     }
 

@@ -24,6 +24,7 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.div
+import kotlin.random.Random
 
 class ClockChoiceSpec : FunSpec({
     fun Recording.times(name: String) = topics.first { it.name == name }.times?.toList()
@@ -76,6 +77,38 @@ class ClockChoiceSpec : FunSpec({
             times[0] shouldBe (7.0 plusOrMinus 0.011)
             badlog("merge", one, two, "--align", "enabled", "-o", folder / "n.wpilog").out.replace(Regex("\\s+"), " ") shouldContain
                 "4 edges of enabled fit within 0.02 s"
+        }
+    }
+
+    test("the order of the logs makes no difference to the times, and no log is refused because of it") {
+        inFolder { folder ->
+            val random = Random(4042)
+            repeat(10) { run ->
+                // Each log has the same moments of enabling on its own clock.
+                val logs = ('a'..'c').take(random.nextInt(2, 4)).map { folder.match("$it$run", "$it", random.nextInt(0, 4000) / 2.0) }
+                val merged = List(3) { logs.shuffled(random) }.mapIndexed { index, order ->
+                    val target = folder / "m$run-$index.wpilog"
+                    badlog("merge", *order.toTypedArray(), "--align", "enabled", "-o", target).code shouldBe ExitCode.WHOLE
+                    readRecording(target, LOG_FORMATS).topics.associate { it.name to it.times?.toList() }
+                }
+                merged.toSet().size shouldBe 1
+                val first = merged[0].values.map { it?.first() ?: 0.0 }
+                (first.min() >= 0) shouldBe true
+            }
+        }
+    }
+
+    test("a log that would begin before 0 moves the others instead") {
+        inFolder { folder ->
+            val late = folder.match("late", "a", 3.0)
+            val early = folder.wpilog("early.wpilog", listOf(Logged("early/Robot Enabled", "boolean", "", enabled(20.0)), Logged("b", "int64", "", samples(0.0))))
+            val times = listOf(listOf(late, early), listOf(early, late)).mapIndexed { index, order ->
+                val ended = badlog("merge", *order.toTypedArray(), "--align", "enabled", "-o", folder / "m$index.wpilog")
+                ended.code shouldBe ExitCode.WHOLE
+                readRecording(folder / "m$index.wpilog", LOG_FORMATS).run { topics.associate { it.name to it.times?.toList() } }
+            }
+            times[0] shouldBe times[1]
+            times[0].getValue("b")?.first() shouldBe 0.0
         }
     }
 

@@ -132,6 +132,10 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
 /** Walks through the samples of a topic, and puts the last one at each time into its row. */
 private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
+
+    // Without a gap, each NaN was logged as such.
+    private val isNaNValue = topic.counts.notFinite > 0 && topic.counts.empty == 0
+    private var nans = 0
     private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
     private val textOf = IntArray(topic.size) { -1 }
     private val dictionary = ArrayList(topic.texts.dictionary)
@@ -169,7 +173,10 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     fun hold(row: Int) {
         if (last < 0) return
         textIds[row] = text
-        if (samples.isNotEmpty() && textOf[last] < 0) samples[row] = topic.samples[last]
+        if (samples.isNotEmpty() && textOf[last] < 0) {
+            samples[row] = topic.samples[last]
+            if (isNaNValue && samples[row].isNaN()) nans++
+        }
         if (isEvent) text = -1
         if (topic.wasSparse) last = -1
     }
@@ -191,10 +198,10 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
         val isTruth = topic.counts.truthValues > 0 && topic.counts.numbers == 0
         return CellCounts(
             numbers = if (isTruth) 0 else finite,
-            notFinite = unfit,
+            notFinite = unfit + nans,
             truthValues = if (isTruth) finite else 0,
             texts = texts,
-            empty = total - finite - unfit - texts,
+            empty = total - finite - unfit - nans - texts,
             gaps = gaps,
         )
     }

@@ -70,25 +70,41 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         var at = from
         while (at < until && !ignoresTheRest) {
             val end = minOf(at + PendingBytes.PIECE, until)
-            pending.append(bytes, at, end)
+            append(bytes, at, end)
             if (!waitsForLineEnd || lineEndIn(bytes, at, end) < end || pending.size > MAX_WAIT) advance(false)
             at = end
         }
     }
 
+    private fun append(bytes: ByteArray, from: Int, until: Int) {
+        val translation = header.translation ?: return pending.append(bytes, from, until)
+        translation.accept(bytes, from, until)
+        pending.append(translation.out, 0, translation.outSize)
+    }
+
     /**
      * Takes rows that a [RowBatchParser] read, in place of their bytes, which follow those of the previous calls.
      *
-     * @return false if no row begins there because a row or a hole continues, or if [batch] lacks numbers that this parser keeps
-     *   or passes on; the bytes themselves must then be passed.
+     * @return false if no row begins there because a row or a hole continues, if [batch] lacks numbers that this parser keeps
+     *   or passes on, or if the file separates cells or writes numbers in an unusual way; the bytes themselves must then be passed.
      */
     public fun accept(batch: RowBatch): Boolean {
         val reader = rowReader()
-        if (reader == null || ignoresTheRest || pending.size > 0 || holeBytes > 0 || pending.isAfterHole) return false
+        if (header.translation != null || reader == null || ignoresTheRest || pending.size > 0 || holeBytes > 0 ||
+            pending.isAfterHole
+        ) {
+            return false
+        }
         return reader.add(batch)
     }
 
     override fun finish(): Recording {
+        // A file that is shorter than what shows its dialect is rewritten only now.
+        if (!header.isDone) advance(true)
+        header.translation?.let {
+            it.finish()
+            pending.append(it.out, 0, it.outSize)
+        }
         advance(true)
         val rows = rows ?: rowsOf(header.columns ?: columnsOfHeaderAlone())
         val topics = rows.topics()
@@ -100,7 +116,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         return Recording(
             format = if (header.line != null) RecordingFormat.BAG else RecordingFormat.CSV,
             headerLine = header.line,
-            values = header.header?.values.orEmpty().map { it.value },
+            values = header.header?.values.orEmpty().map { it.value } + header.translation?.values.orEmpty(),
             topics = topics,
             rowCount = rows.rowCount,
             problems = problems.toList(),

@@ -15,6 +15,9 @@ internal object CellKind {
     const val TRUTH_VALUE = 3
     const val TEXT = 4
     const val DECIMAL_COMMA = 5
+
+    /** A whole number that lost its last digits. */
+    const val ROUNDED = 6
 }
 
 /** Finds out what a cell's bytes are. Spaces and tabs around a number are ignored. Not thread-safe. */
@@ -35,7 +38,8 @@ internal class CellReader {
         if (start == end) return CellKind.EMPTY
         if (decimal.read(bytes, start, end)) {
             number = decimal.value
-            return if (number.isFinite()) CellKind.NUMBER else CellKind.NOT_FINITE
+            if (!number.isFinite()) return CellKind.NOT_FINITE
+            return if (decimal.isRounded) CellKind.ROUNDED else CellKind.NUMBER
         }
         return readWord(bytes, start, end)
     }

@@ -56,6 +56,10 @@ internal class ColumnBuilder(
     var notUtf8Line = 0
         private set
 
+    /** The number of whole numbers that lost their last digits. */
+    var roundedCount = 0
+        private set
+
     fun addNumber(row: Int, number: Double) {
         if (!keepsNumbers) {
             sink?.add(row, number)
@@ -67,6 +71,11 @@ internal class ColumnBuilder(
 
     fun addNotFinite(row: Int, number: Double) {
         notFiniteCount++
+        addNumber(row, number)
+    }
+
+    fun addRounded(row: Int, number: Double) {
+        roundedCount++
         addNumber(row, number)
     }
 
@@ -155,6 +164,7 @@ internal class ColumnBuilder(
         firstText = null
         decimalCommas = 0
         notUtf8Line = 0
+        roundedCount = 0
     }
 
     /** Writes to [out] what [append] reads. Returns the numbers, which still belong to this builder. */
@@ -167,6 +177,7 @@ internal class ColumnBuilder(
         out.put(lastGapRow)
         out.put(decimalCommas)
         out.put(firstDecimalCommaLine)
+        out.put(roundedCount)
         out.put(textCount)
         val first = firstText ?: return numbers
         out.put(first)
@@ -209,6 +220,7 @@ internal class ColumnBuilder(
         val commaLine = details.int()
         if (decimalCommas == 0) firstDecimalCommaLine = linesBefore + commaLine
         decimalCommas += commas
+        roundedCount += details.int()
         val count = details.int()
         if (count > 0) appendTexts(row, count, details, linesBefore)
     }

@@ -6,6 +6,7 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 import badlog.core.recording.addNotFinite
 import badlog.core.recording.addNotUtf8
+import badlog.core.recording.addRounded
 
 /** Reports what was odd about a whole column: once, after all of it was read. */
 internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: ProblemList) {
@@ -21,6 +22,7 @@ internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: Problem
             column.decimalCommas,
         )
     }
+    if (column.roundedCount > 0) problems.addRounded(name, column.roundedCount)
     problems.addNotFinite(topic, "cells")
     if (counts.truthValues > 0) {
         problems.add(

@@ -89,6 +89,24 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         hasRows = width > 0 && numeric >= minOf(2, lines.size - 1) && (width > 1 || numeric * 2 >= lines.size)
     }
 
+    /**
+     * Returns whether [line], the first after the titles, has the units of the columns: only texts, of which none is long, above rows that
+     * have numbers, and at least one of them above nothing but numbers.
+     */
+    fun isOfUnits(line: Line): Boolean {
+        val rows = lines.drop(2).filter { it.cells == line.cells }
+        if (line.numbers > 0 || line.texts == 0 || rows.size < 2 || rows.any { it.numbers == 0 }) return false
+        val bytes = pending.bytes
+        splitter.split(bytes, line.from, line.end, RowSplitter.Quotes.STRICT)
+        val filled = (0 until line.cells).filter { cellReader.read(bytes, splitter.starts[it], splitter.ends[it]) == CellKind.TEXT }
+        if (filled.any { splitter.ends[it] - splitter.starts[it] > LONGEST_UNIT }) return false
+        val above = rows.map { row ->
+            splitter.split(bytes, row.from, row.end, RowSplitter.Quotes.STRICT)
+            filled.map { cellReader.read(bytes, splitter.starts[it], splitter.ends[it]) }
+        }
+        return filled.indices.any { index -> above.all { it[index] == CellKind.NUMBER || it[index] == CellKind.EMPTY } }
+    }
+
     /** Returns how many of the lines after the first have [width] cells. */
     fun rowsOf(width: Int): Int = lines.drop(1).count { it.cells == width }
 
@@ -96,6 +114,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         /** This many rows are examined. */
         private const val ROWS = 20
         private const val MAX_BYTES = 1 shl 20
+        private const val LONGEST_UNIT = 16
         private const val CLEARLY = 3
         private const val MOST_CELLS = 1 shl 16
 

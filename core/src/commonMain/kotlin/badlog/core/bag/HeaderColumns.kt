@@ -13,6 +13,9 @@ import badlog.core.text.isLetterOrDigit
  * @property order the columns in display order: that of line 1, then those it does not name.
  */
 internal class HeaderColumns private constructor(val columnNames: List<String>, val topics: List<BagTopic?>, val order: List<Int>) {
+    /** Returns the same with the topic that [describe] returns for each column by its index. */
+    fun describedBy(describe: (index: Int) -> BagTopic) = HeaderColumns(columnNames, columnNames.indices.map(describe), order)
+
     companion object {
         /**
          * Matches the topics of [header], or of none in a plain CSV file, to the column titles of line [line] by name, the

@@ -12,7 +12,7 @@ import badlog.core.text.TextDecoder
 
 /** Reads what comes before the rows: the line of JSON, if there is one, and the line of column titles. */
 internal class HeaderReader(private val pending: PendingBytes, private val decoder: TextDecoder, private val problems: ProblemList) {
-    private enum class Stage { SIGNATURE, FIRST_LINE, TITLES, DONE }
+    private enum class Stage { SIGNATURE, FIRST_LINE, DIALECT, TITLES, DONE }
 
     private var stage = Stage.SIGNATURE
     private val firstLines = FirstLines(pending, CellReader())
@@ -26,6 +26,11 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     /** The content of that line; null if there is none, or it cannot be read. */
     var header: BagHeader? = null
         private set
+
+    /** What rewrites the bytes that follow; null if the file is a bag, or a CSV file of the usual kind. */
+    var translation: CsvTranslation? = null
+        private set
+    private var clocks = emptyMap<Int, CsvClock>()
 
     /** The columns; null until they are known, and if the line of titles is missing or cut. */
     var columns: HeaderColumns? = null
@@ -42,19 +47,22 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     fun read(isEnd: Boolean): Int = when (stage) {
         Stage.SIGNATURE -> readSignature(isEnd)
         Stage.FIRST_LINE -> readLine(isEnd) { lineEnd, next, _ -> takeFirstLine(lineEnd, next) }
+        Stage.DIALECT -> readDialect(isEnd)
         Stage.TITLES -> readLine(isEnd, ::takeTitles)
         Stage.DONE -> pending.end
     }
 
     private fun readSignature(isEnd: Boolean): Int {
-        if (pending.size < FileSignature.BYTES && !isEnd) return RowScanner.INCOMPLETE
+        val isBag = pending.size >= FileSignature.BYTES && pending.bytes[pending.start].toInt() == BRACE
+        if (pending.size < FOREIGN_BYTES && !isBag && !isEnd) return RowScanner.INCOMPLETE
         val start = pending.start
-        val seen = pending.bytes.copyOfRange(start, minOf(pending.end, start + FileSignature.BYTES))
+        val seen = pending.bytes.copyOfRange(start, minOf(pending.end, start + FOREIGN_BYTES))
         when (FileSignature.of(seen)) {
             FileSignature.GZIP -> return refuse("The file is compressed with gzip and has to be inflated first.")
             FileSignature.WPILOG -> return refuse("This is a WPILOG file, not a bag.")
             FileSignature.OTHER -> stage = Stage.FIRST_LINE
         }
+        foreignFile(seen)?.let { return refuse(it) }
         mayBeUtf16 = seen.size >= 2 && (startsWith(seen, 0xFF, 0xFE) || startsWith(seen, 0xFE, 0xFF))
         if (mayBeUtf16 && seen.any { it.toInt() == NUL }) return refuse(UTF_16)
         val hasMark = seen.size >= BYTE_ORDER_MARK.size && BYTE_ORDER_MARK.indices.all { seen[it] == BYTE_ORDER_MARK[it] }
@@ -77,8 +85,11 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     }
 
     private fun takeFirstLine(lineEnd: Int, next: Int): Int {
+        if (pending.bytes[pending.start].toInt() != BRACE) {
+            stage = Stage.DIALECT
+            return pending.start
+        }
         stage = Stage.TITLES
-        if (pending.bytes[pending.start].toInt() != BRACE) return pending.start
         val text = decode(pending.start, lineEnd)
         reportEncoding()
         line = text
@@ -91,6 +102,22 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         }
         if (next > lineEnd) pending.line++
         return next
+    }
+
+    /** Finds out how a file without a line of JSON separates cells and writes numbers. */
+    private fun readDialect(isEnd: Boolean): Int {
+        if (pending.size < DialectSearch.BYTES && !isEnd) return RowScanner.INCOMPLETE
+        val dialect = DialectSearch.of(pending.bytes, pending.start, pending.end, isEnd)
+        stage = Stage.TITLES
+        clocks = dialect.clocks
+        dialect.sentence?.let { problems.add(ProblemKind.CSV_DIALECT, it, pending.line) }
+        if (dialect.isNamed) {
+            val lineEnd = lineEndIn(pending.bytes, pending.start, pending.end)
+            pending.advanceTo(afterLineEnd(pending.bytes, lineEnd, pending.end, true))
+            pending.line++
+        }
+        if (!dialect.isUsual) translation = CsvTranslation(dialect).also { pending.translate(it) }
+        return pending.start
     }
 
     private fun takeTitles(lineEnd: Int, next: Int, isEnd: Boolean): Int {
@@ -171,7 +198,27 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         if (next > lineEnd) pending.line++
         val end = if (isDamaged && next > lineEnd) restOfTitles(next, width) else next
         pending.line += linesIn(next, end)
-        return end
+        return if (end == next) takeUnits(width, next) else end
+    }
+
+    /** Takes a line of units below the titles, if there is one, and what is known of times of day. Returns where the next line begins. */
+    private fun takeUnits(width: Int, next: Int): Int {
+        val line = firstLines.lines.getOrNull(1)?.takeIf { it.from == next && it.cells == width && width > 1 && firstLines.isOfUnits(it) }
+        val units = line?.let { textsIn(it.from, it.end, emptyList()) }.orEmpty().map { it.trim('[', ']', '(', ')', ' ') }
+        val isAxis = clocks.keys.minOrNull()
+        val names = columns?.columnNames.orEmpty()
+        columns = columns?.describedBy { index ->
+            val unit = if (index in clocks) "s" else units.getOrNull(index).orEmpty()
+            BagTopic(names[index], unit.ifEmpty { "ul" }, if (index == isAxis) listOf("xaxis") else emptyList())
+        }
+        for (index in clocks.keys) {
+            val message = "“${names.getOrNull(index) ?: continue}” has times of day; they were read as seconds since the first one."
+            problems.add(ProblemKind.CSV_DIALECT, message, topic = names[index])
+        }
+        if (line == null) return next
+        problems.add(ProblemKind.CSV_DIALECT, "Line ${pending.line} has units instead of values; they were taken as such.", pending.line)
+        pending.line++
+        return line.next
     }
 
     private fun isControl(char: Char) = char < ' ' && char != '\t'
@@ -238,12 +285,14 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return char in title && (row.from until row.end).any { pending.bytes[it].toInt() == char.code }
     }
 
-    private fun titles(lineEnd: Int, names: List<String>): List<String> {
+    private fun titles(lineEnd: Int, names: List<String>): List<String> = textsIn(pending.start, lineEnd, names)
+
+    private fun textsIn(from: Int, lineEnd: Int, names: List<String>): List<String> {
         sawOtherText = false
         // The original does not quote names, so only the line of JSON shows that a name has a comma.
-        if (names.size > 1 && decode(pending.start, lineEnd) == names.joinToString(",")) return names
+        if (names.size > 1 && decode(from, lineEnd) == names.joinToString(",")) return names
         val splitter = RowSplitter()
-        val count = splitter.split(pending.bytes, pending.start, lineEnd, RowSplitter.Quotes.STRICT)
+        val count = splitter.split(pending.bytes, from, lineEnd, RowSplitter.Quotes.STRICT)
         return List(count) { index ->
             val title = decode(splitter.starts[index], splitter.ends[index])
             if (splitter.quoted[index]) title.replace("\"\"", "\"") else title.trim()

@@ -53,6 +53,14 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         end += until - from
     }
 
+    /** Replaces all bytes that have arrived by what [translation] makes of them. */
+    fun translate(translation: CsvTranslation) {
+        translation.accept(bytes, start, end)
+        end = start
+        lineEnd = start
+        append(translation.out, 0, translation.outSize)
+    }
+
     /** Treats the bytes from [from] until [until] of [others] as a separate file, without copying them. Nothing may be appended. */
     fun lend(others: ByteArray, from: Int, until: Int) {
         bytes = others

@@ -85,14 +85,17 @@ public class RecordingWriter(private val recording: Recording, private val forma
         }
     }
 
-    private companion object {
-        const val PIECE = 1 shl 16
+    public companion object {
+        /** Returns how many cells of [topic] have `NaN`, but are written empty: it also has empty cells, and both are the same sample. */
+        public fun emptiedNaNs(topic: Topic): Int = if (gapsAreNaN(topic)) 0 else writtenNaNs(topic)
+
+        private const val PIECE = 1 shl 16
 
         /** A one-column file with one of these in its title would be read as a table with that separator. */
-        const val SEPARATORS = ";\t"
+        private const val SEPARATORS = ";\t"
 
         /** What other files begin with: JSON, a WPILOG, a byte order mark. */
-        val MISLEADING = listOf("{", "WPILOG", "\uFEFF")
+        private val MISLEADING = listOf("{", "WPILOG", "\uFEFF")
     }
 }
 
@@ -138,20 +141,21 @@ internal class TopicCells(private val topic: Topic) {
             else -> out.exact(number)
         }
     }
+}
 
-    private companion object {
-        /**
-         * Returns whether to write gaps as `NaN`. An empty cell and one with `NaN` are the same sample; if there was only one of
-         * the two, the counts show which. If there were both, empty is the better guess, unless the topic's kind would change
-         * without `NaN`.
-         */
-        fun gapsAreNaN(topic: Topic): Boolean {
-            val counts = topic.counts
-            if (counts.notFinite == 0) return false
-            val written = counts.notFinite - topic.samples.count { it.isInfinite() }
-            if (written <= 0) return false
-            val emptied = counts.copy(notFinite = counts.notFinite - written, empty = counts.empty + written)
-            return counts.empty == 0 || Topic.kindOf(emptied) != topic.kind
-        }
-    }
+/**
+ * Returns whether to write gaps as `NaN`. An empty cell and one with `NaN` are the same sample; if there was only one of the two, the
+ * counts show which. If there were both, empty is the better guess, unless the topic's kind would change without `NaN`.
+ */
+private fun gapsAreNaN(topic: Topic): Boolean {
+    val counts = topic.counts
+    val written = writtenNaNs(topic)
+    if (written == 0) return false
+    val emptied = counts.copy(notFinite = counts.notFinite - written, empty = counts.empty + written)
+    return counts.empty == 0 || Topic.kindOf(emptied) != topic.kind
+}
+
+private fun writtenNaNs(topic: Topic): Int {
+    val counts = topic.counts
+    return if (counts.notFinite == 0) 0 else maxOf(0, counts.notFinite - topic.samples.count { it.isInfinite() })
 }

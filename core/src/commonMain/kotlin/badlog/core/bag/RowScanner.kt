@@ -113,6 +113,7 @@ internal class RowCells(val columns: Int) {
                 CellKind.EMPTY -> column.addEmpty(row)
                 CellKind.NOT_FINITE -> column.addNotFinite(row, numbers[i])
                 CellKind.TRUTH_VALUE -> column.addTruthValue(row, numbers[i])
+                CellKind.ROUNDED -> column.addRounded(row, numbers[i])
                 CellKind.DECIMAL_COMMA -> column.addDecimalComma(row, numbers[i], line)
                 else -> column.addText(row, bytes, starts[i], ends[i], line)
             }

@@ -19,6 +19,10 @@ internal class DecimalReader {
     var value: Double = 0.0
         private set
 
+    /** Whether that is a whole number that no double holds exactly. */
+    var isRounded: Boolean = false
+        private set
+
     /**
      * Reads `[+-]digits[.digits][e[+-]digits]`, with at least one digit before the exponent.
      *
@@ -53,7 +57,9 @@ internal class DecimalReader {
             }
             at++
         }
+        isRounded = false
         if (digits == 0) return false
+        if (significant > EXACT_DIGITS && !seenPoint && at == until) isRounded = isRounded(bytes, from, until)
         if (at < until) {
             val exponent = readExponent(bytes, at, until)
             if (exponent == NO_EXPONENT) return false
@@ -75,6 +81,18 @@ internal class DecimalReader {
             else -> magnitude
         }
         return true
+    }
+
+    private fun isRounded(bytes: ByteArray, from: Int, until: Int): Boolean {
+        val text = bytes.decodeToString(from, until).trimStart('+', '-', '0')
+        val digits = text.trimEnd('0')
+        val whole = digits.toLongOrNull() ?: return true
+        var odd = whole shr whole.countTrailingZeroBits()
+        repeat(text.length - digits.length) {
+            if (odd > EXACT) return true
+            odd *= 5
+        }
+        return odd > EXACT
     }
 
     private fun readExponent(bytes: ByteArray, from: Int, until: Int): Int {
@@ -141,6 +159,12 @@ internal class DecimalReader {
 
     private companion object {
         const val LOWER_CASE = 32
+
+        /** Every whole number of so many digits is exact. */
+        const val EXACT_DIGITS = 15
+
+        /** 2^53: an odd number above it is not exact, whatever power of two it is multiplied by. */
+        const val EXACT = 1L shl 53
         const val NO_EXPONENT = Int.MIN_VALUE
         const val LARGE_EXPONENT = 100_000
 

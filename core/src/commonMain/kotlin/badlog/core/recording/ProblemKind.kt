@@ -63,6 +63,9 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Text is not UTF-8 and was read as Windows-1252. */
     NOT_UTF8(Severity.WARNING),
 
+    /** A CSV file separates its cells, writes its numbers or describes its columns in an unusual way, and was read that way. */
+    CSV_DIALECT(Severity.NOTE),
+
     /** Numbers with a decimal comma were read as if it were a point. */
     DECIMAL_COMMA(Severity.WARNING),
 
@@ -143,6 +146,9 @@ public enum class ProblemKind(public val severity: Severity) {
 
     /** A WPILOG has more topics, or an array more elements, than can be shown; the others were dropped. */
     TOO_MANY_TOPICS(Severity.ERROR),
+
+    /** A path of a WPILOG has more poses than are shown. */
+    LONG_PATH(Severity.NOTE),
 
     /** Samples of a topic are not in order of time in the file; they were sorted. */
     TIMES_SORTED(Severity.NOTE),

@@ -44,6 +44,11 @@ public class Topic(
     }
 
     /**
+     * Whether its samples are the sizes in bytes of records of a [type] that is not decoded: those are never values of what its name says.
+     */
+    public val isSizes: Boolean get() = times != null && unit == "B" && type.isNotEmpty() && type.removeSuffix("[]") !in NUMBERS
+
+    /**
      * Whether fewer than half of the rows have a number, mostly isolated ones. Such a topic is sampled at times of its own, as
      * in a CSV file made from a log of changes: its empty cells are not gaps, they just have no sample.
      */
@@ -76,6 +81,9 @@ public class Topic(
 
         /** Numbers count as isolated if, on average, at most this many are between two gaps. */
         private const val ALONE = 2L
+
+        /** The types whose records are numbers. */
+        private val NUMBERS = setOf("boolean", "int64", "int", "float", "double")
 
         /** Up to this many different texts are states, however often each occurs. */
         private const val FEW_STATES = 8

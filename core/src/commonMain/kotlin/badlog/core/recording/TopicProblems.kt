@@ -14,3 +14,9 @@ public fun ProblemList.addNotFinite(topic: Topic, samples: String) {
     val message = "“${topic.name}” is NaN or infinite in $count of ${topic.counts.total} $samples; these are kept, and drawn as gaps."
     add(ProblemKind.NOT_FINITE, message, topic = topic.name, count = count)
 }
+
+/** Reports that [count] whole numbers of [topic] lost their last digits. */
+public fun ProblemList.addRounded(topic: String, count: Int) {
+    val message = "Whole numbers in “$topic” are too large to be kept exactly${timesText(count)}."
+    add(ProblemKind.NUMBERS_ROUNDED, message, topic = topic, count = count)
+}

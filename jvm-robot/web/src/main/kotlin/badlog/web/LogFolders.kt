@@ -14,8 +14,10 @@ import kotlin.io.path.name
 /**
  * The logs that may be seen: those in some folders and in the folders below. Links are not followed, hidden names do not exist, and nor
  * does anything that is not called like a log.
+ *
+ * @param homes folders that hold other files, too: only the bags directly in them may be seen.
  */
-internal class LogFolders(private val folders: List<File>) {
+internal class LogFolders(private val folders: List<File>, private val homes: List<File> = emptyList()) {
     /** The name in addresses that each folder got when it was first seen; it keeps it, so that addresses lead to the same logs. */
     private val names = HashMap<Path, String>()
 
@@ -24,7 +26,16 @@ internal class LogFolders(private val folders: List<File>) {
     private fun roots(): Map<String, Path> {
         // Two names of one folder, such as a stick's and its link, are one.
         val found = folders.mapNotNull { folder -> if (folder.isDirectory) realPath(folder) else null }.distinct()
-        return found.associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
+        val withBags = bare().filter { it !in found && hasBag(it) }
+        return (found + withBags).associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
+    }
+
+    private fun bare(): List<Path> = homes.mapNotNull { home -> if (home.isDirectory) realPath(home) else null }.distinct()
+
+    private fun hasBag(home: Path): Boolean {
+        var hasBag = false
+        forEachIn(home) { path, attributes -> if (isBag(path, attributes)) hasBag = true }
+        return hasBag
     }
 
     private fun freeName(folder: Path): String {
@@ -40,10 +51,15 @@ internal class LogFolders(private val folders: List<File>) {
         if (address == "/") return Listing(roots().keys.toList(), emptyList())
         val folder = resolve(address.removeSuffix("/")) ?: return null
         if (attributesOf(folder)?.isDirectory != true) return null
+        val isBare = isBare(folder)
         val folders = ArrayList<String>()
         val files = ArrayList<ListedFile>()
         forEachIn(folder) { path, attributes ->
-            if (attributes.isDirectory) folders += path.name else files += ListedFile(path, attributes)
+            when {
+                isBare -> if (isBag(path, attributes)) files += ListedFile(path, attributes)
+                attributes.isDirectory -> folders += path.name
+                else -> files += ListedFile(path, attributes)
+            }
         }
         return Listing(folders, files)
     }
@@ -52,7 +68,8 @@ internal class LogFolders(private val folders: List<File>) {
     fun log(address: String): ListedFile? {
         val path = resolve(address) ?: return null
         val attributes = attributesOf(path) ?: return null
-        return if (isLog(path, attributes)) ListedFile(path, attributes) else null
+        val isSeen = if (isBare(path.parent)) isBag(path, attributes) else isLog(path, attributes)
+        return if (isSeen) ListedFile(path, attributes) else null
     }
 
     /** Calls [action] with each log and each folder in [folder]; with none if it cannot be read. */
@@ -80,15 +97,21 @@ internal class LogFolders(private val folders: List<File>) {
             } catch (_: InvalidPathException) {
                 return null
             }
-            if (i < names.lastIndex && attributesOf(path)?.isDirectory != true) return null
+            if (i < names.lastIndex && (isBare(path.parent) || attributesOf(path)?.isDirectory != true)) return null
         }
         return path
     }
 
+    // A folder of logs in a home is one itself.
+    private fun isBare(folder: Path) = folder in bare() && folders.none { it.isDirectory && realPath(it) == folder }
+
     private companion object {
+        val BAG = Regex("""(?is).+\.(bag|badbag)(\.gz)?""")
         val LOG = Regex("""(?is).+\.(bag|badbag|csv|wpilog|wpilogxz|dslog|dsevents|revlog|hoot)(\.gz)?""")
 
         fun isLog(path: Path, attributes: BasicFileAttributes) = attributes.isRegularFile && LOG.matches(path.name)
+
+        fun isBag(path: Path, attributes: BasicFileAttributes) = attributes.isRegularFile && BAG.matches(path.name)
 
         /** Returns whether [name] may be that of a file or a folder, and is not hidden. */
         fun isVisible(name: String) = name.isNotEmpty() && name[0] != '.' && name.none { it in "/\\:" || it < ' ' || it == '\uFFFD' }
@@ -115,4 +138,8 @@ internal class LogFolders(private val folders: List<File>) {
 }
 
 /** Where badlog and WPILib log: on a USB stick or its link, in the home of a roboRIO or a Systemcore, and in a simulation. */
-internal val USUAL_FOLDERS = listOf("/U/logs", "/V/logs", "/u/logs", "/home/lvuser/logs", "/home/systemcore/logs", "logs").map(::File)
+internal val USUAL_FOLDERS =
+    listOf("/U/logs", "/V/logs", "/u/logs", "/home/lvuser/logs", "/home/systemcore/logs", "/home/lvuser/log", "logs").map(::File)
+
+/** Where programs with the original badlog put their bags, beside other files. */
+internal val USUAL_HOMES = listOf("/home/lvuser", "/media/sda1").map(::File)

@@ -53,7 +53,7 @@ public class LogServer private constructor(private val port: Int, private val op
         // Whoever sends a request slowly, or never ends it, holds a thread; the server reads these once, when its classes are loaded.
         for ((name, value) in LIMITS) if (System.getProperty(name) == null) System.setProperty(name, value)
         val opened = HttpServer.create(InetSocketAddress(port), 0)
-        val folders = LogFolders(options.folders.ifEmpty { USUAL_FOLDERS })
+        val folders = if (options.folders.isEmpty()) LogFolders(USUAL_FOLDERS, USUAL_HOMES) else LogFolders(options.folders)
         val downloads = Downloads(Pace(options.bytesPerSecond, options.clock), options.clock)
         opened.createContext("/", LogHandler(folders, options, ServedPage(), downloads))
         opened.executor = ThreadPoolExecutor(THREADS, THREADS, IDLE_SECONDS, TimeUnit.SECONDS, LinkedBlockingQueue()) { work ->

@@ -79,6 +79,28 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
+    test("of a home, only the bags directly in it are seen, and without any it is no folder") {
+        val above = Files.createTempDirectory("badlog-web")
+        val home = above.resolve("lvuser")
+        val logs = home.resolve("log").createDirectories()
+        home.resolve("deploy").createDirectories().resolve("path.bag").writeText("x")
+        home.resolve("settings.csv").writeText("x")
+        logs.resolve("8D941BF1.bag").writeText("bag")
+        val folders = LogFolders(listOf(logs.toFile()), listOf(home.toFile()))
+        folders.list("/")?.toJson() shouldBe """{"dirs":[{"name":"log"}],"files":[]}"""
+        home.resolve("96E92E8D.bag").writeText("home")
+        folders.list("/")?.toJson() shouldBe """{"dirs":[{"name":"log"},{"name":"lvuser"}],"files":[]}"""
+        checkNotNull(folders.list("/lvuser/")).toJson().let { listing ->
+            ("96E92E8D.bag" in listing) shouldBe true
+            ("settings.csv" in listing || "deploy" in listing) shouldBe false
+        }
+        folders.log("/lvuser/96E92E8D.bag")?.size shouldBe 4
+        folders.log("/log/8D941BF1.bag")?.size shouldBe 3
+        for (address in listOf("/lvuser/settings.csv", "/lvuser/deploy/path.bag", "/lvuser/log/8D941BF1.bag")) folders.log(address) shouldBe null
+        folders.list("/lvuser/deploy/") shouldBe null
+        above.toFile().deleteRecursively()
+    }
+
     test("a folder that is made after the start, or on a stick that is plugged in later, is seen, and the others keep their addresses") {
         val above = Files.createTempDirectory("badlog-web")
         val stick = above.resolve("stick/logs")

@@ -1,5 +1,6 @@
 package badlog.fetch
 
+import badlog.core.recording.RecordingFormat
 import badlog.files.LogName
 import org.apache.sshd.client.session.ClientSession
 import org.apache.sshd.sftp.client.SftpClient
@@ -25,13 +26,14 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
     AutoCloseable {
     private val sftp: SftpClient = talking { SftpClientFactory.instance().createSftpClient(session) }
 
-    /** Returns the logs in those of [folders] that exist, and below them. */
-    fun list(folders: List<String>): RemoteListing = talking {
+    /** Returns the logs in those of [folders] that exist, and below them; and the bags directly in [homes], which hold other files, too. */
+    fun list(folders: List<String>, homes: List<String> = emptyList()): RemoteListing = talking {
         val found = LinkedHashSet<String>()
         for (folder in folders) realPath(folder)?.let(found::add)
+        val bare = homes.mapNotNull(::realPath).toSet() - found
         val logs = ArrayList<RemoteLog>()
         val refused = ArrayList<String>()
-        val left = ArrayDeque(found.map { it to 0 })
+        val left = ArrayDeque(found.map { it to 0 } + bare.map { it to MAX_DEPTH })
         while (left.isNotEmpty()) {
             val (folder, depth) = left.removeFirst()
             for (entry in sftp.readDir(folder)) {
@@ -45,7 +47,7 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
                     attributes.isDirectory && depth < MAX_DEPTH && !name.startsWith(".") ->
                         left += "${folder.trimEnd('/')}/$name" to depth + 1
 
-                    attributes.isRegularFile && isLog(name) ->
+                    attributes.isRegularFile && if (folder in bare) isBag(name) else isLog(name) ->
                         logs += RemoteLog(folder, name, attributes.size, attributes.modifyTime?.toMillis()?.div(MILLIS) ?: 0)
                 }
             }
@@ -116,6 +118,8 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         }
 
         private fun isLog(name: String) = !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true)
+
+        private fun isBag(name: String) = isLog(name) && LogName.of(name).ending.lowercase() in RecordingFormat.BAG.endings
 
         private fun isInFolder(name: String) = name.isNotEmpty() && '/' !in name && '\u0000' !in name
 

@@ -13,6 +13,8 @@ import badlog.files.writing
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import badlog.signals.clock.START_VALUE
+import badlog.signals.match.dateInText
 import badlog.signals.match.matchInName
 import badlog.signals.match.matchOf
 import org.apache.sshd.sftp.common.SftpConstants
@@ -57,7 +59,7 @@ internal class Transfer(
 
     /** Does the remaining work over [connection]. */
     fun run(connection: RobotConnection) {
-        val listing = connection.list(foldersOf(connection))
+        val listing = listed(connection)
         if (!hasReported) for (name in listing.refused) skip(name, "“${safeName(name)}” is not the name of a file in a folder.")
         val wanted = listing.logs.filter { it.path !in done && isNew(connection, it) }.sortedByDescending { it.modified }
         if (!hasReported) {
@@ -70,7 +72,11 @@ internal class Transfer(
         options.deleteOlderThan?.let { age -> listing.logs.forEach { deleteIfOld(connection, it, age) } }
     }
 
-    private fun foldersOf(connection: RobotConnection) = options.robotFolders ?: (listOf("/home/${connection.user}/logs") + FOLDERS)
+    private fun listed(connection: RobotConnection): RemoteListing {
+        options.robotFolders?.let { return connection.list(it) }
+        val home = "/home/${connection.user}"
+        return connection.list(listOf("$home/logs", "$home/log") + FOLDERS, listOf(home) + HOMES)
+    }
 
     private fun isNew(connection: RobotConnection, log: RemoteLog): Boolean {
         val found = here.find(connection.robot, log.path) ?: return true
@@ -82,7 +88,7 @@ internal class Transfer(
         if (logs.isEmpty()) return logs
         checkpoint()
         Thread.sleep(patience.growth.toMillis())
-        val now = connection.list(foldersOf(connection)).logs.associateBy { it.path }
+        val now = listed(connection).logs.associateBy { it.path }
         return logs.filter { log ->
             val isSettled = now[log.path] == log
             if (!isSettled && done.add(log.path)) skipGrowing(log)
@@ -123,7 +129,7 @@ internal class Transfer(
         val recording = (read as? ReadResult.Read)?.recording
         val isLog = recording != null && !isFormerWpilog(log, recording)
         val match = if (recording != null && isLog) matchOf(recording, log.name) else matchInName(log.name)
-        val place = LogPlace.of(log.name, match)
+        val place = LogPlace.of(log.name, match, recording?.takeIf { isLog }?.let(::startOf))
         val digest = FetchedLogs.digestOf(whole.part)
         val former = here.find(connection.robot, log.path)?.let(here::fileOf)?.takeIf { isBeginning(it, whole.part) }
         val file = moveTo(whole.part, place, former)
@@ -156,11 +162,14 @@ internal class Transfer(
             return listener.skipped(part.fileName.toString(), message, isGrowing = false)
         }
         val name = "unfinished${recording.format.endings.first()}"
-        val place = LogPlace.of(name, matchOf(recording, name))
+        val place = LogPlace.of(name, matchOf(recording, name), startOf(recording))
         val file = moveTo(part, place, former = null)
         val message = "$file has the first $size bytes of a log that is no longer on the robot."
         listener.skipped(options.folder.relativize(file).joinToString("/"), message, isGrowing = false)
     }
+
+    /** Returns when the robot says that the log began, in s since 1970 on the clock on the wall; null if it does not. */
+    private fun startOf(recording: Recording): Long? = recording.values.find { it.name == START_VALUE }?.let { dateInText(it.text) }
 
     private fun matchOf(recording: Recording, name: String) = RuleSet.BUILT_IN.signals.matchOf(recording, name)
 
@@ -231,7 +240,10 @@ internal class Transfer(
         val LOST = setOf(SftpConstants.SSH_FX_NO_CONNECTION, SftpConstants.SSH_FX_CONNECTION_LOST)
 
         /** Where loggers write: a USB stick's folders, and the homes of the robots' users. */
-        val FOLDERS = listOf("/u/logs", "/U/logs", "/V/logs", "/home/lvuser/logs", "/home/systemcore/logs")
+        val FOLDERS = listOf("/u/logs", "/U/logs", "/V/logs", "/home/lvuser/logs", "/home/systemcore/logs", "/home/lvuser/log")
+
+        /** Where programs with the original badlog put their bags, beside other files: the user's home, and a USB stick. */
+        val HOMES = listOf("/home/lvuser", "/media/sda1")
         val BELIEVABLE: Instant = Instant.parse("2015-01-01T00:00:00Z")
     }
 }

@@ -286,6 +286,20 @@ class LogFetchSpec : FunSpec({
         }
     }
 
+    test("the bags of programs with the original badlog are found in its folder, in the home and on the stick, and named by their values and times") {
+        inPit { pit, robot ->
+            fun bag(match: String, start: String) = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]}],\"values\":[{\"name\":\"Start Time\",\"value\":\"$start\"}," +
+                "{\"name\":\"Event Name\",\"value\":\"\"},{\"name\":\"Match Type\",\"value\":\"None\"},{\"name\":\"Match Number\",\"value\":\"$match\"}]}\nTime\n1\n2\n"
+            robot.log("../log/8D941BF1.bag", bag("12", "Fri, 16 Mar 2018 10:41:07 -0400"))
+            robot.log("../96E92E8D.bag", bag("0", "16 Mar 2018 10:41:07"))
+            robot.log("../../../media/sda1/ADE8857B.bag", bag("0", "nobody knows"))
+            robot.log("../deploy/path.bag", "a,b\n1,2\n")
+            robot.log("../settings.csv", "a,b\n1,2\n")
+            pit.fetch(robot)
+            pit.logs() shouldContainExactlyInAnyOrder listOf("8D941BF1 Match 12.bag", "96E92E8D 2018-03-16 10-41.bag", "ADE8857B.bag")
+        }
+    }
+
     test("all folders are looked into once, with those inside").config(enabledOrReasonIf = { IF_LINKS }) {
         inPit { pit, robot ->
             val log = robot.log("practice/a.csv", "a,b\n1,2\n")

@@ -8,16 +8,41 @@ import java.util.concurrent.TimeUnit
 
 /**
  * CTRE's program that converts a `.hoot`, a format that CTRE does not publish, to a WPILOG. It is never part of badlog: it is run if
- * it is on the PATH, as described in its help: `owlet INPUT OUTPUT -f wpilog`.
+ * [one is found][OwletSearch], as described in its help: `owlet INPUT OUTPUT -f wpilog`.
  */
 internal object Owlet {
-    private const val NAME = "owlet"
+    private val search by lazy { OwletSearch() }
 
     /** Whether a log of this format can be read here. */
-    val isInstalled: Boolean by lazy { programOnPath(NAME) != null }
+    val isInstalled: Boolean by lazy { search.any != null }
+
+    /** Converts [hoot] to the WPILOG [made] with the program for it that is found. */
+    fun convert(hoot: Path, made: Path, checkpoint: () -> Unit): List<Problem> =
+        convert(hoot, made, checkpoint, programFor(hoot, search).toString())
+
+    /** Returns the program for [hoot]; if there is none, the failure says where to get it. */
+    internal fun programFor(hoot: Path, search: OwletSearch): Path {
+        val header = HootHeader.of(hoot)
+        search.programFor(header?.compliancy)?.let { return it }
+        throw UnreadableFileException(hoot, sentenceFor(hoot, header))
+    }
+
+    private fun sentenceFor(hoot: Path, header: HootHeader?): String = when {
+        header == null -> missing(hoot, "")
+
+        header.isTooOld ->
+            "$hoot, of the CAN bus “${header.bus}”, was written before Phoenix 2024, whose logs CTRE's owlet does not convert; use the " +
+                "Log Extractor in Phoenix Tuner of that year."
+
+        else -> missing(hoot, " for its version C${header.compliancy}")
+    }
+
+    private fun missing(hoot: Path, version: String) =
+        "$hoot can only be read by CTRE's program owlet$version; AdvantageScope downloads it when it opens such a log, or put it on the " +
+            "PATH or name it in ${OwletSearch.SETTING}, or convert the log to a WPILOG in Phoenix Tuner's Log Extractor."
 
     /** Converts [hoot] to the WPILOG [made] with [program]. */
-    fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String = NAME): List<Problem> {
+    internal fun convert(hoot: Path, made: Path, checkpoint: () -> Unit, program: String): List<Problem> {
         val said = newMadeFile(".txt")
         try {
             val process = start(hoot, made, program, said)
@@ -44,12 +69,7 @@ internal object Owlet {
         ProcessBuilder(program, hoot.toAbsolutePath().toString(), made.toString(), "-f", "wpilog")
             .redirectErrorStream(true).redirectOutput(said.toFile()).start().also { it.outputStream.close() }
     } catch (e: IOException) {
-        throw UnreadableFileException(
-            hoot,
-            "$hoot can only be read by CTRE's program owlet; put it on the PATH, " +
-                "or convert the log to a WPILOG in Phoenix Tuner's Log Extractor.",
-            e,
-        )
+        throw UnreadableFileException(hoot, missing(hoot, ""), e)
     }
 
     /** How often, in ms, cancellation is checked. */

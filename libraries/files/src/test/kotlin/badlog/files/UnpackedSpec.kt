@@ -97,7 +97,7 @@ internal class UnpackedSpec : FunSpec({
             val made = Files.createFile(folder.resolve("made.wpilog"))
             val hoot = Files.write(folder.resolve("a.hoot"), log)
             shouldThrow<UnreadableFileException> { Owlet.convert(hoot, made, {}, folder.resolve("none").toString()) }.message shouldContain
-                "a.hoot can only be read by CTRE's program owlet; put it on the PATH"
+                "a.hoot can only be read by CTRE's program owlet; AdvantageScope downloads it"
             val program = programOf(folder, "echo first; echo 'The log is too new.'; exit 1")
             shouldThrow<UnreadableFileException> { Owlet.convert(hoot, made, {}, program) }.message shouldContain "(The log is too new.); try a newer owlet"
         }

@@ -5,6 +5,7 @@ import badlog.core.recording.ProblemList
 import badlog.core.recording.Topic
 import badlog.core.recording.addNotFinite
 import badlog.core.recording.addNotUtf8
+import badlog.core.recording.addRounded
 import badlog.core.recording.timesText
 
 /** Reports what was odd about [topic], which was made from [column] with the times of [timestamps]. */
@@ -19,13 +20,6 @@ internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timesta
         )
     }
     if (column.sawOtherText) problems.addNotUtf8(name)
-    if (column.roundedCount > 0) {
-        problems.add(
-            ProblemKind.NUMBERS_ROUNDED,
-            "Whole numbers in “$name” are too large to be kept exactly${timesText(column.roundedCount)}.",
-            topic = name,
-            count = column.roundedCount,
-        )
-    }
+    if (column.roundedCount > 0) problems.addRounded(name, column.roundedCount)
     problems.addNotFinite(topic, "samples")
 }

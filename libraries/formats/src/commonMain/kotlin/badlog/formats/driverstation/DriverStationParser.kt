@@ -11,6 +11,7 @@ import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.Value
 import badlog.core.recording.timesText
+import badlog.core.text.wallTimeText
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.SampleColumn
 import badlog.formats.column.Timestamps
@@ -19,7 +20,6 @@ import badlog.formats.column.addLost
 import badlog.formats.column.addSkipped
 import badlog.formats.column.addTooMany
 import badlog.formats.column.reportTopic
-import badlog.formats.column.wallTimeText
 
 /**
  * Reads a log of the Driver Station that is pushed to it in pieces of any size: a `.dslog`, a `.dsevents`, or the bytes of the first

@@ -8,6 +8,9 @@ package badlog.formats.wpilog
  * @property isValue whether it is not a topic, but a value written by badlog.
  */
 internal class Entry(val name: String, val type: String, val isValue: Boolean, val decoder: PayloadDecoder) {
+    /** Whether each record is one whole number of 8 bytes. */
+    val isInteger: Boolean get() = type == "int64" || type == "int"
+
     // The size of a value in bytes; 0 if it varies.
     private val width = ValueLayout.of(type.removeSuffix("[]"))?.width ?: 0
     private val isArray = type.endsWith("[]")

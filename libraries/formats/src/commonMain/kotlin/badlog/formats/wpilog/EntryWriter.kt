@@ -128,7 +128,7 @@ internal class EntryWriter(
         }
 
         /** Returns the type of a topic, or of the array that it was an element of. */
-        private fun wholeType(topic: Topic) = topic.type.removeSuffix("[]")
+        private fun wholeType(topic: Topic) = topic.type.removeSuffix("[]").let { if (it == "int") "int64" else it }
 
         private fun isWhole(number: Double) = number.isNaN() || (abs(number) <= MAX_EXACT && number == floor(number))
     }

@@ -2,7 +2,7 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.PathName
 import badlog.core.recording.Value
-import badlog.formats.column.wallTimeText
+import badlog.core.text.wallTimeText
 
 /** What certain entries say about the whole run: the match, and the time of day. */
 internal class MatchMetadata {
@@ -15,7 +15,7 @@ internal class MatchMetadata {
 
     /** Listens to [entry] if it concerns the run. */
     fun watch(entry: Entry) {
-        if (entry.name == Entry.SYSTEM_TIME && entry.type == "int64") {
+        if (entry.name == Entry.SYSTEM_TIME && entry.isInteger) {
             // Later values are better: a robot's clock is set when the Driver Station connects.
             entry.listener = longListener { micros, number -> wallOffset = number.toDouble() - micros }
             return
@@ -32,10 +32,10 @@ internal class MatchMetadata {
                     if (until > from) event = bytes.decodeToString(from, until)
                 }
 
-            name == "MatchNumber" && entry.type == "int64" ->
+            name == "MatchNumber" && entry.isInteger ->
                 entry.listener = longListener { _, number -> if (number > 0) matchNumber = number }
 
-            name == "MatchType" && entry.type == "int64" ->
+            name == "MatchType" && entry.isInteger ->
                 entry.listener = longListener { _, number ->
                     if (number in 1L..MATCH_TYPES.size) matchType = MATCH_TYPES[number.toInt() - 1]
                 }
@@ -45,7 +45,7 @@ internal class MatchMetadata {
                     if (until > from) alliance = if (bytes[from].toInt() != 0) "Red" else "Blue"
                 }
 
-            name == "AllianceStation" && entry.type == "int64" ->
+            name == "AllianceStation" && entry.isInteger ->
                 entry.listener = longListener { _, number -> if (number in 1L..6L) alliance = if (number <= 3) "Red" else "Blue" }
         }
     }

@@ -1,6 +1,7 @@
 package badlog.formats.wpilog
 
 import badlog.formats.column.ColumnSource
+import badlog.formats.column.ElementBlocks
 import badlog.formats.column.SampleBlock
 import badlog.formats.column.Timestamps
 
@@ -11,6 +12,12 @@ internal abstract class PayloadDecoder {
 
     /** The number of values for which there was no topic left. */
     var droppedValues = 0
+
+    /** The number of poses in the longest path, if it has more than can be shown; otherwise 0. */
+    var longestPath = 0
+
+    /** The number of payloads before the description of their type for which there was no room. */
+    open val skippedCount: Int get() = 0
 
     /** Whether only the sizes of the payloads are shown. */
     open val isUndecoded: Boolean get() = false
@@ -98,13 +105,8 @@ internal abstract class ArrayDecoder(private val source: ColumnSource, private v
     override val blocks: List<SampleBlock> get() = elements.blocks
 
     private fun newBlock(index: Int, timestamps: Timestamps): SampleBlock? {
-        if (index >= MAX_ELEMENTS || !source.hasRoomFor(leafPaths.size)) return null
+        if (index >= ElementBlocks.MAX_ELEMENTS || !source.hasRoomFor(leafPaths.size)) return null
         return SampleBlock(source.columns(leafPaths.map { "[$index]$it" }), timestamps)
-    }
-
-    private companion object {
-        /** Each is a topic and a graph; more would not help anybody. */
-        const val MAX_ELEMENTS = 256
     }
 }
 
@@ -171,40 +173,5 @@ internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, lis
             at += Int.SIZE_BYTES + size
         }
         return if (at == until) count else -1
-    }
-}
-
-/**
- * The blocks of an array's elements. Elements in every record share their timestamps; one that appears later or disappears
- * has its own, so that an array that was once long costs nothing afterwards.
- *
- * @param newBlock creates the block of the element with this index, or returns null if there are too many.
- */
-internal class ElementBlocks(
-    private val keepsSamples: Boolean,
-    private val newBlock: (index: Int, timestamps: Timestamps) -> SampleBlock?,
-) {
-    private val list = ArrayList<SampleBlock>()
-    private var present = 0
-
-    /** The times of all records. */
-    val timestamps = Timestamps(keepsSamples)
-
-    /** The existing blocks, in the order of the elements. */
-    val blocks: List<SampleBlock> get() = list
-
-    /** Returns the block for element [index] of the record at [time], to which the element must then be added; null beyond the maximum. */
-    fun next(index: Int, time: Double): SampleBlock? {
-        if (index == list.size) {
-            list += newBlock(index, if (timestamps.size == 0) timestamps else Timestamps(keepsSamples)) ?: return null
-        }
-        return list.getOrNull(index)?.also { it.meet(time, timestamps) }
-    }
-
-    /** Records that the record at [time] had [count] elements. */
-    fun end(count: Int, time: Double) {
-        for (i in count until present) list[i].miss(time, timestamps)
-        present = minOf(count, list.size)
-        timestamps.add(time)
     }
 }

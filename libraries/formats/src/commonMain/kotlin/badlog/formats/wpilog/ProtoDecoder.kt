@@ -1,6 +1,7 @@
 package badlog.formats.wpilog
 
 import badlog.formats.column.ColumnSource
+import badlog.formats.column.ElementBlocks
 import badlog.formats.column.SampleBlock
 import badlog.formats.column.SampleColumn
 import badlog.formats.column.Timestamps
@@ -69,14 +70,9 @@ private class ListTopics(private val source: ColumnSource, private val list: Mes
 
     private fun newBlock(index: Int, timestamps: Timestamps): SampleBlock? {
         val element = list.element
-        if (index >= MAX_ELEMENTS || !source.hasRoomFor(element.values.size)) return null
+        if (index >= ElementBlocks.MAX_ELEMENTS || !source.hasRoomFor(element.values.size)) return null
         inner += element.lists.map { ListTopics(source, it, "$path[$index]${it.path}") }
         return SampleBlock(source.columns(element.values.map { "$path[$index]${it.path}" }), timestamps)
-    }
-
-    private companion object {
-        /** Each is a topic and a graph; more would not help anybody. */
-        const val MAX_ELEMENTS = 256
     }
 }
 

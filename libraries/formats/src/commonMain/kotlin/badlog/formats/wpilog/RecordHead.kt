@@ -82,18 +82,33 @@ internal object ControlKind {
 }
 
 /** Returns whether the bytes from [from] until [until] are exactly one control record's payload, without a NUL in its texts. */
-internal fun isControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean {
-    if (until - from < CONTROL_HEAD) return false
+internal fun isControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean = controlEnd(bytes, from, until) == until
+
+/**
+ * Returns whether the bytes from [from] until [until] may be read as one control record's payload. Some loggers write more after the texts
+ * of a start record, which WPILib's reader ignores.
+ */
+internal fun mayBeControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean {
+    val end = controlEnd(bytes, from, until)
+    return end == until || (end > 0 && bytes[from].toInt() == ControlKind.START && until - end <= MOST_EXTRA)
+}
+
+/** Returns where the texts of a control record's payload end; -1 if it is not one. */
+private fun controlEnd(bytes: ByteArray, from: Int, until: Int): Int {
+    if (until - from < CONTROL_HEAD) return -1
     val texts = ControlKind.textsOf(bytes[from].toInt())
-    if (texts < 0 || intAt(bytes, from + 1) == 0) return false
+    if (texts < 0 || intAt(bytes, from + 1) == 0) return -1
     var at = from + CONTROL_HEAD
     repeat(texts) {
-        if (until - at < Int.SIZE_BYTES) return false
+        if (until - at < Int.SIZE_BYTES) return -1
         val size = intAt(bytes, at)
         at += Int.SIZE_BYTES
-        if (size !in 0..until - at) return false
-        for (i in at until at + size) if (bytes[i].toInt() == 0) return false
+        if (size !in 0..until - at) return -1
+        for (i in at until at + size) if (bytes[i].toInt() == 0) return -1
         at += size
     }
-    return at == until
+    return at
 }
+
+/** More bytes than this after the texts are damage. */
+private const val MOST_EXTRA = 64

@@ -26,7 +26,15 @@ internal class RecordSearch(private val sink: RecordSink) {
         if (head.size < CONTROL_HEAD) return RecordLook.NONE
         if (head.length > until - at) return RecordLook.MORE
         val end = at + head.length
-        return if (isControlPayload(bytes, end - head.size, end)) possible else RecordLook.ODD
+        return if (mayBeControlPayload(bytes, end - head.size, end)) possible else RecordLook.ODD
+    }
+
+    /** Returns the same, but for places that need not be the start of a record, where only an exact control record is one. */
+    private fun strictLook(bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
+        val look = look(head, bytes, at, until, near)
+        if (look != RecordLook.FITTING || head.id != 0) return look
+        val end = at + head.length
+        return if (isControlPayload(bytes, end - head.size, end)) look else RecordLook.ODD
     }
 
     /** Returns whether two times, in µs, are as close as those of consecutive records. True if one is NaN. */
@@ -61,7 +69,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         while (true) {
             if (at == until) return if (!isEnd) RecordLook.MORE else rowOf(fitting, LEAST_AT_END, firstStep, longestStep)
             if (at - from > FARTHEST) return rowOf(fitting, LEAST_FAR, firstStep, longestStep)
-            val look = look(head, bytes, at, until, last)
+            val look = strictLook(bytes, at, until, last)
             if (look == RecordLook.NONE) return look
             if (isInside && fitting < SURE && (look == RecordLook.ODD || (look == RecordLook.FITTING && !isSure()))) return RecordLook.NONE
             val isFar = look != RecordLook.MORE && head.length > FARTHEST

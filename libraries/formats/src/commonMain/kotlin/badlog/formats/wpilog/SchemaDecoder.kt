@@ -5,7 +5,8 @@ import badlog.formats.column.SampleBlock
 import badlog.formats.column.Timestamps
 
 /**
- * Payloads of a type that the file itself describes. Payloads before its schema wait for it, if there is room.
+ * Payloads of a type that the file itself describes. Payloads before its schema wait for it; if there
+ * is no room for all of them, the latest ones.
  *
  * @param version grows with every schema.
  * @param decoderNow returns the decoder for the type; null while a schema is missing, and if there is no room.
@@ -17,11 +18,16 @@ internal class SchemaDecoder(
 ) : PayloadDecoder() {
     private class Held(val time: Double, val payload: ByteArray)
 
-    private val held = ArrayList<Held>()
+    private val held = ArrayDeque<Held>()
     private var heldBytes = 0
+
+    // The sizes of all payloads, once there is no room for the payloads themselves.
+    private var sizes: SizeDecoder? = null
     private var triedVersion = -1
     private var decoder: PayloadDecoder? = null
 
+    override var skippedCount = 0
+        private set
     override val isUndecoded: Boolean get() = decoder?.isUndecoded == true
     override val timestamps: Timestamps get() = known().timestamps
     override val blocks: List<SampleBlock> get() = known().blocks
@@ -36,8 +42,19 @@ internal class SchemaDecoder(
         }
         held += Held(time, bytes.copyOfRange(from, until))
         heldBytes += until - from + OVERHEAD
-        if (heldBytes > MAX_HELD) decodeBy(SizeDecoder(source))
+        sizes?.accept(time, bytes, from, until)
+        if (heldBytes > MAX_HELD) dropFirst()
     }
+
+    private fun dropFirst() {
+        if (sizes == null) sizes = SizeDecoder(source).also { sizes -> for (record in held) sizes.accept(record) }
+        while (heldBytes > MAX_HELD) {
+            heldBytes -= held.removeFirst().payload.size + OVERHEAD
+            skippedCount++
+        }
+    }
+
+    private fun PayloadDecoder.accept(record: Held) = accept(record.time, record.payload, 0, record.payload.size)
 
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = decoder?.fits(bytes, from, until) != false
 
@@ -46,7 +63,13 @@ internal class SchemaDecoder(
         known()
     }
 
-    private fun known(): PayloadDecoder = decoder ?: SizeDecoder(source).also(::decodeBy)
+    private fun known(): PayloadDecoder = decoder ?: sizes?.also(::showSizes) ?: SizeDecoder(source).also(::decodeBy)
+
+    private fun showSizes(sizes: SizeDecoder) {
+        decoder = sizes
+        held.clear()
+        skippedCount = 0
+    }
 
     private fun tryToDecode() {
         triedVersion = version()
@@ -55,8 +78,9 @@ internal class SchemaDecoder(
 
     private fun decodeBy(known: PayloadDecoder) {
         decoder = known
-        for (record in held) known.accept(record.time, record.payload, 0, record.payload.size)
+        for (record in held) known.accept(record)
         held.clear()
+        sizes = null
         takeCounts(known)
     }
 

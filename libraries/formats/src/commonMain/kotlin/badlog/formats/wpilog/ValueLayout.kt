@@ -45,6 +45,8 @@ internal class ValueLayout(val width: Int, val leaves: List<Leaf>) {
         private val SIMPLE = mapOf(
             "boolean" to ValueType.BOOL,
             "int64" to ValueType.INT64,
+            // As NetworkTables calls it.
+            "int" to ValueType.INT64,
             "float" to ValueType.FLOAT,
             "double" to ValueType.DOUBLE,
         ).mapValues { (_, type) -> ValueLayout(type.width, listOf(Leaf("", 0, type))) }

@@ -20,6 +20,9 @@ internal class WpilogEntries(
     private val decoder = TextDecoder()
     private val structs = StructSchemas()
     private val messages = MessageTypes()
+
+    // The folders of topics that are each a picture of the field.
+    private val fields = HashSet<String>()
     private val byName = LinkedHashMap<Triple<String, String, Boolean>, Entry>()
     private val byLargeId = HashMap<Int, Entry>()
     private var byId = arrayOfNulls<Entry>(64)
@@ -131,7 +134,7 @@ internal class WpilogEntries(
     }
 
     private fun control(bytes: ByteArray, from: Int, until: Int): Boolean {
-        if (!isControlPayload(bytes, from, until)) {
+        if (!mayBeControlPayload(bytes, from, until)) {
             badControlCount++
             return false
         }
@@ -165,6 +168,10 @@ internal class WpilogEntries(
     }
 
     private fun schemaListener(name: String, type: String) = when {
+        type == "string" && name.endsWith(DASHBOARD_TYPE) -> EntryListener { _, bytes, from, until ->
+            if (bytes.decodeToString(from, until) == FIELD) fields += name.removeSuffix(DASHBOARD_TYPE)
+        }
+
         type == SCHEMA && STRUCT_SCHEMA in name -> EntryListener { _, bytes, from, until ->
             structs.add(name.substringAfter(STRUCT_SCHEMA), bytes.decodeToString(from, until))
         }
@@ -177,6 +184,14 @@ internal class WpilogEntries(
     private fun decoderFor(name: String, type: String): PayloadDecoder {
         if (!isWanted(name)) return UnwantedDecoder()
         if (!source.hasRoomFor(1)) return NoDecoder()
+        if (type == "double[]" && NETWORK in name) {
+            return FieldArrayDecoder(source) {
+                name.substringBeforeLast('/').let {
+                    it in fields ||
+                        "field" in it.substringAfterLast('/').lowercase()
+                }
+            }
+        }
         val isArray = type.endsWith("[]")
         val single = type.removeSuffix("[]")
         val layout = ValueLayout.of(single)
@@ -217,6 +232,7 @@ internal class WpilogEntries(
             entry.decoder.finish()
             reportEntry(entry, problems)
         }
+        reportUndecoded(all, problems)
     }
 
     companion object {
@@ -229,6 +245,11 @@ internal class WpilogEntries(
         /** Ids up to this one are looked up in an array; loggers count from 1. */
         private const val MAX_LISTED_ID = 1 shl 16
         private const val STRUCT = "struct:"
+
+        /** In the names of what comes from NetworkTables. */
+        private const val NETWORK = "NT:"
+        private const val DASHBOARD_TYPE = "/.type"
+        private const val FIELD = "Field2d"
         private const val SCHEMA = "structschema"
         private const val STRUCT_SCHEMA = ".schema/struct:"
         private const val PROTO = "proto:"

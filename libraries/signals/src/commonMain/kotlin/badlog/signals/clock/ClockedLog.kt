@@ -3,9 +3,10 @@ package badlog.signals.clock
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
 import badlog.core.recording.Recording
+import badlog.core.text.daysTo
 import badlog.signals.match.MatchOfLog
-import badlog.signals.match.daysTo
 import badlog.signals.match.matchOf
+import badlog.signals.match.writtenDate
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.withSignals
 
@@ -50,9 +51,11 @@ class ClockedLog(val name: String, val recording: Recording, private val vocabul
 /** The name of the value that says when a log began. */
 const val START_VALUE: String = "Start Time"
 
-/** Returns when the log [recording] began, in s since 1970, if it says so in UTC; otherwise null. */
-fun loggedStart(recording: Recording): Double? =
-    recording.values.find { it.name == START_VALUE }?.let { LOGGED.matchEntire(it.text) }?.let { secondsOf(it.groupValues) }
+/** Returns when the log [recording] began, in s since 1970, if it says so in UTC or with an offset; otherwise null. */
+fun loggedStart(recording: Recording): Double? {
+    val text = recording.values.find { it.name == START_VALUE }?.text ?: return null
+    return LOGGED.matchEntire(text)?.let { secondsOf(it.groupValues) } ?: writtenDate(text)?.utcSecond?.toDouble()?.takeIf { it >= FIRST }
+}
 
 private val LOGGED = Regex("(\\d{4})-(\\d{2})-(\\d{2})[ T](\\d{2}):(\\d{2}):(\\d{2}(?:\\.\\d+)?)(?: UTC|Z)")
 
@@ -70,3 +73,6 @@ private fun secondsOf(parts: List<String>): Double? {
 /** A robot's clock starts at about 1970 until something sets it. */
 private val YEARS = 2000..2199
 private const val DAY = 86400.0
+
+/** The beginning of 2000. */
+private const val FIRST = 946_684_800.0

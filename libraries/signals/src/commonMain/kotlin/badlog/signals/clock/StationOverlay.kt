@@ -55,10 +55,14 @@ class StationOverlay(
         }
         val both = LogView.of(robot.recording.copy(topics = robot.recording.topics + topics))
         val modes = if (robot.modes.enabled != null) robot.modes else signalTopicsOf(both, vocabulary).modes
-        return both.identified(robot.title ?: station.match.title, modes)
+        // The time of day alone may be that of another match.
+        return both.identified(robot.title ?: station.match.title.takeIf { fit.edges >= SURE_EDGES }, modes)
     }
 
     companion object {
+        /** So many moments of enabling that match are no coincidence. */
+        private const val SURE_EDGES = 2
+
         /** The seconds before and after the robot's log for which the Driver Station's log is also shown. */
         const val AROUND: Double = 10.0
     }

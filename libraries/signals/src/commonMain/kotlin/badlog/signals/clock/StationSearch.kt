@@ -1,5 +1,8 @@
 package badlog.signals.clock
 
+import badlog.signals.match.MatchOfLog
+import badlog.signals.match.MatchType
+
 /**
  * The Driver Station log of the same match as a robot's log, and how its clock relates to the robot's.
  *
@@ -8,8 +11,8 @@ package badlog.signals.clock
 class FoundStation<out F>(val log: F, val station: ClockedLog, val fit: ClockFit)
 
 /**
- * Finds the Driver Station log of the same match as the log [robot]: by the time of day, or else by the match, or else by when the robot
- * was enabled. Clocks of robots are often wrong, so any of these may be the only clue.
+ * Finds the Driver Station log of the same match as the log [robot]: by the match, or else by when the robot was enabled, or else by the
+ * time of day. Clocks are often wrong, so any of these may be the only clue.
  *
  * @param startOf returns when a log began, in s since 1970, if that is known before it is read; otherwise null.
  * @param read reads a log; returns null if it is not one.
@@ -18,7 +21,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     private class Candidate<F>(val log: F, val station: ClockedLog)
 
     /**
-     * Returns the matching one of [logs]; null if none can be identified.
+     * Returns the matching one of [logs]; null if none can be identified. A log of another match is never the one, whatever its clock says:
+     * a laptop's may be an hour off. Of several, the one of the same match counts, then that whose moments of enabling and clock agree.
      *
      * @param acceptsOnly whether to accept the only log, even if just one moment of enabling matches.
      * @param mostRead if there are more logs than this, only those that may match by time of day are read.
@@ -27,20 +31,72 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
         if (!robot.hasClock) return null
         // A Driver Station writes one log after another, so the matching logs are those that began last before the time.
         val near = logs.filter(::mayBeAtTime).sortedByDescending { startOf(it) ?: Double.POSITIVE_INFINITY }.take(MOST_AT_TIME).toSet()
-        val atTime = near.mapNotNull(::candidate)
-        byTime(atTime)?.let { found -> fitOf(found.station)?.let { return FoundStation(found.log, found.station, it) } }
-        if (logs.size > mostRead) return null
-        val all = atTime + logs.filter { it !in near }.mapNotNull(::candidate)
-        val found = byMatch(all) ?: byEdges(all) ?: all.singleOrNull()?.takeIf { acceptsOnly } ?: return null
-        return fitOf(found.station)?.let { FoundStation(found.log, found.station, it) }
+        val atTime = possible(near)
+        val found = sure(atTime)
+            ?: any(atTime + if (logs.size > mostRead) emptyList() else possible(logs.filter { it !in near }), acceptsOnly)
+        return found?.let { fitOf(it.station)?.let { fit -> FoundStation(it.log, it.station, fit) } }
     }
+
+    private fun possible(logs: Collection<F>) = logs.mapNotNull(::candidate).filterNot { isOfAnother(it.station.match) }
+
+    /** Returns the one of [candidates], which are of about the same time of day, that no other log can be better than; null if there is none. */
+    private fun sure(candidates: List<Candidate<F>>): Candidate<F>? {
+        val same = candidates.filter { isOfSame(it.station.match) }
+        if (same.isNotEmpty()) return same.singleOrNull() ?: best(same)
+        if (robot.edges.size < FEWEST_EDGES) return byTime(candidates)
+        return withEdges(candidates).filter { agrees(it, 0.0) }.let { if (it.size > 1) byTime(it) else it.firstOrNull() }
+    }
+
+    private fun any(candidates: List<Candidate<F>>, acceptsOnly: Boolean): Candidate<F>? {
+        val same = candidates.filter { isOfSame(it.station.match) }
+        return same.singleOrNull() ?: best(same) ?: best(candidates - same.toSet()) ?: candidates.singleOrNull()?.takeIf { acceptsOnly }
+    }
+
+    private fun isOfAnother(match: MatchOfLog): Boolean {
+        val own = robot.match
+        val isOther = own.number != null && match.number != null && own.number != match.number
+        return isOther ||
+            (own.type != null && match.type != null && MatchType.of(own.type) != MatchType.of(match.type) && !isLoose(own, match))
+    }
+
+    // A log may call a semifinal an elimination.
+    private fun isLoose(one: MatchOfLog, other: MatchOfLog) = one.kind == other.kind && (one.isPlayoff && other.isPlayoff)
+
+    private val MatchOfLog.isPlayoff: Boolean get() = type?.let { MatchType.of(it) } in PLAYOFFS
+
+    private fun isOfSame(match: MatchOfLog) = robot.match.number != null && robot.match.number == match.number
+
+    /** Returns the one of [candidates] that moments of enabling and clocks show; null if that is not clear. */
+    private fun best(candidates: List<Candidate<F>>): Candidate<F>? {
+        val withEdges = withEdges(candidates)
+        return withEdges.filter { agrees(it, 0.0) }.let { if (it.size > 1) byTime(it) else it.firstOrNull() }
+            ?: withEdges.filter { agrees(it, HOUR) || agrees(it, -HOUR) }.singleOrNull()
+            ?: withEdges.singleOrNull()
+            ?: byTime(candidates).takeIf { withEdges.isEmpty() }
+    }
+
+    /** Returns those of [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
+    private fun withEdges(candidates: List<Candidate<F>>): List<Candidate<F>> {
+        val needed = maxOf(FEWEST_EDGES, robot.edges.size * 9 / 10)
+        if (robot.edges.size < FEWEST_EDGES) return emptyList()
+        return candidates.filter { (ClockFit.ofEdges(it.station.edges, robot.edges)?.edges ?: 0) >= needed }
+    }
+
+    /** Returns whether the edges of [candidate] fit the clocks if one of them is [ahead] s wrong. */
+    private fun agrees(candidate: Candidate<F>, ahead: Double): Boolean {
+        val byClocks = clocksOf(candidate.station) ?: return false
+        val byEdges = ClockFit.ofEdges(candidate.station.edges, robot.edges, byClocks + ahead) ?: return false
+        return byEdges.seconds - byClocks - ahead in -NEAR_CLOCKS..NEAR_CLOCKS
+    }
+
+    private fun clocksOf(station: ClockedLog): Double? = station.start?.let { start -> robot.start?.let { start - it } }
 
     /**
      * Returns how the clock of [station] relates to the robot's, by the moments of enabling, or else by the time of day; null if neither
      * shows it.
      */
     private fun fitOf(station: ClockedLog): ClockFit? {
-        val byClocks = station.start?.let { start -> robot.start?.let { start - it } }
+        val byClocks = clocksOf(station)
         val byEdges = ClockFit.ofEdges(station.edges, robot.edges, byClocks)
         // A single edge may match any other one.
         val isBelievable =
@@ -53,7 +109,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     private fun mayBeAtTime(log: F): Boolean {
         val start = robot.start ?: return false
         val begin = startOf(log) ?: return true
-        return begin < start + robot.last && begin > start + robot.first - LONGEST
+        return begin < start + robot.last + HOUR && begin > start + robot.first - LONGEST
     }
 
     /** Returns the candidate that covers most of the time of the robot's log. */
@@ -65,24 +121,16 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
         return candidates.filter { common(it) > 0 }.maxByOrNull(::common)
     }
 
-    private fun byMatch(candidates: List<Candidate<F>>): Candidate<F>? {
-        val match = robot.match.match ?: return null
-        return candidates.filter { it.station.match.match == match }.singleOrNull()
-    }
-
-    /** Returns the only candidate with all moments of enabling in the robot's log, or nearly all if there are many. */
-    private fun byEdges(candidates: List<Candidate<F>>): Candidate<F>? {
-        val needed = maxOf(FEWEST_EDGES, robot.edges.size * 9 / 10)
-        if (robot.edges.size < FEWEST_EDGES) return null
-        return candidates.filter { (ClockFit.ofEdges(it.station.edges, robot.edges)?.edges ?: 0) >= needed }.singleOrNull()
-    }
-
     private companion object {
         /** The maximum number of logs that may begin before and during a robot's log. */
         const val MOST_AT_TIME = 16
 
         /** The maximum length of a Driver Station log, in s. */
         const val LONGEST = 86_400.0
+
+        /** Clocks that are not set to daylight saving time are an hour off. */
+        const val HOUR = 3600.0
+        val PLAYOFFS = setOf(MatchType.QUARTERFINAL, MatchType.SEMIFINAL, MatchType.FINAL, MatchType.ELIMINATION, MatchType.PLAYOFF)
 
         /** A match has at least two: its start and its end. */
         const val FEWEST_EDGES = 2

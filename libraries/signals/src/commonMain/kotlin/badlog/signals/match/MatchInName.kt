@@ -12,7 +12,17 @@ private val MATCH = Regex(
 /** A single word between the date and the match, as in the names of WPILib's logs: `FRC_20240316_104107_MILLC_Q42`. */
 private val EVENT = Regex("[-_. ]+([A-Za-z][A-Za-z0-9]{2,})[-_. ]+")
 
-/** Returns what the name of a file says about the match, such as `qualification-42.bag`, `Q42.bag` and `ohcl_sf2m1.csv`. */
+/** Returns the code of an event, in capitals or with its year, if that is the only word in [start] that is not common in names of logs. */
+private fun eventBefore(start: String): String? {
+    val word = start.split(Regex("[-_. ]+")).filter { it.isNotEmpty() && it.lowercase() !in COMMON }.singleOrNull() ?: return null
+    return CODE.matchEntire(word)?.groupValues?.drop(1)?.first { it.isNotEmpty() }
+}
+
+private val CODE = Regex("([A-Z][A-Z0-9]{2,})|20\\d\\d([A-Za-z][A-Za-z0-9]{2,})")
+private val COMMON =
+    setOf("log", "logs", "frc", "ftc", "robot", "rio", "roborio", "bag", "badlog", "akit", "match", "data", "test", "day", "rev", "run")
+
+/** Returns what the name of a file says about the match, such as `qualification-42.bag`, `Q42.bag`, `ohcl_sf2m1.csv` and `MIKET_Q12_rio.wpilog`. */
 fun matchInName(fileName: String): MatchOfLog {
     val date = dateInName(fileName)
     // The digits of a date do not belong to a match, so a match is searched for after it first.
@@ -23,7 +33,7 @@ fun matchInName(fileName: String): MatchOfLog {
     val (word, number, second) = found.destructured
     val type = TYPES.first { (_, words) -> Regex(words, RegexOption.IGNORE_CASE).matches(word) }.first
     val event = if (date == null || found.range.first < afterDate) {
-        null
+        eventBefore(fileName.substring(0, found.range.first))
     } else {
         EVENT.matchEntire(fileName.substring(afterDate, found.range.first))?.groupValues?.get(1)
     }

@@ -55,7 +55,7 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
  * of its file, [fileName].
  */
 fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog {
-    val empty = recording.topics.filter { it.kind == TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
+    val empty = recording.topics.filter { it.kind == TopicKind.EMPTY || it.isSizes }.mapTo(HashSet()) { it.name }
     val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, empty)
     fun topic(signal: String) = topics.of(signal).firstOrNull()?.let { found -> recording.topics.find { it.name == found.topic } }
     fun value(signal: String): String? {

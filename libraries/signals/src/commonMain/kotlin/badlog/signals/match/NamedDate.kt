@@ -1,5 +1,7 @@
 package badlog.signals.match
 
+import badlog.core.text.daysTo
+
 /**
  * A date in a name.
  *
@@ -21,8 +23,8 @@ fun dateInName(name: String): NamedDate? {
 }
 
 /**
- * Returns the date in [text] on a clock on the wall here, in s since 1970 on that clock: as in ISO 8601, month first with slashes, or
- * seconds or milliseconds since 1970; otherwise null.
+ * Returns the date in [text] on a clock on the wall here, in s since 1970 on that clock: as in ISO 8601, in RFC 1123, as Java's `Date`
+ * is printed, month first with slashes, or seconds or milliseconds since 1970; otherwise null.
  */
 fun dateInText(text: String): Long? {
     val number = text.toDoubleOrNull()
@@ -30,34 +32,12 @@ fun dateInText(text: String): Long? {
         val second = if (number > MILLISECONDS) number / 1000 else number
         return if (second in FIRST.toDouble()..LAST.toDouble()) believable(localSecondOf(second.toLong())) else null
     }
-    WITH_OFFSET.matchEntire(text)?.let {
-        val (year, month, day, hour, minute, second, offset) = it.destructured
-        val there = secondOf(year.toInt(), month, day, hour, minute, second) ?: return null
-        return believable(localSecondOf(there - (offsetOf(offset) ?: return null)))
-    }
-    MONTH_FIRST.matchEntire(text)?.let {
-        val (month, day, year, hour, minute, second) = it.destructured
-        return secondOf(year.toInt(), month, day, hour, minute, second)
-    }
-    return dateInName(text)?.second
+    writtenDate(text)?.let { date -> return believable(date.utcSecond?.let(::localSecondOf) ?: date.second) }
+    return if (isWrittenDate(text)) null else dateInName(text)?.second
 }
 
 /** Returns the time of a clock on the wall here at [second] since 1970 in UTC, in s since 1970 on that clock. */
 expect fun localSecondOf(second: Long): Long
-
-/** Returns the seconds by which a clock at [offset], such as `Z`, `+01:00` or `-0530`, is ahead of UTC; null if it is none. */
-private fun offsetOf(offset: String): Int? {
-    if (offset.length == 1 || offset == "UTC") return 0
-    val digits = offset.drop(1).replace(":", "")
-    val seconds = digits.take(2).toInt() * HOUR + digits.drop(2).ifEmpty { "0" }.toInt() * MINUTE
-    return if (seconds > FARTHEST) {
-        null
-    } else if (offset[0] == '-') {
-        -seconds
-    } else {
-        seconds
-    }
-}
 
 private fun secondOf(year: Int, month: String, day: String, hour: String, minute: String, second: String): Long? {
     fun number(text: String) = if (text.isEmpty()) 0 else text.toInt()
@@ -67,17 +47,6 @@ private fun secondOf(year: Int, month: String, day: String, hour: String, minute
     return believable(days * DAY + hours * HOUR + minutes * MINUTE + seconds)
 }
 
-/** Returns the days from 1970 to a date; null if there is no such date. */
-internal fun daysTo(year: Int, month: Int, day: Int): Long? {
-    if (month !in 1..12 || day !in 1..MONTHS[month - 1]) return null
-    val isLeapYear = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0)
-    if (month == 2 && day == 29 && !isLeapYear) return null
-    // Counting years from March puts the leap day at the end.
-    val marchYear = if (month > 2) year else year - 1
-    val dayOfYear = (153 * (if (month > 2) month - 3 else month + 9) + 2) / 5 + day - 1
-    return marchYear * 365L + marchYear / 4 - marchYear / 100 + marchYear / 400 + dayOfYear - DAYS_TO_1970
-}
-
 // A robot's clock starts at about 1970 until something sets it.
 private fun believable(second: Long): Long? = second.takeIf { it in FIRST..LAST }
 
@@ -85,11 +54,6 @@ private val FOUR_DIGIT_YEAR = Regex(
     "(?<!\\d)(\\d{4})[-_.]?(\\d{2})[-_.]?(\\d{2})(?:[T_ .-]{0,3}(\\d{2})[-_.:hH]?(\\d{2})(?:[-_.:mM]?(\\d{2}))?)?(?!\\d)",
 )
 private val TWO_DIGIT_YEAR = Regex("(?<!\\d)(\\d{2})-(\\d{2})-(\\d{2})[T_ -](\\d{2})[-_.:](\\d{2})(?:[-_.:](\\d{2}))?(?!\\d)")
-private val MONTH_FIRST = Regex("(\\d{1,2})/(\\d{1,2})/(\\d{4})(?:[ ,T]+(\\d{1,2}):(\\d{2})(?::(\\d{2}))?)?.*")
-private val WITH_OFFSET = Regex(
-    "(\\d{4})-(\\d{2})-(\\d{2})[T ](\\d{2}):(\\d{2})(?::(\\d{2})(?:\\.\\d+)?)? ?(Z|UTC|[+-]\\d{2}(?::?\\d{2})?)",
-)
-private val MONTHS = listOf(31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
 private const val SHORTEST_NUMBER = 9
 
 /** Above this, seconds would be in the year 5138. */
@@ -97,8 +61,6 @@ private const val MILLISECONDS = 1e11
 private const val MINUTE = 60
 private const val HOUR = 3600
 private const val DAY = 86400L
-private const val DAYS_TO_1970 = 719468
-private const val FARTHEST = 18 * HOUR
 
 /** The beginning of 2000 and the end of 2199. */
 private const val FIRST = 946_684_800L

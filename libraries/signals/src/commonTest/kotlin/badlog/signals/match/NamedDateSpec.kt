@@ -32,6 +32,13 @@ class NamedDateSpec : FunSpec({
         "2024-03-16 10:41:07",
         "03/16/2024 10:41:07",
         "20240316_104107",
+        "03/16/2024 10:41:07 AM",
+        "Mar 16, 2024, 10:41:07\u202FAM",
+        "Mar 16, 2024 10:41:07 AM",
+        "Saturday, March 16, 2024 at 10:41:07 AM",
+        "Sat Mar 16 10:41:07 2024",
+        "Sat Mar 16 10:41:07 XYZ 2024",
+        "16 Mar 2024 10:41:07",
     ).forEach { text ->
         test("the text “$text” is that time") { dateInText(text) shouldBe time }
     }
@@ -41,6 +48,12 @@ class NamedDateSpec : FunSpec({
         "2024-03-16 10:41:07 UTC",
         "2024-03-16T11:41:07.5+01:00",
         "2024-03-16T05:11:07-0530",
+        "2024-03-16T06:41:07.123-04:00[America/New_York]",
+        "Sat, 16 Mar 2024 06:41:07 -0400",
+        "Sat, 16 Mar 2024 10:41:07 GMT",
+        "16 Mar 2024 10:41:07 GMT",
+        "Sat Mar 16 06:41:07 EDT 2024",
+        "Sat Mar 16 11:41:07 GMT+01:00 2024",
         "$time",
         "${time}000",
     ).forEach { text ->
@@ -48,7 +61,7 @@ class NamedDateSpec : FunSpec({
     }
 
     test("no text breaks it, and whatever is found is believable") {
-        val odd = listOf("1e300", "-1e300", "999999999999999999999", "-99999999999", "NaN123456789", "2024-02-30T00:00:00", "2024-03-16T10:41:07+99:00")
+        val odd = listOf("1e300", "-1e300", "999999999999999999999", "-99999999999", "NaN123456789", "2024-02-30T00:00:00", "2024-03-16T10:41:07+99:00", "Sat, 32 Mar 2024 10:41:07 GMT", "Sat, 16 Mrz 2024 10:41:07 GMT", "03/16/2024 13:41:07 PM")
         for (text in odd) dateInText(text) shouldBe null
         checkAll(Arb.string(0, 40)) { text -> dateInText(text)?.let { (it in 946_000_000L..7_259_000_000L) shouldBe true } }
     }

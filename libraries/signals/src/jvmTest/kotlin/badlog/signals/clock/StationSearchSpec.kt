@@ -45,6 +45,37 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, null), practice, stations[0])?.station?.name shouldBe "a"
     }
 
+    test("a log of another match is never taken, whatever its clock says, and an hour of daylight saving is none") {
+        val robot = log(3.0, "2026-03-07 15:04:08 UTC", number("17"))
+        val wrong = log(0.0, "2026-03-07 15:04:05 UTC", number("11"), "wrong")
+        val right = log(0.0, "2026-03-07 16:04:05 UTC", number("17"), "right")
+        for (stations in listOf(listOf(wrong, right), listOf(right, wrong))) {
+            checkNotNull(found(robot, *stations.toTypedArray())).run {
+                station.name shouldBe "right"
+                fit.seconds shouldBe (-3.0 plusOrMinus 1e-9)
+            }
+        }
+        found(robot, wrong).shouldBeNull()
+        found(log(3.0, "2026-03-07 15:04:08 UTC", listOf(Value("Match Type", "Practice"))), log(0.0, "2026-03-07 15:04:05 UTC", listOf(Value("Match Type", "Qualification")))).shouldBeNull()
+    }
+
+    test("without numbers, the log whose moments of enabling agree with its clock is taken, then one whose clock is an hour off") {
+        val robot = log(3.0, "2026-03-07 15:04:08 UTC")
+        // At its own time of day it covers the robot's log, but was enabled at other moments by that clock.
+        val wrong = log(0.0, "2026-03-07 15:02:05 UTC", name = "wrong")
+        val right = log(0.0, "2026-03-07 16:04:05 UTC", name = "right")
+        for (stations in listOf(listOf(wrong, right), listOf(right, wrong))) found(robot, *stations.toTypedArray())?.station?.name shouldBe "right"
+        val other = log(0.0, "2026-03-07 15:06:05 UTC", name = "other")
+        found(robot, wrong, other).shouldBeNull()
+    }
+
+    test("two laptops at one match are told apart by their clocks, and either fits") {
+        val robot = log(3.0, "2026-03-07 15:04:08 UTC", number("17"))
+        val first = log(0.0, "2026-03-07 15:04:05 UTC", number("17"), "first")
+        val second = log(0.0, "2026-03-07 14:04:05 UTC", number("17"), "second")
+        found(robot, second, first)?.station?.name shouldBe "first"
+    }
+
     test("the match may be in the name of the robot's log alone") {
         val qualification = number("42") + Value("Match Type", "Qualification")
         val stations = arrayOf(log(0.0, "2026-03-07 15:04:05 UTC", number("41"), "a"), log(0.0, "2026-03-07 16:04:05 UTC", qualification, "b"))

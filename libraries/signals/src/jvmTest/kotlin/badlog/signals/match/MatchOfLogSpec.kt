@@ -1,7 +1,10 @@
 package badlog.signals.match
 
+import badlog.core.recording.CellCounts
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
 import badlog.core.recording.Value
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
@@ -23,6 +26,17 @@ class MatchOfLogSpec : FunSpec({
             Value("Alliance Station", "Red2"),
         )
         of(values, "any.bag") shouldBe MatchOfLog("OHCL", "Qualification", "42", "Red")
+    }
+
+    test("the size of a record that is not decoded is not the number of a match") {
+        fun match(type: String): MatchOfLog {
+            val counts = CellCounts(1, 0, 0, 0, 0, 0)
+            val name = "NT:/FMSInfo/MatchNumber"
+            val topic = Topic(name, if (type == "double") "ul" else "B", emptyList(), doubleArrayOf(8.0), TextColumn.EMPTY, counts, doubleArrayOf(0.0), type)
+            return RuleSet.BUILT_IN.signals.matchOf(Recording(RecordingFormat.CSV, null, emptyList(), listOf(topic), 0, emptyList()), "a.wpilog")
+        }
+        match("msgpack") shouldBe MatchOfLog()
+        match("double") shouldBe MatchOfLog(number = "8")
     }
 
     test("what the driver station gives without a field means nothing") {

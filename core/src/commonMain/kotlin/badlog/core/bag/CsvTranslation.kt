@@ -1,0 +1,230 @@
+package badlog.core.bag
+
+import badlog.core.recording.Value
+import badlog.core.text.COMMA
+import badlog.core.text.CR
+import badlog.core.text.DOT
+import badlog.core.text.LF
+import badlog.core.text.MINUS
+import badlog.core.text.NINE
+import badlog.core.text.NUL
+import badlog.core.text.QUOTE
+import badlog.core.text.ZERO
+import badlog.core.text.microsOfIsoTime
+import badlog.core.text.wallTimeText
+
+/**
+ * Rewrites a CSV file of another [dialect], as it arrives, to the usual one, line by line. Cells that are not numbers in that dialect stay
+ * texts.
+ */
+internal class CsvTranslation(private val dialect: CsvDialect) {
+    private var cell = ByteArray(64)
+    private var size = 0
+    private var index = 0
+    private var isTitle = dialect.hasTitles
+    private var isInQuotes = false
+    private var hasQuotes = false
+    private var mayEndQuotes = false
+    private val starts = HashMap<Int, Double>()
+    private var startText: String? = null
+
+    /** What has been rewritten: the first [outSize] bytes. */
+    var out = ByteArray(1 shl 10)
+        private set
+    var outSize = 0
+        private set
+
+    /** What the times of day say about the whole file. */
+    val values: List<Value> get() = listOfNotNull(startText?.let { Value("Start Time", it) })
+
+    /** Rewrites the bytes from [from] until [until] into [out], whose former content is dropped. */
+    fun accept(bytes: ByteArray, from: Int, until: Int) {
+        outSize = 0
+        for (at in from until until) accept(bytes[at].toInt())
+    }
+
+    /** Rewrites what is left of the file into [out], whose former content is dropped. */
+    fun finish() {
+        outSize = 0
+        if (size > 0 || hasQuotes) endCell()
+    }
+
+    private fun accept(byte: Int) {
+        if (isInQuotes && size > MAX_TEXT) isInQuotes = false
+        if (isInQuotes) {
+            keep(byte)
+            if (byte == QUOTE) {
+                isInQuotes = false
+                mayEndQuotes = true
+            }
+            return
+        }
+        if (byte == QUOTE && (size == 0 || mayEndQuotes)) {
+            isInQuotes = true
+            hasQuotes = true
+            keep(byte)
+            mayEndQuotes = false
+            return
+        }
+        mayEndQuotes = false
+        when (byte) {
+            dialect.separator -> {
+                endCell()
+                put(COMMA)
+                index++
+            }
+
+            LF, CR -> {
+                val isBlank = size == 0 && index == 0
+                endCell()
+                put(byte)
+                index = 0
+                if (!isBlank) isTitle = false
+            }
+
+            else -> keep(byte)
+        }
+    }
+
+    private fun keep(byte: Int) {
+        if (size == cell.size) cell = cell.copyOf(size * 2)
+        cell[size++] = byte.toByte()
+    }
+
+    private fun endCell() {
+        val isWritten = !isTitle && size in 1..MAX_CELL && (putClock() || putNumber())
+        if (!isWritten) putText()
+        size = 0
+        isInQuotes = false
+        hasQuotes = false
+        mayEndQuotes = false
+    }
+
+    private fun putText() {
+        if (hasQuotes || dialect.separator == COMMA || !hasSpecial()) {
+            for (i in 0 until size) put(cell[i].toInt())
+        } else {
+            putQuoted()
+        }
+    }
+
+    private fun hasSpecial() = (0 until size).any { cell[it].toInt() == COMMA || cell[it].toInt() == QUOTE }
+
+    private fun putQuoted() {
+        put(QUOTE)
+        for (i in 0 until size) {
+            if (cell[i].toInt() == QUOTE) put(QUOTE)
+            put(cell[i].toInt())
+        }
+        put(QUOTE)
+    }
+
+    private fun putClock(): Boolean {
+        val clock = dialect.clocks[index] ?: return false
+        val text = text()
+        val micros =
+            (if (clock == CsvClock.ISO) microsOfIsoTime(text) else text.toDoubleOrNull()?.let { it * clock.microsEach }) ?: return false
+        val first = starts.getOrPut(index) {
+            if (startText == null) startText = if (clock == CsvClock.ISO) text else wallTimeText(micros)
+            micros
+        }
+        put(((micros - first) / 1e6).toString())
+        return true
+    }
+
+    private fun putNumber(): Boolean {
+        if (dialect.between == null) return dialect.hasComma && putPlain()
+        if (putGrouped(dialect.between.code)) return true
+        put(CsvNumber.of(text())?.text(dialect.between, dialect.hasComma) ?: return false)
+        return true
+    }
+
+    /** Writes a number whose only mark is its decimal one. Returns false if the cell is not one. */
+    private fun putPlain(): Boolean {
+        var marks = 0
+        var digits = 0
+        for (i in 0 until size) {
+            val byte = cell[i].toInt()
+            if (byte in ZERO..NINE) {
+                digits++
+            } else if (byte == COMMA || byte == DOT) {
+                marks++
+            } else if (byte != MINUS || i > 0) {
+                return putOdd()
+            }
+        }
+        if (marks != 1 || digits == 0) return putOdd()
+        for (i in 0 until size) put(if (cell[i].toInt() == COMMA) DOT else cell[i].toInt())
+        return true
+    }
+
+    /** Writes a number with [between] between thousands, if it is written as usual; nothing otherwise. */
+    private fun putGrouped(between: Int): Boolean {
+        val sizeBefore = outSize
+        var digits = 0
+        var groups = 0
+        var hasPoint = false
+        var hasDigit = false
+        for (i in 0 until size) {
+            val byte = cell[i].toInt()
+            val isUsual = when {
+                byte in ZERO..NINE -> true.also {
+                    digits++
+                    hasDigit = true
+                }
+
+                byte == between && !hasPoint -> (if (groups == 0) digits in 1..GROUP else digits == GROUP).also {
+                    groups++
+                    digits = 0
+                }
+
+                isPoint(byte) && byte != between && !hasPoint -> (groups == 0 || digits == GROUP).also { hasPoint = true }
+
+                else -> byte == MINUS && i == 0
+            }
+            if (!isUsual) {
+                outSize = sizeBefore
+                return false
+            }
+            if (byte != between) put(if (byte == COMMA) DOT else byte)
+        }
+        // A group begins with a zero in no number that somebody grouped.
+        val first = cell[if (cell[0].toInt() == MINUS && size > 1) 1 else 0].toInt()
+        val isWhole = hasDigit && (groups == 0 || (first != ZERO && (hasPoint || digits == GROUP)))
+        if (!isWhole) outSize = sizeBefore
+        return isWhole
+    }
+
+    private fun isPoint(byte: Int) = byte == DOT || (byte == COMMA && dialect.hasComma)
+
+    private fun putOdd(): Boolean {
+        put(CsvNumber.of(text())?.text(null, isComma = true) ?: return false)
+        return true
+    }
+
+    /** The cell without its quotes and the spaces around it, each byte as a character. */
+    private fun text(): String {
+        val text = CharArray(size) { (cell[it].toInt() and 0xff).toChar() }.concatToString().trim { it <= ' ' && it.code != NUL }
+        return if (hasQuotes) text.removeSurrounding("\"").trim() else text
+    }
+
+    private fun put(text: String) {
+        for (char in text) put(char.code)
+    }
+
+    private fun put(byte: Int) {
+        if (outSize == out.size) out = out.copyOf(outSize * 2)
+        out[outSize++] = byte.toByte()
+    }
+
+    private companion object {
+        /** No number and no time is longer. */
+        const val MAX_CELL = 64
+
+        /** The digits between two marks. */
+        const val GROUP = 3
+
+        /** A quote that nothing closes must not swallow the file. */
+        const val MAX_TEXT = 1 shl 16
+    }
+}

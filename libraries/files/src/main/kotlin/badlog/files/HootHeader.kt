@@ -1,0 +1,30 @@
+package badlog.files
+
+import java.nio.file.Files
+import java.nio.file.Path
+
+/**
+ * The first bytes of a `.hoot`, CTRE's log, as far as they are known; CTRE does not publish the format.
+ *
+ * @property bus the name of the CAN bus, in bytes 0 to 63.
+ * @property compliancy which version of CTRE's converter can read it, in byte 70.
+ */
+internal class HootHeader private constructor(val bus: String, val compliancy: Int) {
+    /** Whether it is from before Phoenix 2024, whose logs nothing converts. */
+    val isTooOld: Boolean get() = compliancy < OLDEST
+
+    companion object {
+        private const val BUS_SIZE = 64
+        private const val COMPLIANCY = 70
+        private const val OLDEST = 6
+
+        /** Returns the header of [hoot]; null if the file is too short to have one, or its bus has no name of text. */
+        fun of(hoot: Path): HootHeader? {
+            val bytes = reading(hoot) { Files.newInputStream(hoot).use { it.readNBytes(COMPLIANCY + 1) } }
+            if (bytes.size <= COMPLIANCY) return null
+            val bus = String(bytes, 0, BUS_SIZE, Charsets.ISO_8859_1).substringBefore('\u0000')
+            if (bus.isEmpty() || bus.any { it !in ' '..'~' }) return null
+            return HootHeader(bus, bytes[COMPLIANCY].toInt() and 0xff)
+        }
+    }
+}

@@ -1,0 +1,167 @@
+package badlog.formats.list
+
+import badlog.core.recording.CellCounts
+import badlog.core.recording.Loss
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.ProblemList
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
+import badlog.core.recording.timesText
+import badlog.core.text.UniqueNames
+import badlog.formats.column.ColumnSource
+import badlog.formats.column.ElementBlocks
+import badlog.formats.column.SampleBlock
+import badlog.formats.column.Timestamps
+import badlog.formats.column.reportTopic
+import badlog.formats.wpilog.attributesIn
+
+/** The topics of a list. The first value of each shows whether it has numbers, texts or arrays of numbers. */
+internal class ListTopics(private val source: ColumnSource, private val problems: ProblemList) {
+    private enum class Kind { NUMBERS, TEXTS, ARRAYS }
+
+    private class Listed(val kind: Kind, val elements: ElementBlocks) {
+        var textCount = 0
+        var firstText = ""
+        var firstLine = 0
+    }
+
+    private val byName = LinkedHashMap<String, Listed?>()
+    private var droppedCount = 0
+    private var earlyCount = 0
+    private var firstEarly = ""
+
+    /** The number of samples so far. */
+    var sampleCount = 0
+        private set
+
+    /** Adds the sample of [row]. Returns false if it is not one. */
+    fun add(row: ListRow): Boolean {
+        val time = row.time ?: return false
+        val name = row.name ?: return false
+        val listed = byName.getOrPut(name) { newTopic(kindOf(row)) }
+        sampleCount++
+        if (time < 0 && earlyCount++ == 0) firstEarly = name
+        if (listed == null) droppedCount++ else add(listed, row, time)
+        return true
+    }
+
+    private fun kindOf(row: ListRow): Kind = when {
+        row.isText -> Kind.TEXTS
+        row.value.isEmpty() || row.number != null || truthIn(row) != null -> Kind.NUMBERS
+        elementsOf(row) != null -> Kind.ARRAYS
+        else -> Kind.TEXTS
+    }
+
+    private fun newTopic(kind: Kind): Listed? {
+        if (!source.hasRoomFor(1)) return null
+        return Listed(kind, ElementBlocks(source.keepsSamples) { index, timestamps -> newBlock(kind, index, timestamps) })
+    }
+
+    private fun newBlock(kind: Kind, index: Int, timestamps: Timestamps): SampleBlock? {
+        if (index >= ElementBlocks.MAX_ELEMENTS || !source.hasRoomFor(1)) return null
+        return SampleBlock(source.columns(listOf(if (kind == Kind.ARRAYS) "[$index]" else "")), timestamps)
+    }
+
+    private fun add(listed: Listed, row: ListRow, time: Double) {
+        val elements = listed.elements
+        if (listed.kind == Kind.ARRAYS) {
+            val numbers = elementsOf(row).orEmpty()
+            if (numbers.isEmpty() && row.value.isNotEmpty() && !isEmptyArray(row)) noteText(listed, row)
+            numbers.forEachIndexed { index, number -> elements.next(index, time)?.columns?.get(0)?.addNumber(number) }
+            elements.end(numbers.size, time)
+            return
+        }
+        val column = elements.next(0, time)?.columns?.get(0) ?: return
+        val number = if (listed.kind == Kind.TEXTS || row.isText) null else row.number
+        val truth = if (number == null) truthIn(row) else null
+        when {
+            listed.kind == Kind.TEXTS -> column.addText(row.value, 0, row.value.size)
+
+            number != null -> column.addNumber(number)
+
+            truth != null && !row.isText -> column.addTruth(truth)
+
+            else -> {
+                if (row.value.isNotEmpty()) noteText(listed, row)
+                column.addGap()
+            }
+        }
+        elements.end(1, time)
+    }
+
+    private fun noteText(listed: Listed, row: ListRow) {
+        if (listed.textCount++ > 0) return
+        listed.firstText = row.textOf(2).take(QUOTED)
+        listed.firstLine = row.line
+    }
+
+    private fun truthIn(row: ListRow): Boolean? = if (row.value.size in
+        TRUTH_SIZES
+    ) {
+        row.textOf(2).lowercase().toBooleanStrictOrNull()
+    } else {
+        null
+    }
+
+    private fun isEmptyArray(row: ListRow) = row.textOf(2).let { it == "[]" || it == "[ ]" }
+
+    /** Returns the numbers of an array: `1;2;3` in a list of DataLogTool, `[1; 2; 3]` in one of AdvantageScope. */
+    private fun elementsOf(row: ListRow): List<Double>? {
+        val text = row.textOf(2)
+        val isBracketed = text.startsWith('[') && text.endsWith(']')
+        if (!isBracketed && ';' !in text) return null
+        val parts = text.removeSurrounding("[", "]").split(';').map { it.trim() }
+        return parts.map { part -> row.numberIn(part) ?: part.toBooleanStrictOrNull()?.let { if (it) 1.0 else 0.0 } ?: return null }
+    }
+
+    /** Returns the topics, and reports what was odd about them. Call it once, last. */
+    fun build(): List<Topic> {
+        val names = UniqueNames()
+        val topics = ArrayList<Topic>()
+        for ((name, listed) in byName) if (listed != null) build(name, listed, names, topics)
+        if (droppedCount > 0) {
+            problems.add(
+                ProblemKind.TOO_MANY_TOPICS,
+                "There are more topics than can be shown; samples of the others were dropped${timesText(droppedCount)}.",
+                count = droppedCount,
+                loss = Loss(cells = droppedCount),
+            )
+        }
+        if (earlyCount > 0) {
+            problems.add(
+                ProblemKind.EARLY_TIMES,
+                "Samples from before 0 s, such as one of “$firstEarly”, were moved to 0${timesText(earlyCount)}.",
+                count = earlyCount,
+            )
+        }
+        return topics
+    }
+
+    private fun build(name: String, listed: Listed, names: UniqueNames, topics: MutableList<Topic>) {
+        listed.elements.timestamps.finish(ALL)
+        for (block in listed.elements.blocks) {
+            block.timestamps.finish(ALL)
+            for (column in block.columns) {
+                val like =
+                    Topic(name, Topic.UNITLESS, attributesIn("", name), DoubleArray(0), TextColumn.EMPTY, CellCounts(0, 0, 0, 0, 0, 0))
+                val topic = column.build(names.give(name + column.path), like, block.timestamps)
+                topics += if (topic.counts.texts == 0) topic.copy(attributes = topic.attributes - "log") else topic
+                reportTopic(topic, column, block.timestamps, problems)
+            }
+        }
+        if (listed.textCount == 0) return
+        problems.add(
+            ProblemKind.TEXT_IN_NUMBERS,
+            "“$name” has text, such as “${listed.firstText}”, in ${listed.textCount} of its samples; these are gaps.",
+            listed.firstLine,
+            name,
+            listed.textCount,
+        )
+    }
+
+    private companion object {
+        val ALL = 0.0..Double.MAX_VALUE
+        val TRUTH_SIZES = 4..5
+        const val QUOTED = 60
+    }
+}
