@@ -46,9 +46,7 @@ internal class FindingRequests(
 
     private fun show(request: FindingRequest.Show) {
         findings.showEvidence(request.place.finding)
-        // A narrow window shows one part at a time; somebody who clicks a finding wants to see its place.
-        val words = request.spoken ?: return panels.change { copy(front = FrontPart.GRAPHS) }
-        spoken.sayFinding(words)
+        spoken.sayFinding(request.spoken ?: return)
         openPanel()
     }
 

@@ -27,5 +27,5 @@ internal data class Findings(
     fun knowing(list: FoundInLog): Findings = copy(list = list, pointed = pointed?.let(list::like))
 
     /** Returns the findings without a list. */
-    fun unknown(): Findings = Findings(timesAsked = timesAsked)
+    fun unknown(): Findings = Findings(panel = FindingsState(library = panel.library), timesAsked = timesAsked)
 }

@@ -9,8 +9,10 @@ import badlog.viewer.choices.note.NoteDraft
 import badlog.viewer.choices.note.Notebook
 import badlog.viewer.choices.note.marked
 import badlog.viewer.choices.note.markedText
+import badlog.viewer.choices.note.removedText
 import badlog.window.state.StateHolder
 import badlog.window.task.FileWrites
+import badlog.window.task.NoticeAction
 import badlog.window.task.Notices
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
@@ -77,8 +79,13 @@ internal class LogNotes(
         if (state.log != null) notices.say(markedText(place))
     }
 
-    /** Removes [note]. */
-    fun remove(note: Note) = save { without(note) }
+    /** Removes [note], which is at [place] for people; the notice that says so can take it back. */
+    fun remove(note: Note, place: String) {
+        val log = state.log
+        save { without(note) }
+        val undo = NoticeAction("Undo") { if (state.log == log) save { restored(note) } }
+        if (log != null) notices.say(removedText(place), undo)
+    }
 
     private fun step(step: Notebook.() -> Notebook) = change { copy(notebook = notebook.step()) }
 

@@ -16,19 +16,29 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
+import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
 import badlog.viewer.state.Action
 
-/** Shows a panel that consists of [parts]: whatever comes before its first rows stays above them while they scroll. */
+/**
+ * Shows a panel that consists of [parts]: heading, paragraphs and fields at its beginning stay above the others, which scroll.
+ *
+ * @param goal what a person went to; the current row is scrolled to when it changes.
+ */
 @Composable
-internal fun PanelView(parts: List<Part>, send: (Action) -> Unit, modifier: Modifier) {
-    val (above, below) = remember(parts) { parts.takeWhile { it !is Rows } to parts.dropWhile { it !is Rows }.flatMap(::flat) }
+internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, modifier: Modifier) {
+    val (above, below) = remember(parts) {
+        fun stays(part: Part) = part is Heading || part is Paragraph || part is Field
+        parts.takeWhile(::stays) to parts.dropWhile(::stays).flatMap(::flat)
+    }
     val state = rememberLazyListState()
     val current = below.mapIndexedNotNull { i, cell -> i.takeIf { (cell.part as? Row)?.isCurrent == true } }
-    LaunchedEffect(current.map { below[it].key }, below.size) {
+    LaunchedEffect(goal) {
         if (current.isEmpty()) return@LaunchedEffect
         // The height of what is below a row is known only after layout.
         withFrameNanos { }
@@ -51,10 +61,10 @@ internal fun PanelView(parts: List<Part>, send: (Action) -> Unit, modifier: Modi
 private class Cell(val key: String, val part: Part)
 
 private fun flat(part: Part): List<Cell> = when {
-    part is Rows -> part.rows.map { Cell("${part.key}/${it.key}", it) }
+    part is Rows -> part.rows.map { Cell("${part.key}\u0000${it.key}", it) }
 
     part is Fold -> listOf(Cell(part.key, part)) + if (part.isOpen) {
-        part.parts.flatMap(::flat).map { Cell("${part.key}/${it.key}", it.part) }
+        part.parts.flatMap(::flat).map { Cell("${part.key}\u0000${it.key}", it.part) }
     } else {
         emptyList()
     }

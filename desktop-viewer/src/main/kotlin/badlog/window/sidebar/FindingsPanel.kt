@@ -17,7 +17,7 @@ import badlog.window.log.OpenRecording
 import badlog.window.panel.PanelView
 import badlog.window.todo.FolderTodo
 
-/** The findings in [open], see [findingsPanel]; [changes] is how the log differs from the ones before it. */
+/** The findings in [open], see [findingsPanel]; [changes] is how the log differs from the ones before it; [isComparing] whether others are drawn. */
 @Composable
 internal fun FindingsPanel(
     findings: LogFindings,
@@ -26,6 +26,7 @@ internal fun FindingsPanel(
     board: GraphBoard,
     open: OpenRecording,
     changes: Changes<LogEntry>,
+    isComparing: Boolean,
     send: (Action) -> Unit,
     modifier: Modifier,
 ) {
@@ -35,7 +36,7 @@ internal fun FindingsPanel(
     val details =
         remember(open, evidence) { FindingDetails(evidence.graphs.isNotEmpty(), evidenceOffers(open.view, open.vocabulary, evidence)) }
     val list = todo.state.list.takeIf { todo.state.folder != null }
-    val parts = remember(open, known.list, known.panel, view.visited, changes, details, list) {
+    val parts = remember(open, known.list, known.panel, view.visited, changes, details, list, isComparing) {
         val shown = FindingsShown(
             known.list,
             isRunning = known.list == null,
@@ -46,8 +47,9 @@ internal fun FindingsPanel(
             names,
             todo = list,
             details = details,
+            isComparing = isComparing,
         )
         findingsPanel(shown)
     }
-    PanelView(parts, send, modifier)
+    PanelView(parts, listOf(view.visited, known.panel.query), send, modifier)
 }

@@ -31,6 +31,7 @@ import androidx.compose.ui.unit.dp
 import badlog.core.analysis.LogView
 import badlog.core.recording.Severity
 import badlog.viewer.state.Action
+import badlog.viewer.state.FindingAction
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.LogFindings
 import badlog.window.folder.SinceLastMatch
@@ -94,13 +95,34 @@ internal fun InspectorPane(
             val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
+
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
+
                 InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
+
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
+
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
-                InspectorTab.FINDINGS -> FindingsPanel(findings, todo, view, board, open, since.state, send, Modifier.fillMaxSize())
+
+                InspectorTab.FINDINGS -> FindingsPanel(
+                    findings,
+                    todo,
+                    view,
+                    board,
+                    open,
+                    since.state,
+                    isComparing = compared.drawn.size > 1,
+                    send = { action ->
+                        send(action)
+                        if (action is FindingAction.GoTo) showGraphs()
+                    },
+                    Modifier.fillMaxSize(),
+                )
+
                 InspectorTab.NOTES -> NotesPanel(notes, todo, view, open, showGraphs, Modifier.fillMaxSize())
+
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
+
                 InspectorTab.MODULES -> ModulesPanel(view, open, showGraphs, Modifier.fillMaxSize())
             }
         }

@@ -118,7 +118,7 @@ private fun NoteLine(notes: LogNotes, note: Note, times: LogTimes, todo: FolderT
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(times.logged(note.x), Modifier.weight(1f), color = LocalPalette.current.muted)
             ToolButton("Change the note at ${times.logged(note.x)}", text = "Change") { notes.rewrite(note) }
-            ToolButton("Remove the note at ${times.logged(note.x)}", text = "Remove") { notes.remove(note) }
+            ToolButton("Remove the note at ${times.logged(note.x)}", text = "Remove") { notes.remove(note, times.logged(note.x)) }
         }
         Text(note.text)
         TodoMark(todo, task)

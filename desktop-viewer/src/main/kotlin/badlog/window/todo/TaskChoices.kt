@@ -1,6 +1,5 @@
 package badlog.window.todo
 
-import androidx.compose.foundation.ContextMenuItem
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
@@ -49,13 +48,6 @@ internal fun TodoButtons(todo: FolderTodo, task: TodoTask) {
             ToolButton("${offer.label}: ${item.title}", offer.icon, text = offer.label, onClick = offer.run)
         }
     }
-}
-
-/** Returns the context menu of [task]. */
-internal fun todoMenu(todo: FolderTodo, task: TodoTask): List<ContextMenuItem> = if (todo.state.folder == null) {
-    emptyList()
-} else {
-    todoOffers(todo, todo.state.list.itemOrNew(task)).map { ContextMenuItem(it.label, it.run) }
 }
 
 /** Returns what a person can do with [item], which need not be on the list yet. */

@@ -67,6 +67,9 @@ class LogNotesSpec : FunSpec({
             waitFor { NotesFile.read(log).notes.isEmpty() }
             // Nothing is ever taken out of the file.
             Files.readAllLines(NotesFile.of(log)).size shouldBe 4
+            runOnIdle { viewer.notices.all.last().action?.run?.invoke() }
+            waitFor { viewer.notes.all.size == 1 }
+            waitFor { NotesFile.read(log).notes.size == 1 }
             Files.delete(NotesFile.of(log))
             scope.coroutineContext[Job]?.cancel()
         }

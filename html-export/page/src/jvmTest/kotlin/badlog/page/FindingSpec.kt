@@ -70,7 +70,7 @@ internal class FindingSpec : PageSpec({
             cursor() shouldBe (8.0 plusOrMinus 0.001)
             8.0 shouldBeIn visibleRange
             element(".finding[aria-current]").text shouldContain "Brownout"
-            elements(".finding .event-go")[1].click()
+            elements(".finding .event-go")[2].click()
             settle()
             visibleRange.start shouldBeLessThan 5.0
             visibleRange.endInclusive shouldBeGreaterThan 6.5

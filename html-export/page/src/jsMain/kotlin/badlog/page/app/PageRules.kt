@@ -64,11 +64,7 @@ internal class PageRules(
             },
             onFailure = onFailure@{ reason ->
                 if (!isShown()) return@onFailure
-                section.found =
-                    FoundInLog(
-                        embedded,
-                        trouble = "The rules could not be run (${reason.trimEnd('.')}); reload the page, or run badlog report on the file.",
-                    )
+                section.fail("The rules could not be run (${reason.trimEnd('.')}); reload the page, or run badlog report on the file.")
                 setRulesState("failed")
             },
         )

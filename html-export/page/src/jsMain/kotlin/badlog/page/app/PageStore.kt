@@ -20,9 +20,9 @@ internal fun pageStore(scene: Scene, findings: FindingsSection, keys: BoardKeys,
         override var state: ViewerState
             get() = ViewerState(scene.place.now, scene.board.history, findings.state)
             set(value) {
+                findings.state = value.findings
                 scene.place.change { value.place }
                 scene.board.take(value.board)
-                findings.state = value.findings
             }
     }
     val shown = object : Shown {

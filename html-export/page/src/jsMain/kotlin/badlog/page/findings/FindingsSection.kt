@@ -83,6 +83,11 @@ internal class FindingsSection(
         show()
     }
 
+    /** Shows that the rules could not be run, as [trouble] says, beside what is known. */
+    fun fail(trouble: String) {
+        found = FoundInLog(found.all, found.skipped, found.incidents, found.ran, trouble = trouble)
+    }
+
     /** The number of findings that the search finds; none without a search. */
     val hits: Int get() = if (state.query.isBlank()) 0 else found.foundBy(state.query).findings.size
 
@@ -115,6 +120,7 @@ internal class FindingsSection(
 
     /** Shows it as it is now. */
     fun show() {
+        val isGone = drawn !== scene.visited
         drawn = scene.visited
         val parts = findingsPanel(
             FindingsShown(
@@ -126,6 +132,7 @@ internal class FindingsSection(
                 differences(),
                 signals.topics,
                 signals.assigned,
+                isComparing = scene.compared.isNotEmpty(),
                 room = if (isNarrow) FindingsRoom.NARROW else FindingsRoom.SHARED,
             ),
         )
@@ -137,6 +144,7 @@ internal class FindingsSection(
                 finding.spans.firstOrNull()?.let { it.to > finding.time } == true
             },
         )
+        if (!isGone) return
         val list = element.querySelector(".is-long")?.unsafeCast<HTMLElement>() ?: return
         val row = list.querySelector("[aria-current]")?.unsafeCast<HTMLElement>() ?: return
         // Scrolls only the list: everything above and below it stays where it is.

@@ -9,6 +9,7 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.view.Scene
 import badlog.viewer.choices.note.Note
+import badlog.viewer.choices.note.removedText
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countOf
 import badlog.viewer.text.decimalsFor
@@ -64,7 +65,12 @@ internal class NoteList(private val scene: Scene, private val notes: PageNotes, 
         add("span", "note-text", note.text)
         add("span", "note-tools") {
             addIconButton("", Icon.NOTE, "Change the note at $moment") { onEdit(note) }
-            addIconButton("", Icon.CLOSE, "Remove the note at $moment") { notes.change { without(note) } }
+            addIconButton("", Icon.CLOSE, "Remove the note at $moment") { remove(note, moment) }
         }
+    }
+
+    private fun remove(note: Note, moment: String) {
+        notes.change { without(note) }
+        scene.notice.offer(removedText(moment), "Undo") { notes.change { restored(note) } }
     }
 }

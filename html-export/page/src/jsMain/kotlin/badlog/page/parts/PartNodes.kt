@@ -8,6 +8,7 @@ import badlog.viewer.panel.Code
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
+import badlog.viewer.panel.Line
 import badlog.viewer.panel.Offers
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
@@ -22,11 +23,11 @@ import org.w3c.dom.events.Event
 
 /** Makes nodes of the parts of a panel; the class of each is the first word of its key. What a person does is passed to [send]. */
 internal class PartNodes(private val send: (Action) -> Unit) {
-    private val suggested = ArrayList<List<String>>()
+    private val shared = ArrayList<List<String>>()
 
     /** Returns the [parts] of a panel as nodes. */
     fun of(parts: List<Part>): List<Node> {
-        suggested.clear()
+        shared.clear()
         return nodesOf(parts)
     }
 
@@ -39,7 +40,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         is Buttons -> Node("div", part.className, key = part.key, children = part.buttons.map(::textButton))
         is Offers -> offers(part)
         is Choice -> choice(part)
-        is Code -> Node("pre", part.className, part.text, part.key, attributes = mapOf("tabindex" to "0"))
+        is Code -> code(part)
         is Field -> field(part)
         is Fold -> fold(part)
         is Rows -> rows(part)
@@ -75,7 +76,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     }
 
     private fun offers(offers: Offers): Node {
-        val list = Node("ul", children = offers.buttons.map { Node("li", key = it.label, children = listOf(textButton(it))) })
+        val list = Node("ul", children = offers.buttons.map { Node("li", children = listOf(textButton(it))) })
         val title = Node("h3", text = offers.title)
         return Node(
             "section",
@@ -84,6 +85,12 @@ internal class PartNodes(private val send: (Action) -> Unit) {
             attributes = mapOf("aria-label" to offers.title),
             children = listOf(title, list),
         )
+    }
+
+    private fun code(code: Code): Node {
+        // Anything that scrolls must react to keys.
+        val attributes = mapOf("tabindex" to "0", "role" to "region", "aria-label" to code.name)
+        return Node("pre", code.className, code.text, code.key, attributes)
     }
 
     private fun choice(choice: Choice): Node {
@@ -98,7 +105,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
             key = choice.key,
             attributes = named,
             children =
-            listOf(Node("span", text = "${choice.name} ")) + options,
+            listOf(Node("span", text = "${choice.name} ", attributes = mapOf("aria-hidden" to "true"))) + options,
         )
     }
 
@@ -108,14 +115,14 @@ internal class PartNodes(private val send: (Action) -> Unit) {
             if (text.isNotEmpty() || field.isSearch) send(field.onText(text))
         }
         // Fields with the same suggestions share their list: there may be thousands.
-        val index = suggested.indexOfFirst { it === field.suggestions }
-        val list = if (index >= 0) index else suggested.size
-        val attributes =
-            mapOf("title" to field.hint) + if (field.suggestions.isEmpty()) emptyMap() else mapOf("list" to "suggestions-$list")
+        val index = shared.indexOfFirst { it === field.suggestions }
+        val list = if (index >= 0) index else shared.size
+        val suggested = if (field.suggestions.isEmpty()) emptyMap() else mapOf("list" to "suggestions-$list", "placeholder" to "a topic…")
+        val attributes = mapOf("title" to field.hint, "value" to field.text) + suggested
         val input = Node("input", attributes = attributes, on = mapOf((if (field.isSearch) "input" else "change") to changed))
         val parts = listOf(Node("span", text = "${field.label} "), input)
         val isFirst = field.suggestions.isNotEmpty() && index < 0
-        if (isFirst) suggested += field.suggestions
+        if (isFirst) shared += field.suggestions
         return Node(
             "label",
             field.className,
@@ -179,7 +186,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun framed(row: Row): List<Node> {
         val lines = row.lines.mapIndexed { i, line ->
-            Node("p", key = "line $i", children = listOf(time(line.time, line.open), Node("span", text = line.text)))
+            Node("p", key = "line $i", children = listOf(time(line.time, line), Node("span", text = line.text)))
         }
         return listOf(Node("div", "incident-text", children = lines + nodesOf(row.below)))
     }
@@ -187,26 +194,16 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     private fun plain(row: Row): List<Node> {
         val line = row.lines.firstOrNull()
         val until = line?.until.orEmpty()
-        val time = line?.let { time(if (until.isEmpty()) it.time else "${it.time} – $until", it.open) }
+        val time = line?.let { time(if (until.isEmpty()) it.time else "${it.time} – $until", it) }
         val texts = listOf(Node("span", "finding-source", row.title)) + row.lines.map { Node("span", text = it.text) }
         val count = if (row.count.isEmpty()) null else Node("span", "unit finding-count", row.count)
         return listOfNotNull(time, Node("span", "finding-text", children = texts + nodesOf(row.below)), count)
     }
 
-    private fun time(text: String, open: Action?): Node = if (open == null) {
-        Node("span", "finding-whole", text)
-    } else {
-        Node(
-            "button",
-            "event-go",
-            text,
-            attributes = mapOf("type" to "button", "title" to "Zoom to it"),
-            on = mapOf(
-                "click" to { _: Event ->
-                    send(open)
-                },
-            ),
-        )
+    private fun time(text: String, line: Line): Node {
+        val open = line.open ?: return Node("span", "finding-whole", text)
+        val attributes = mapOf("type" to "button", "title" to line.hint)
+        return Node("button", "event-go", text, attributes = attributes, on = mapOf("click" to { _: Event -> send(open) }))
     }
 
     private fun textButton(button: Button) = Node(
@@ -234,7 +231,8 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
 private val PartIcon.icon: Icon
     get() = when (this) {
-        PartIcon.PREVIOUS, PartIcon.NEXT -> Icon.BACK
+        PartIcon.PREVIOUS -> Icon.BACK
+        PartIcon.NEXT -> Icon.CHEVRON
         PartIcon.AGAIN -> Icon.RESET
         PartIcon.PIN -> Icon.PIN
         PartIcon.ADD -> Icon.PLUS

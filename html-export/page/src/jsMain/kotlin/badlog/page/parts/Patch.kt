@@ -13,8 +13,9 @@ internal fun HTMLElement.patch(nodes: List<Node>) {
     val known = HashMap<String, HTMLElement>()
     for (child in children.asList()) known[child.asDynamic().badlogId as String? ?: continue] = child.unsafeCast<HTMLElement>()
     val ids = nodes.mapIndexed { i, node -> "${node.tag} ${node.key.ifEmpty { "$i" }}" }
+    val wanted = ids.toHashSet()
     // First, so that those behind them need not be moved, which would take the focus from them.
-    for ((id, child) in known) if (id !in ids) child.remove()
+    for ((id, child) in known) if (id !in wanted) child.remove()
     var place = firstElementChild
     for ((id, node) in ids.zip(nodes)) {
         val child = known[id] ?: made(node, id)
@@ -42,6 +43,7 @@ private fun HTMLElement.update(node: Node) {
     if (className != node.className) className = node.className
     for (name in before?.attributes.orEmpty().keys) if (name !in node.attributes) removeAttribute(name)
     for ((name, value) in node.attributes) if (getAttribute(name) != value) setAttribute(name, value)
+    if (node.text == null && before?.text != null) textContent = ""
     if (node.text != null) {
         showText(node.text)
     } else if (node.icon == null) {

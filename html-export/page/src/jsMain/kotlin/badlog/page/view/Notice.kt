@@ -33,6 +33,13 @@ internal class Notice {
         timer = window.setTimeout(::hide, FIRST + said.length * PER_LETTER)
     }
 
+    /** Shows [sentence] with a button called [label], which does [choose]. */
+    fun offer(sentence: String, label: String, choose: () -> Unit) {
+        display(sentence) {}
+        addChoice(label, choose)
+        timer = window.setTimeout(::hide, FIRST + sentence.length * PER_LETTER)
+    }
+
     /** Shows [progress] until the next sentence, unless a question waits for its answer; closing it calls [onCancel]. */
     fun show(progress: String, onCancel: () -> Unit) {
         if (!isAsking) display(progress, onCancel)
@@ -47,11 +54,13 @@ internal class Notice {
     fun ask(question: String, vararg choices: Pair<String, () -> Unit>) {
         display(question) {}
         isAsking = true
-        for ((label, choose) in choices) {
-            text.addButton("", label) {
-                hide()
-                choose()
-            }
+        for ((label, choose) in choices) addChoice(label, choose)
+    }
+
+    private fun addChoice(label: String, choose: () -> Unit) {
+        text.addButton("", label) {
+            hide()
+            choose()
         }
     }
 

@@ -23,6 +23,7 @@ internal val LOGGED: Map<String, LoggedValue> = mapOf(
     "brownout voltage" to number("Brownout Voltage", "V", "RobotController.getBrownoutVoltage()"),
     "total current" to number("PDP/Total Current", "A", "powerDistribution.getTotalCurrent()"),
     "channel current" to number("PDP/Current 0", "A", "powerDistribution.getCurrent(0)"),
+    "rail faults" to number("3.3V Rail/Fault Count", "ul", "RobotController.getFaultCount3V3()"),
     "robot enabled" to condition("Robot/Enabled", "DriverStation.isEnabled()"),
     "robot autonomous" to condition("Robot/Autonomous", "DriverStation.isAutonomous()"),
     "robot teleop" to condition("Robot/Teleop", "DriverStation.isTeleop()"),
@@ -33,7 +34,7 @@ internal val LOGGED: Map<String, LoggedValue> = mapOf(
     "CAN load" to number("CAN Utilization", "%", "RobotController.getCANStatus().percentBusUtilization * 100"),
     "CAN errors" to number("CAN Receive Errors", "ul", "RobotController.getCANStatus().receiveErrorCount"),
     "CPU temperature" to number("CPU Temperature", "°C", "RobotController.getCPUTemp()"),
-    "motor output" to number("Arm/Output", "fraction", "motor.get()"),
+    "motor output" to number("Arm/Motor Output", "fraction", "motor.get()"),
     "motor voltage" to number("Arm/Motor Voltage", "V", "motor.getMotorVoltage().getValueAsDouble()"),
     "motor current" to number("Arm/Current", "A", "motor.getSupplyCurrent().getValueAsDouble()"),
     "stator current" to number("Arm/Stator Current", "A", "motor.getStatorCurrent().getValueAsDouble()"),
@@ -47,7 +48,7 @@ internal val LOGGED: Map<String, LoggedValue> = mapOf(
     "compressor" to condition("Pneumatics/Compressor", "compressor.isEnabled()"),
 )
 
-private val OF_DRIVER_STATION = setOf("trip time", "packet loss", "wireless signal", "CPU load", "free memory", "free disk", "rail faults")
+private val OF_DRIVER_STATION = setOf("trip time", "packet loss", "wireless signal", "CPU load", "free memory", "free disk")
 
 private fun number(topic: String, unit: String, value: String) = LoggedValue(topic, unit, value, isBoolean = false)
 

@@ -17,8 +17,9 @@ class HowToLogSpec : FunSpec({
     for ((signal, logged) in LOGGED) {
         test("what is logged for $signal is recognized as that, with its unit or, as WPILib's NetworkTables have it, without") {
             for (unit in listOf(logged.unit.takeIf { it != "ul" }.orEmpty(), "")) {
-                // As a WPILOG of NetworkTables has it, and as a bag does.
-                for (name in listOf("NT:/SmartDashboard/${logged.topic}", logged.topic)) {
+                // As NetworkTables, AdvantageKit, Epilogue and DogLog, and a bag have it.
+                for (folder in listOf("NT:/SmartDashboard/", "/RealOutputs/", "/Robot/", "")) {
+                    val name = folder + logged.topic
                     val topics = SignalTopics(signals, Vocabulary(listOf(Signal(name, if (logged.isBoolean) SignalKind.CONDITION else SignalKind.NUMBER, unit)), hasTime = true), timeTopic = null)
                     topics.of(signal).map { it.topic } shouldContain name
                 }
@@ -30,12 +31,12 @@ class HowToLogSpec : FunSpec({
         LoggingLibrary.entries.map { howToLog("battery", it) } shouldBe listOf(
             """SmartDashboard.putNumber("Battery Voltage", RobotController.getBatteryVoltage());""",
             """Logger.recordOutput("Battery Voltage", RobotController.getBatteryVoltage());""",
-            """@Logged(name = "Battery Voltage") double batteryVoltage() { return RobotController.getBatteryVoltage(); }""",
+            """@Logged(name = "Battery Voltage") public double batteryVoltage() { return RobotController.getBatteryVoltage(); }""",
             """DogLog.log("Battery Voltage", RobotController.getBatteryVoltage());""",
             """SignalLogger.writeDouble("Battery Voltage", RobotController.getBatteryVoltage(), "V");""",
             """BadLog.createTopicDouble("Battery Voltage", "V", () -> RobotController.getBatteryVoltage());""",
         )
-        howToLog("robot enabled", LoggingLibrary.EPILOGUE).orEmpty() shouldContain "boolean robotEnabled() { return"
+        howToLog("robot enabled", LoggingLibrary.EPILOGUE).orEmpty() shouldContain "public boolean robotEnabled() { return"
         howToLog("robot enabled", LoggingLibrary.PHOENIX) shouldBe """SignalLogger.writeBoolean("Robot/Enabled", DriverStation.isEnabled());"""
         howToLog("no such signal", LoggingLibrary.BADLOG) shouldBe null
     }

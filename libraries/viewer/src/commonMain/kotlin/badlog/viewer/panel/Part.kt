@@ -60,10 +60,10 @@ class Choice(override val key: String, val name: String, val options: List<Optio
 /** One of a [Choice], called [label]. */
 class Option(val label: String, val isOn: Boolean, val action: Action)
 
-/** Lines of a program. */
-class Code(override val key: String, val text: String) : Part
+/** Lines of a program, called [name] by screen readers. */
+class Code(override val key: String, val name: String, val text: String) : Part
 
-/** Parts that a press on [title] shows or hides. */
+/** Parts that a press on [title] shows or hides; while it is not open, [parts] need not be known. */
 class Fold(override val key: String, val title: String, val isOpen: Boolean, val toggle: Action, val parts: List<Part>) : Part
 
 /**
@@ -126,6 +126,7 @@ class Row(
  * @property since the same on the robot's clock, from when it was first enabled; null where it is unknown.
  * @property name what a screen reader calls it, where it is not all of a row.
  * @property open what a press on it does; null for nothing.
+ * @property hint what a press on it does, in words.
  * @property isCurrent whether it is what a person went to.
  */
 class Line(
@@ -135,5 +136,6 @@ class Line(
     val since: String? = null,
     val name: String = "",
     val open: Action? = null,
+    val hint: String = "",
     val isCurrent: Boolean = false,
 )

@@ -5,7 +5,7 @@ import badlog.viewer.draw.mark.FindingPlace
 
 /** Returns what [action] leads to from this state of a log of which [shown] is known. */
 internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = when (action) {
-    is FindingAction.GoTo -> visiting(shown, action.place, FindingRequest.Show(action.place, action.incident, action.isWhole))
+    is FindingAction.GoTo -> visiting(action.place, FindingRequest.Show(action.place, action.incident, action.isWhole))
     is FindingAction.StepWithin -> steppedWithin(shown, action.steps)
     is FindingAction.Search -> findings { copy(query = action.text, listed = null) }
     FindingAction.ListMore -> findings { copy(listed = (listed ?: 0) + FINDINGS_AT_A_TIME) }
@@ -20,7 +20,7 @@ internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = w
 internal fun ViewerState.nextFinding(shown: Shown, steps: Int): Outcome {
     val step = shown.found?.order?.beside(place.visited?.finding, place.cursors.x ?: Double.NaN, steps)
     if (step == null) return Outcome(this, FindingRequest.SayNone)
-    return visiting(shown, step.place, FindingRequest.Show(step.place, step.incident, step.incident != null, step.spoken))
+    return visiting(step.place, FindingRequest.Show(step.place, step.incident, step.incident != null, step.spoken))
 }
 
 private fun ViewerState.findings(step: FindingsState.() -> FindingsState) = Outcome(copy(findings = findings.step()))
@@ -28,18 +28,10 @@ private fun ViewerState.findings(step: FindingsState.() -> FindingsState) = Outc
 private fun ViewerState.steppedWithin(shown: Shown, steps: Int): Outcome {
     val visited = place.visited ?: return Outcome(this)
     val next = shown.found?.timeline?.within(visited.finding, visited.span.from, steps) ?: return Outcome(this)
-    return visiting(shown, next, FindingRequest.Show(next, shown.found?.incidentOf(next.finding), isWhole = false))
+    return visiting(next, FindingRequest.Show(next, shown.found?.incidentOf(next.finding), isWhole = false))
 }
 
-/** Goes to [goal], whose finding is then listed, and makes [request]. */
-private fun ViewerState.visiting(shown: Shown, goal: FindingPlace<Finding>, request: Request): Outcome {
-    val beside = shown.found?.foundBy(findings.query)?.beside
-    val index = beside?.run { (outside + within).indexOf(goal.finding) } ?: -1
-    val isWithin = beside != null && goal.finding in beside.within
-    val listed = if (index >= FEW_FINDINGS) maxOf(index + 1, findings.listed ?: 0) else findings.listed
-    val unfolded = findings.copy(listed = listed, isWithinOpen = findings.isWithinOpen || isWithin)
-    return Outcome(copy(place = place.visiting(goal), findings = unfolded), request)
-}
+private fun ViewerState.visiting(goal: FindingPlace<Finding>, request: Request) = Outcome(at(place.visiting(goal)), request)
 
 /** The number of findings beside incidents that are listed until a person asks for more. */
 internal const val FEW_FINDINGS = 5

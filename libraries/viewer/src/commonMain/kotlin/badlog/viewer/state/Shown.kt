@@ -13,7 +13,7 @@ interface Shown {
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan>
 
-    /** What rules found; null until they have run. */
+    /** What was found; null while nothing is known. */
     val found: FoundInLog?
 
     /** The graphs of the board that can be drawn of the log. */

@@ -14,9 +14,6 @@ interface StateCell {
  * @param perform does what only the shell can do.
  */
 class Store(private val cell: StateCell, private val shown: Shown, private val perform: (Request) -> Unit) {
-    /** The current state. */
-    val state: ViewerState get() = cell.state
-
     /** Lets [action] change the state, and then does what it asks of the shell. */
     fun send(action: Action) {
         val outcome = reduce(cell.state, shown, action)

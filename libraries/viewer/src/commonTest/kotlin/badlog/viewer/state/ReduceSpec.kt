@@ -105,16 +105,13 @@ class ReduceSpec : FunSpec({
 
     fun ViewerState.after(action: Action, found: FoundInLog = FoundInLog(listOf(early, late))) = reduce(this, Log(board, found = found), action)
 
-    test("going to a finding lists it, whatever is searched, folded or not listed yet, and asks for its evidence") {
-        val many = FoundInLog(List(400) { found("Rule $it", Severity.NOTE, Span(it / 5.0, it / 5.0)) })
-        val goal = many.all[350]
-        val outcome = beginning.after(FindingAction.GoTo(goal.firstPlace, null), many)
-        outcome.state.findings.listed shouldBe 351
-        outcome.state.place.visited?.finding shouldBe goal
+    test("going to a finding asks for its evidence, and more findings are listed on request") {
+        val outcome = beginning.after(FindingAction.GoTo(late.firstPlace, null))
+        outcome.state.place.visited?.finding shouldBe late
         outcome.request shouldBe FindingRequest.Show(outcome.state.place.visited!!, null, isWhole = false)
-        beginning.after(FindingAction.GoTo(many.all[3].firstPlace, null), many).state.findings.listed shouldBe null
-        outcome.state.after(FindingAction.ListFew, many).state.findings.listed shouldBe null
-        beginning.after(FindingAction.ListMore, many).state.findings.listed shouldBe 300
+        outcome.state.findings shouldBe beginning.findings
+        beginning.after(FindingAction.ListMore).state.findings.listed shouldBe 300
+        beginning.after(FindingAction.ListMore).state.after(FindingAction.ListFew).state.findings.listed shouldBe null
     }
 
     test("steps within a finding stop at its last place, and go nowhere before a finding was gone to") {
@@ -144,7 +141,7 @@ class ReduceSpec : FunSpec({
         val asked = ArrayList<Request>()
         val store = Store(cell, log, asked::add)
         store.send(Action.Press(KeyAction.NEXT_FINDING))
-        store.state.place.visited?.finding shouldBe early
+        cell.state.place.visited?.finding shouldBe early
         asked.single().shouldBeInstanceOf<FindingRequest.Show>().spoken shouldBe "error: Early. Early"
     }
 

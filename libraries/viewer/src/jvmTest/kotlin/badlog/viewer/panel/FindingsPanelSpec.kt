@@ -107,6 +107,15 @@ class FindingsPanelSpec : FunSpec({
         more.filterIsInstance<Rows>().single().isLong shouldBe true
         more.buttons().filter { it.label.startsWith("Show") }.map { it.label } shouldBe listOf("Show 100 more", "Show fewer")
         findingsPanel(shown(many(8), room = FindingsRoom.NARROW)).rows().size shouldBe 1
+        for ((room, listed) in listOf(FindingsRoom.SHARED to 6, FindingsRoom.NARROW to 2)) {
+            val all = many(8)
+            val visiting = findingsPanel(shown(all, visited = all.all[6], room = room))
+            visiting.rows().size shouldBe listed
+            visiting.rows().single { it.isCurrent }.title shouldBe "Rule 6"
+            visiting.filterIsInstance<Rows>().single().isLong shouldBe false
+        }
+        val seven = many(7)
+        findingsPanel(shown(seven, visited = seven.all[6], room = FindingsRoom.SHARED)).rows().size shouldBe 7
         findingsPanel(shown(many(400))).rows().size shouldBe 400
     }
 
@@ -158,12 +167,15 @@ class FindingsPanelSpec : FunSpec({
         val first = parts(FindingsState(isSkippedOpen = true))
         first.filterIsInstance<Code>().single().text shouldBe """SmartDashboard.putNumber("Battery Voltage", RobotController.getBatteryVoltage());"""
         val options = first.filterIsInstance<Choice>().single().options
-        options.map { it.label } shouldBe listOf("WPILib", "AdvantageKit", "Epilogue", "DogLog", "Phoenix", "badlog")
+        options.map { it.label } shouldBe listOf("WPILib", "AdvantageKit", "Epilogue", "DogLog", "Phoenix 6", "badlog")
         options.filter { it.isOn }.map { it.label } shouldBe listOf("WPILib")
         options[3].action shouldBe FindingAction.ShowLines(LoggingLibrary.DOGLOG)
-        parts(FindingsState(library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
+        parts(FindingsState(isSkippedOpen = true, library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
             """DogLog.log("Battery Voltage", RobotController.getBatteryVoltage());"""
-        first.filterIsInstance<Paragraph>().first().text shouldBe "“packet loss” is in the Driver Station's log only: open that beside this one."
+        first.filterIsInstance<Paragraph>().take(2).map { it.text } shouldBe listOf(
+            "In robotPeriodic(), with DataLogManager.start() in the robot's constructor.",
+            "“packet loss” is in the Driver Station's log: open that beside this one.",
+        )
     }
 
     test("a team says what becomes of a finding where it has a list, and what it said stands below the finding") {
@@ -186,7 +198,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("signals that a person assigned are listed, to be forgotten or saved") {
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, assigned = mapOf("battery" to "Volts"), room = FindingsRoom.SHARED))
-        parts.filterIsInstance<Paragraph>().single().run {
+        parts.filterIsInstance<Paragraph>().single { it.key.startsWith("signals-chosen") }.run {
             text shouldBe "“battery” is “Volts” in this browser."
             button?.action shouldBe Action.Ask(FindingRequest.Forget("battery"))
         }
@@ -194,7 +206,7 @@ class FindingsPanelSpec : FunSpec({
     }
 
     test("no two rows have the same key, even if a hook reports the same twice") {
-        val twice = FoundInLog(listOf(early, found("Early", Severity.ERROR, Span(10.0, 12.5)), late), ran = 1)
+        val twice = FoundInLog(listOf(early, found("Early", Severity.ERROR, Span(10.0, 12.5)), found("Early null 1", Severity.ERROR), late), ran = 1)
         findingsPanel(shown(twice)).rows().map { it.key }.shouldBeUnique()
     }
 

@@ -30,7 +30,11 @@ data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? =
         return Notebook(inOrder(notes - setOfNotNull(written.replaced) + Note(written.x, written.text.trim())))
     }
 
+    /** Removes [note]. */
     fun without(note: Note): Notebook = copy(notes = notes - note)
+
+    /** Takes back that [note] was removed. */
+    fun restored(note: Note): Notebook = if (note in notes) this else with(notes + note)
 
     /** Shows [notes] instead, for example because another window has changed them; the draft stays. */
     fun with(notes: List<Note>): Notebook = copy(notes = inOrder(notes))
@@ -46,3 +50,6 @@ data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? =
  * @property replaced the note that it changes; null for a new one.
  */
 data class NoteDraft(val x: Double, val text: String, val replaced: Note?)
+
+/** What is said when the note at the time [moment] was removed. */
+fun removedText(moment: String): String = "The note at $moment was removed."

@@ -19,17 +19,21 @@ import badlog.viewer.text.word
 import badlog.viewer.todo.taskOf
 
 /** Returns [incidents] as rows: what came first and what followed, each linked to its place; null for none. */
-internal fun incidentRows(shown: FindingsShown, incidents: List<Incident>): Rows? =
-    if (incidents.isEmpty()) null else Rows("incidents", "Incidents", incidents.map { incidentRow(shown, it) })
+internal fun incidentRows(shown: FindingsShown, incidents: List<Incident>): Rows? = if (incidents.isEmpty()) {
+    null
+} else {
+    val keys = UniqueKeys()
+    Rows("incidents", "Incidents", incidents.map { incidentRow(shown, it, keys.of("incident ${it.name}$SEPARATOR${it.time}")) })
+}
 
-private fun incidentRow(shown: FindingsShown, incident: Incident): Row {
+private fun incidentRow(shown: FindingsShown, incident: Incident, key: String): Row {
     val current = shown.visited?.finding
     val sentences = incident.sentences
     val first = sentences.first().finding
     val open = sentences.map { it.finding }.firstOrNull { it.time.isFinite() }
     val read = sentences.map { it.finding }.find { it === current }
     return Row(
-        "incident ${incident.name} ${incident.time}",
+        key,
         incident.severity,
         "Incident: ${incident.name}",
         incident.name,
@@ -44,14 +48,8 @@ private fun incidentRow(shown: FindingsShown, incident: Incident): Row {
 
 /** Returns [findings] as rows: severity, time, rule, text. */
 internal fun findingRows(shown: FindingsShown, findings: List<Finding>): List<Row> {
-    // A hook may report the same twice.
-    val times = HashMap<String, Int>()
-    return findings.map { finding ->
-        val name = "finding ${finding.rule} ${finding.topic}"
-        val before = times[name] ?: 0
-        times[name] = before + 1
-        findingRow(shown, finding, if (before == 0) name else "$name $before")
-    }
+    val keys = UniqueKeys()
+    return findings.map { findingRow(shown, it, keys.of("finding ${it.rule}$SEPARATOR${it.topic}")) }
 }
 
 private fun findingRow(shown: FindingsShown, finding: Finding, key: String): Row {
@@ -82,7 +80,8 @@ private fun lineOf(shown: FindingsShown, finding: Finding, text: String, inciden
         until = if (incident == null && end > finding.time) shown.times.logged(end) else "",
         since = shown.times.sinceEnabled(finding.time),
         name = if (incident == null) "" else "Finding, ${finding.severity.word}: ${finding.rule}",
-        open = if (isPlaced || incident != null) goTo(finding, incident, isWhole = false) else null,
+        open = goTo(finding, incident, isWhole = false),
+        hint = if (isPlaced) "Zoom to it" else "Show its graphs",
         isCurrent = finding === shown.visited?.finding,
     )
 }
@@ -96,3 +95,18 @@ private fun pin(finding: Finding, incident: Incident?) =
 /** Returns what to look at [next] as a part; none if that is empty. */
 internal fun nextOf(next: String): List<Part> =
     if (next.isEmpty()) emptyList() else listOf(Paragraph("incident-next", "Next: $next", Tone.MUTED))
+
+/** Makes keys that no other row has: a hook may report the same twice. */
+private class UniqueKeys {
+    private val times = HashMap<String, Int>()
+
+    /** Returns [name], or [name] with a number if it was returned before. */
+    fun of(name: String): String {
+        val before = times[name] ?: 0
+        times[name] = before + 1
+        return if (before == 0) name else "$name$SEPARATOR$before"
+    }
+}
+
+/** No name of a rule or topic has it. */
+private const val SEPARATOR = '\u0000'

@@ -2,6 +2,7 @@ package badlog.viewer.panel.finding
 
 import badlog.core.recording.Severity
 import badlog.rules.Finding
+import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import badlog.signals.logging.LoggingLibrary
 import badlog.signals.logging.howToLog
@@ -45,12 +46,12 @@ fun findingsPanel(shown: FindingsShown): List<Part> {
     return listOfNotNull(
         heading(shown, found, searched),
         rulesLine(shown, found),
+        search(shown, found),
+        hidden(searched),
         shown.state.refusal?.let { Trouble("refusal", Severity.WARNING, it) },
         changes(shown.differences),
     ) + troubles(found) + listOfNotNull(
-        search(shown, found),
         incidentRows(shown, listed.incidents),
-        hidden(searched),
         Rows("findings-list", TITLE, findingRows(shown, listed.findings), isLong),
         more(shown, listed),
         within(shown, searched),
@@ -86,8 +87,12 @@ private fun heading(shown: FindingsShown, found: FoundInLog, searched: SearchedF
     )
 }
 
-private fun rulesLine(shown: FindingsShown, found: FoundInLog): Part? =
-    if (shown.room == FindingsRoom.WHOLE) Paragraph("rules", "Rules: ${found.rules ?: "built-in"}.", Tone.MUTED) else null
+private fun rulesLine(shown: FindingsShown, found: FoundInLog): Part? = if (shown.room == FindingsRoom.WHOLE) {
+    val others = if (shown.isComparing) " Findings of the open log only, not of compared logs." else ""
+    Paragraph("rules", "Rules: ${found.rules ?: "built-in"}.$others", Tone.MUTED)
+} else {
+    null
+}
 
 private fun changes(differences: List<Finding>): Part? = if (differences.isEmpty()) {
     null
@@ -145,7 +150,9 @@ private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): Li
     val incidents = searched.incidents.filterIndexed { i, incident ->
         i == 0 || !isNarrow || wanted != null || (current != null && current in incident)
     }
-    val findings = all.take(count)
+    // Whatever a person went to is listed.
+    val visited = all.indexOfFirst { it === current }
+    val findings = all.take(count) + if (visited >= count) listOf(all[visited]) else emptyList()
     return Listed(incidents, findings, all.size - findings.size + searched.incidents.size - incidents.size)
 }
 
@@ -162,14 +169,14 @@ private fun more(shown: FindingsShown, listed: Listed): Part? {
 private fun within(shown: FindingsShown, searched: SearchedFindings): Part? {
     val within = searched.beside.within
     if (shown.room != FindingsRoom.WHOLE || within.isEmpty()) return null
-    val isOpen = shown.state.isWithinOpen || shown.state.query.isNotEmpty()
+    val isOpen = shown.state.isWithinOpen || shown.state.query.isNotEmpty() || within.any { it === shown.visited?.finding }
     val title = "${countText(within.size, "more finding")}, part of the incidents"
     return Fold(
         "findings-within",
         title,
         isOpen,
         FindingAction.ToggleWithin,
-        listOf(Rows("findings-list", title, findingRows(shown, within))),
+        if (isOpen) listOf(Rows("findings-list", title, findingRows(shown, within))) else emptyList(),
     )
 }
 
@@ -177,27 +184,43 @@ private fun skipped(shown: FindingsShown, found: FoundInLog): Part? {
     val notLookedAt = found.notLookedAt ?: return null
     val lacking = found.skipped.filter { !it.isMistake }
     if (lacking.isEmpty()) return null
-    val signals = notLookedAt.lacking.take(MOST_LACKING)
+    val isOpen = shown.state.isSkippedOpen
+    val parts = if (isOpen) lacking(shown, notLookedAt.lacking.take(MOST_LACKING), lacking) else emptyList()
+    return Fold("findings-skipped", notLookedAt.text, isOpen, FindingAction.ToggleSkipped, parts)
+}
+
+/** Returns what can be done about [signals], which the rules [skipped] lack, and these rules. */
+private fun lacking(shown: FindingsShown, signals: List<String>, skipped: List<SkippedRule>): List<Part> {
+    val where = if (shown.room == FindingsRoom.WHOLE) " in all logs of this folder" else ""
     val fields = signals.map { signal ->
-        Field("signals-lacking $signal", "“$signal” is", "Choose the topic for “$signal”", suggestions = shown.topics) {
+        Field("signals-lacking $signal", "“$signal” is", "Choose the topic for “$signal”$where", suggestions = shown.topics) {
             Action.Ask(FindingRequest.Assign(signal, it))
         }
     }
-    val rules = lacking.map { Paragraph("rule ${it.rule}", "${it.rule}: ${it.message}", Tone.MUTED) }
-    val parts = fields + howToLog(shown.state.library, signals) + rules
-    return Fold("findings-skipped", notLookedAt.text, shown.state.isSkippedOpen, FindingAction.ToggleSkipped, parts)
+    return fields + howToLog(shown.state.library, signals) +
+        skipped.map { Paragraph("rule ${it.rule}", "${it.rule}: ${it.message}", Tone.MUTED) }
 }
 
 /** Returns the lines with which [library] logs those of [signals] that a program can log. */
 private fun howToLog(library: LoggingLibrary, signals: List<String>): List<Part> {
-    val lines = signals.mapNotNull { howToLog(it, library) }
+    val lines = signals.mapNotNull { howToLog(it, library) }.distinct()
     val ofStation = signals.filter(::isOfDriverStation).map { signal ->
-        Paragraph("station $signal", "“$signal” is in the Driver Station's log only: open that beside this one.", Tone.MUTED)
+        Paragraph("station $signal", "“$signal” is in the Driver Station's log: open that beside this one.", Tone.MUTED)
     }
     if (lines.isEmpty()) return ofStation
     val options = LoggingLibrary.entries.map { Option(it.title, it == library, FindingAction.ShowLines(it)) }
-    return listOf(Choice("logging-library", "How to log what is missing, with", options), Code("logging-lines", lines.joinToString("\n"))) +
-        ofStation
+    return listOf(
+        Choice("logging-library", "How to log what is missing, with", options),
+        Paragraph("logging-place", library.place, Tone.MUTED),
+        Code("logging-lines", "Lines to write", lines.joinToString("\n")),
+    ) + objects(lines) + ofStation
+}
+
+/** Returns whose objects [lines] call, if they call any. */
+private fun objects(lines: List<String>): List<Part> = if (lines.any { "getValueAsDouble" in it }) {
+    listOf(Paragraph("logging-objects", "Motors and gyros are those of Phoenix 6; write yours in their place.", Tone.MUTED))
+} else {
+    emptyList()
 }
 
 private fun assigned(shown: FindingsShown): List<Part> {

@@ -21,6 +21,7 @@ import badlog.viewer.todo.TodoList
  * @property assigned the signals that a person assigned to topics of the log, by name.
  * @property todo the team's list; null where there is none.
  * @property details what is shown below the finding that was gone to; null where the shell shows it elsewhere.
+ * @property isComparing whether other logs are drawn, too.
  * @property room how much room there is.
  */
 class FindingsShown(
@@ -34,6 +35,7 @@ class FindingsShown(
     val assigned: Map<String, String> = emptyMap(),
     val todo: TodoList? = null,
     val details: FindingDetails? = null,
+    val isComparing: Boolean = false,
     val room: FindingsRoom = FindingsRoom.WHOLE,
 )
 

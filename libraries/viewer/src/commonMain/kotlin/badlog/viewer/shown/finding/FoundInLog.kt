@@ -33,12 +33,16 @@ class FoundInLog(
     val all: List<Finding> get() = timeline.worstFirst
 
     private val search = FindingSearch(all, incidents)
+    private val ofIncidents: Map<Finding, Incident> by lazy {
+        // A finding of several belongs to the worst.
+        incidents.asReversed().flatMap { incident -> (incident.causes + incident.effects).map { it to incident } }.toMap()
+    }
     private var last: Pair<String, SearchedFindings>? = null
 
     /** What could not be looked at; null until the rules have run. */
     val notLookedAt: NotLookedAt? = ran?.let { NotLookedAt(it, skipped) }
 
-    /** The names of the topics that a finding is about. */
+    /** The names of the topics that the findings are about. */
     val topics: Set<String> = all.flatMapTo(HashSet()) { it.evidence }
 
     /** The order in which keys go through the findings. */
@@ -48,7 +52,7 @@ class FoundInLog(
     val worst: Severity? get() = all.maxOfOrNull { it.severity }
 
     /** Returns the incident that [finding] is part of; null for none. */
-    fun incidentOf(finding: Finding): Incident? = incidents.find { finding in it }
+    fun incidentOf(finding: Finding): Incident? = ofIncidents[finding]
 
     /** Returns the finding that corresponds to [finding], which may be a new object because the log has grown; null for none. */
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }

@@ -31,6 +31,11 @@ class NotebookSpec : FunSpec({
         Notebook(listOf(hit)).begun(1.0).typed("a").with(listOf(jam, hit)).kept().notes shouldBe listOf(Note(1.0, "a"), hit, jam)
     }
 
+    test("a removal can be taken back, also after other notes were written, and only once") {
+        Notebook(listOf(hit, jam)).without(hit).begun(5.0).typed("slow").kept().restored(hit).notes shouldBe listOf(hit, Note(5.0, "slow"), jam)
+        Notebook(listOf(hit, jam)).restored(hit).notes shouldBe listOf(hit, jam)
+    }
+
     test("a log that has as many notes as it can takes no more") {
         val all = List(Note.MAX_NOTES) { Note(it.toDouble(), "a") }
         Notebook(all).fullness shouldBe "This log has 1000 notes; remove one first."
