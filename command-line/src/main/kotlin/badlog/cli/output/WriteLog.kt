@@ -1,12 +1,14 @@
 package badlog.cli.output
 
 import badlog.cli.input.FileName
+import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.files.GzipReader
 import badlog.files.reading
 import badlog.files.terminal.Progress
 import badlog.files.unpacked
 import badlog.files.writeAtomically
+import badlog.formats.wpilog.Omission
 import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
@@ -31,8 +33,14 @@ internal fun writeLog(
     format.require(recording, target)
     return newLog(target) { stream ->
         format.write(recording, runs, changesOnly, progress::advanced) { bytes, size -> stream.write(bytes, 0, size) }
-    }
+    } + roundedIn(recording)
 }
+
+/** Returns the whole numbers that were rounded when [recording] was read. */
+private fun roundedIn(recording: Recording): Omissions = Omissions(
+    omissions = recording.problems.filter { it.kind == ProblemKind.NUMBERS_ROUNDED }
+        .map { Omission(it.topic, "Whole numbers beyond 2^53 are rounded.", it.count) },
+)
 
 /**
  * Creates [target] with what [write] writes, atomically; gzipped if its name ends in `.gz`.

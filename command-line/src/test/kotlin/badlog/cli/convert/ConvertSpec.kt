@@ -49,6 +49,16 @@ class ConvertSpec : FunSpec({
         }
     }
 
+    test("whole numbers that no double holds are listed, and so is what a CSV file of a spreadsheet says") {
+        inFolder { folder ->
+            val log = folder.with("a.csv", "Time;ID\n" + (0 until 5).joinToString("") { "0,0$it;${9007199254740993L + 2 * it}\n" })
+            val json = badlogJson("convert", log, "--to", "bag").json.single()
+            json.getValue("leftOut").jsonArray.map { it.jsonPrimitive.content } shouldContainExactly
+                listOf("“ID”: Whole numbers beyond 2^53 are rounded (5).")
+            (folder / "a.bag").readText().lines()[2] shouldBe "0,9007199254740992"
+        }
+    }
+
     test("the name after --out shows the format, and whether to compress") {
         inFolder { folder ->
             badlog("convert", folder.with("a.bag", BAG), "-o", folder / "b.csv.gz").code shouldBe ExitCode.WHOLE

@@ -39,41 +39,37 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private fun possible(logs: Collection<F>) = logs.mapNotNull(::candidate).filterNot { isOfAnother(it.station.match) }
 
-    /** Returns the one of [candidates], which are of about the same time of day, that no other log can be better than; null if there is none. */
+    /** Returns the one of [candidates] that no log of another time of day can be better than; null if there is none. */
     private fun sure(candidates: List<Candidate<F>>): Candidate<F>? {
-        val same = candidates.filter { isOfSame(it.station.match) }
-        if (same.isNotEmpty()) return same.singleOrNull() ?: best(same)
-        if (robot.edges.size < FEWEST_EDGES) return byTime(candidates)
-        return withEdges(candidates).filter { agrees(it, 0.0) }.let { if (it.size > 1) byTime(it) else it.firstOrNull() }
+        val (same, open) = candidates.partition { isOfSame(it.station.match) }
+        if (robot.edges.size < FEWEST_EDGES) return same.singleOrNull() ?: byTime(same) ?: byTime(open)
+        val (own, others) = withEdges(candidates).partition { it in same }
+        return first(own.filter { agrees(it, 0.0) }) ?: first(own.filter(::agreesButForAnHour)) ?: first(others.filter { agrees(it, 0.0) })
     }
 
+    /** Returns the best of [candidates], which are all there are; null if that is not clear. A replayed match has the same number. */
     private fun any(candidates: List<Candidate<F>>, acceptsOnly: Boolean): Candidate<F>? {
-        val same = candidates.filter { isOfSame(it.station.match) }
-        return same.singleOrNull() ?: best(same) ?: best(candidates - same.toSet()) ?: candidates.singleOrNull()?.takeIf { acceptsOnly }
+        sure(candidates)?.let { return it }
+        val (same, open) = candidates.partition { isOfSame(it.station.match) }
+        val withEdges = withEdges(candidates)
+        return withEdges.filter { it in open && agreesButForAnHour(it) }.singleOrNull()
+            ?: same.singleOrNull()
+            ?: withEdges.singleOrNull()
+            ?: byTime(candidates).takeIf { withEdges.isEmpty() }
+            ?: candidates.singleOrNull()?.takeIf { acceptsOnly }
     }
+
+    private fun first(candidates: List<Candidate<F>>) = if (candidates.size > 1) byTime(candidates) else candidates.firstOrNull()
 
     private fun isOfAnother(match: MatchOfLog): Boolean {
         val own = robot.match
-        val isOther = own.number != null && match.number != null && own.number != match.number
-        return isOther ||
-            (own.type != null && match.type != null && MatchType.of(own.type) != MatchType.of(match.type) && !isLoose(own, match))
+        if (own.number != null && match.number != null && own.number != match.number) return true
+        val (one, other) = listOf(own, match).map { MatchType.of(it.type ?: return false) ?: return false }
+        // A log may call a semifinal an elimination.
+        return one != other && !(one in PLAYOFFS && other in PLAYOFFS)
     }
-
-    // A log may call a semifinal an elimination.
-    private fun isLoose(one: MatchOfLog, other: MatchOfLog) = one.kind == other.kind && (one.isPlayoff && other.isPlayoff)
-
-    private val MatchOfLog.isPlayoff: Boolean get() = type?.let { MatchType.of(it) } in PLAYOFFS
 
     private fun isOfSame(match: MatchOfLog) = robot.match.number != null && robot.match.number == match.number
-
-    /** Returns the one of [candidates] that moments of enabling and clocks show; null if that is not clear. */
-    private fun best(candidates: List<Candidate<F>>): Candidate<F>? {
-        val withEdges = withEdges(candidates)
-        return withEdges.filter { agrees(it, 0.0) }.let { if (it.size > 1) byTime(it) else it.firstOrNull() }
-            ?: withEdges.filter { agrees(it, HOUR) || agrees(it, -HOUR) }.singleOrNull()
-            ?: withEdges.singleOrNull()
-            ?: byTime(candidates).takeIf { withEdges.isEmpty() }
-    }
 
     /** Returns those of [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
     private fun withEdges(candidates: List<Candidate<F>>): List<Candidate<F>> {
@@ -88,6 +84,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
         val byEdges = ClockFit.ofEdges(candidate.station.edges, robot.edges, byClocks + ahead) ?: return false
         return byEdges.seconds - byClocks - ahead in -NEAR_CLOCKS..NEAR_CLOCKS
     }
+
+    private fun agreesButForAnHour(candidate: Candidate<F>) = agrees(candidate, HOUR) || agrees(candidate, -HOUR)
 
     private fun clocksOf(station: ClockedLog): Double? = station.start?.let { start -> robot.start?.let { start - it } }
 

@@ -72,7 +72,9 @@ private const val CLOCK = "(\\d{1,2}):(\\d{2})(?::(\\d{2})(?:[.,]\\d+)?)?"
 
 // Newer versions of Java put a narrow space without a break before AM and PM.
 private const val HALF = "(?:[ \u00A0\u202F]?([AaPp]\\.?[Mm]\\.?))?"
-private const val ZONE = "(?: ?([A-Za-z]{1,5}|(?:GMT|UTC|UT)?[+-]\\d{1,2}(?::?\\d{2}(?::?\\d{2})?)?)(?:\\[[A-Za-z0-9_/+-]+])?)?"
+
+// JavaScript needs the closing bracket escaped.
+private const val ZONE = "(?: ?([A-Za-z]{1,5}|(?:GMT|UTC|UT)?[+-]\\d{1,2}(?::?\\d{2}(?::?\\d{2})?)?)(?:\\[[A-Za-z0-9_/+-]+\\])?)?"
 
 /** Each form with what its groups are: year, month, day, hour, minute, second, a.m. or p.m., and zone. */
 private val PATTERNS = listOf(
