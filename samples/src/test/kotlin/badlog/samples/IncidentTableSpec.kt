@@ -3,6 +3,7 @@ package badlog.samples
 import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
 import badlog.rules.BUILT_IN
+import badlog.rules.BUILT_IN_PROVEN
 import badlog.rules.RuleSet
 import badlog.rules.SignalsFile
 import badlog.rules.incident.incidentsIn
@@ -41,7 +42,7 @@ private class Diagnosis(val match: FaultyMatch, val cause: String?) {
 /** The first incidents of the matches of [seeds], to which no rule was fitted. */
 private fun diagnoses(seeds: IntRange): List<Diagnosis> = seeds.toList().parallelStream().map { seed ->
     val match = FaultyMatch.of(seed)
-    val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(match.signals)))
+    val rules = RuleSet.BUILT_IN_PROVEN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(match.signals)))
     val view = LogView.of(BagParser().apply { accept(match.bag()) }.finish())
     Diagnosis(match, rules.incidentsIn(rules.over(view, "$seed.bag").findings).firstOrNull()?.name)
 }.toList()

@@ -49,7 +49,7 @@ internal class FirstScreenSpec : PageSpec({
             incidents().size shouldBe 1
             elements(".finding").count { it.isDisplayed } shouldBe 0
             press("nn")
-            incidents().last().text shouldContain "vision"
+            incidents().last().text shouldContain "the loop stood still"
             incidents().last().getDomAttribute("aria-current") shouldBe "true"
             // Nobody tabs to a list without rows.
             element(".findings-list").getDomAttribute("tabindex") shouldBe null

@@ -58,9 +58,24 @@ fun notesOf(result: ReportResult): List<String> {
     val alone = readable.singleOrNull()?.takeIf { builtIn.isNotEmpty() }
     val unseen =
         alone?.let { (if (it.findings.isEmpty()) "Nothing found. " else "") + notLookedAtText(it.notLookedAt) } ?: builtInText(builtIn)
-    return listOfNotNull(unseen) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
+    val simulated = if (readable.size > 1) simulatedText(readable.filter { it.notLookedAt.simulated != null }) else null
+    return listOfNotNull(unseen, simulated) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
         hookTexts(readable.flatMap { log -> log.hookFailures.map { it to log.file } })
 }
+
+/** Says which of many logs are [simulated]; null for none. */
+private fun simulatedText(simulated: List<LogReport>): String? {
+    if (simulated.isEmpty()) return null
+    val names = simulated.take(MOST_SIMULATED).joinToString { "“${it.file.name}”" }
+    val others = simulated.size - MOST_SIMULATED
+    val all = if (others > 0) "$names and $others more" else names
+    return "${count(
+        simulated.size,
+        "log",
+    )} of a simulation: $all. Rules about power, wear and sensors did not run over ${if (simulated.size == 1) "it" else "them"}."
+}
+
+private const val MOST_SIMULATED = 5
 
 private fun notLookedAtText(notLookedAt: NotLookedAt): String =
     notLookedAt.text + if (notLookedAt.lacking.isEmpty()) "" else " If one of its topics is that signal, say so with badlog assign."

@@ -17,13 +17,13 @@ import kotlinx.serialization.json.jsonObject
 import java.nio.file.Path
 
 /** A minute in which the robot drives, and its arm draws [amps] amperes. */
-private fun match(number: Int, amps: Double, type: String = "Qualification"): String {
+private fun match(number: Int, amps: Double, type: String = "Qualification", mode: String = "REAL"): String {
     val topics = mapOf("Time" to "s", "Enabled" to "ul", "Arm/Current" to "A", "Battery Voltage" to "V", "Total Current" to "A")
     val rows = List(600) { row ->
         val total = 30 + 30 * (row / 20 % 3)
         "${row / 10.0},${row > 20},${amps + row % 2},${12.5 - 0.015 * total - row % 5 * 0.01},$total"
     }
-    return bag(topics, rows, mapOf("Event Name" to "Mill Creek", "Match Type" to type, "Match Number" to "$number"))
+    return bag(topics, rows, mapOf("Event Name" to "Mill Creek", "Match Type" to type, "Match Number" to "$number", "RobotMode" to mode))
 }
 
 private fun Path.season(oddType: String = "Qualification"): Path = resolve("logs").also { logs ->
@@ -45,6 +45,21 @@ class ComparedLogsSpec : FunSpec({
             compared(run()) shouldBe listOf("Mill Creek Qualification 8" to FOUND)
             logs.put("Q9.bag", match(9, 11.0))
             compared(run()).single().second shouldContain "your 8 other matches"
+        }
+    }
+
+    test("a simulation is neither compared nor compared with, and the text says which logs are simulations") {
+        inFolder { folder ->
+            val logs = folder.season()
+            logs.put("Q8.bag", match(8, 21.0, mode = "SIM"))
+            val result = Report().over(logsIn(logs))
+            compared(result).shouldBeEmpty()
+            reportText(result) shouldContain "1 log of a simulation: “Q8.bag”. Rules about power, wear and sensors did not run over it."
+            for (number in 3..7) logs.put("Q$number.bag", match(number, 10.0, mode = "SIM"))
+            logs.put("Q8.bag", match(8, 21.0))
+            val others = Report().over(logsIn(logs))
+            compared(others).shouldBeEmpty()
+            reportText(others) shouldContain "5 logs of a simulation"
         }
     }
 

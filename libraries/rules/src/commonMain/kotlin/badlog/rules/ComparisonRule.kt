@@ -15,6 +15,7 @@ import badlog.core.recording.Severity
  * @property percent the minimum distance from the median, in percent of it.
  * @property findings the maximum number of numbers of a log that become findings, the farthest first.
  * @property others the minimum number of other logs with the number.
+ * @property isOnTrial whether it is a built-in one that has not been proven: a note.
  */
 class ComparisonRule internal constructor(
     val name: String,
@@ -27,6 +28,7 @@ class ComparisonRule internal constructor(
     internal val percent: Double,
     internal val findings: Int,
     internal val others: Int,
+    val isOnTrial: Boolean = false,
 ) {
     internal companion object {
         /** The limits that each comparison has. */

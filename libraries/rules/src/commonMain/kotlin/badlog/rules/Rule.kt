@@ -14,6 +14,7 @@ import badlog.core.recording.Severity
  * @property next what to look at next if it holds, as a sentence; empty if not given.
  * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
  * @param isAboutProgram whether it is about messages of the program and inputs of the drivers, which a simulated robot has, too.
+ * @property isOnTrial whether it is a built-in rule that has not been proven: a note that begins no incident.
  * @property isOncePerEvent whether findings of several topics at the same times are one.
  */
 class Rule internal constructor(
@@ -30,10 +31,11 @@ class Rule internal constructor(
     internal val show: List<String> = emptyList(),
     internal val unless: List<String> = emptyList(),
     internal val isForEachText: Boolean = false,
-    internal val isForWholeLogs: Boolean = false,
+    internal val needs: List<LogEdge> = emptyList(),
     val checklist: String = "",
     private val isAboutProgram: Boolean = false,
     internal val isOncePerEvent: Boolean = false,
+    val isOnTrial: Boolean = false,
 ) {
     /** Whether it is a built-in rule, in which nobody needs to look for a mistake. */
     val isBuiltIn: Boolean get() = place == null

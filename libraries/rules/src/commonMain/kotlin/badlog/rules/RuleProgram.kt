@@ -155,16 +155,22 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val match = rules.signals.matchOf(view.recording, file)
         val run = RuleRun(view.identified(match.title, signals.modes), file, rules.devices, isEverywhere)
         val type = match.type
-        val isPart = view.recording.isPart
         val simulated = simulationIn(view.recording, signals)
         val refusal = simulated?.let { Refusal("the robot was simulated: $it", simulated = it) }
         return steps.asSequence().filter { it.rule.isFor(type) }.map { step ->
             when {
                 refusal != null && !step.rule.isForSimulations -> AskedRule(step.rule, emptyList(), refusal)
-                isPart && step.rule.isForWholeLogs -> AskedRule(step.rule, emptyList(), Refusal(IS_PART))
-                else -> run.ask(step)
+                !step.rule.needs.all(view.recording::has) -> AskedRule(step.rule, emptyList(), Refusal(IS_PART))
+                else -> answerOf(step, run)
             }
         }
+    }
+
+    /** Returns the result of [step]; a rule that fails is skipped, so that the others' findings are kept. */
+    private fun answerOf(step: Step, run: RuleRun): AskedRule = try {
+        run.ask(step)
+    } catch (e: RuntimeException) {
+        AskedRule(step.rule, emptyList(), Refusal("it failed, which is a mistake of badlog: $e"))
     }
 
     /** Returns the rules that are skipped for [recording], which was read from a file called [file], and why. */
@@ -330,7 +336,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         private const val CHANNELS = "channels"
         private const val CHANNEL = "channel current"
 
-        private const val IS_PART = "the log is only part of a log (see its value “$PART_VALUE”)"
+        private const val IS_PART = "the file is only part of a log"
         private const val NO_AXIS = "the log has no x axis"
         private const val NO_PLAN = "no topics for the robot's pose and its planned pose"
         private const val NO_CONDITION = "“when” is a number"

@@ -104,6 +104,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
             next = rule.next,
             caveats = caveatsOf(question),
             isForEach = question.isForEach,
+            isOnTrial = rule.isOnTrial,
             texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )
     }

@@ -69,9 +69,10 @@ private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
     "show" to textsJson(rule.show),
     "unless" to textsJson(rule.unless),
     "eachText" to "true".takeIf { rule.isForEachText },
-    "whole" to "true".takeIf { rule.isForWholeLogs },
+    "needs" to textsJson(rule.needs.map { it.name }),
     "aboutProgram" to "true".takeIf { rule.isBuiltIn && rule.isForSimulations },
     "once" to "true".takeIf { rule.isOncePerEvent },
+    "onTrial" to "true".takeIf { rule.isOnTrial },
     "checklist" to if (hasChecklist) textJson(rule.checklist) else null,
     "place" to rule.place?.let { placeJson(it, rule.condition) },
 )
@@ -91,10 +92,11 @@ private fun ruleOf(value: JsonValue): Rule {
         show = json.strings("show"),
         unless = json.strings("unless"),
         isForEachText = json.isTrue("eachText"),
-        isForWholeLogs = json.isTrue("whole"),
+        needs = LogEdge.entries.filter { it.name in json.strings("needs") },
         checklist = json.optional("checklist").orEmpty(),
         isAboutProgram = json.isTrue("aboutProgram"),
         isOncePerEvent = json.isTrue("once"),
+        isOnTrial = json.isTrue("onTrial"),
     )
 }
 

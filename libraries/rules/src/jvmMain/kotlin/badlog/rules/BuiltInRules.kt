@@ -1,5 +1,6 @@
 package badlog.rules
 
+import badlog.rules.standing.Standing
 import java.io.File
 
 private const val RULES_JSON = "badlog-rules.json"
@@ -7,11 +8,25 @@ private const val RULES_JSON = "badlog-rules.json"
 /** The built-in rules, with the built-in vocabulary. */
 val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 
+/** The built-in rules as they are once all of them are proven, to measure what they find and which causes they name. */
+val RuleSet.Companion.BUILT_IN_PROVEN: RuleSet get() = PROVEN_RULES
+
+private val PROVEN_RULES by lazy { builtInRulesFromToml { _, _ -> Standing.PROVEN } }
 private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource(RULES_JSON))) }
 
-/** Returns the built-in rules as their file says them; reading that takes longer than exporting a small page. */
-internal fun builtInRulesFromToml(): RuleSet =
-    RulesReader(resource(RulesFile.NAME), SignalsFile.parse(SignalsFile.builtInSource), isBuiltIn = true).read().rules
+/**
+ * Returns the built-in rules as their file says them; reading that takes longer than exporting a small page.
+ *
+ * @param standing returns the standing of a rule from its name and the hash of its text.
+ */
+internal fun builtInRulesFromToml(standing: (name: String, hash: String) -> Standing = ::countedStanding): RuleSet =
+    RulesReader(resource(RulesFile.NAME), SignalsFile.parse(SignalsFile.builtInSource), isBuiltIn = true, standing).read().rules
+
+/** Returns the hash of the text of each built-in rule, by its name. */
+internal fun hashesOfBuiltInRules(): Map<String, String> {
+    val rules = TomlText(resource(RulesFile.NAME)).run { tables(root(setOf("rule", "comparison", "cause", "leads_to")), "rule") }
+    return rules.associate { (table, _) -> table.getString("name").orEmpty() to hashOf(table) }
+}
 
 /** Writes the built-in rules as JSON into the folder that the only argument names: a step of the build. */
 internal fun main(arguments: Array<String>) {

@@ -6,6 +6,7 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.rules.number.ComparedSignal
+import badlog.rules.standing.Standing
 import badlog.signals.DERIVED_NAMES
 import badlog.signals.vocabulary.SignalVocabulary
 import org.tomlj.TomlTable
@@ -16,8 +17,14 @@ import kotlin.time.Duration.Companion.seconds
  * Reads a file of rules that refer to topics by [signals]. Throws [RulesException] at the first mistake.
  *
  * @param isBuiltIn whether the file is badlog's own, in which nobody looks for a mistake.
+ * @param standing returns the standing of a built-in rule from its name and the hash of its text.
  */
-internal class RulesReader(private val source: String, private val signals: SignalVocabulary, private val isBuiltIn: Boolean = false) {
+internal class RulesReader(
+    private val source: String,
+    private val signals: SignalVocabulary,
+    private val isBuiltIn: Boolean = false,
+    private val standing: (name: String, hash: String) -> Standing = ::countedStanding,
+) {
     private val toml = TomlText(source)
 
     fun read(): RulesFile {
@@ -161,17 +168,31 @@ internal class RulesReader(private val source: String, private val signals: Sign
             show = toml.optionalStrings(table, "show"),
             unless = toml.optionalStrings(table, "unless"),
             isForEachText = toml.isTrue(table, "each_text"),
-            isForWholeLogs = toml.isTrue(table, "whole"),
+            needs = needs(table),
             checklist = toml.string(table, "checklist").orEmpty(),
             isAboutProgram = toml.isTrue(table, "about_program"),
             isOncePerEvent = toml.isTrue(table, "once"),
+            isOnTrial = isOnTrial(table),
         )
     }
 
+    private fun isOnTrial(table: TomlTable) =
+        isBuiltIn && standing(toml.string(table, "name").orEmpty(), hashOf(table)) == Standing.ON_TRIAL
+
+    private fun needs(table: TomlTable): List<LogEdge> {
+        val value = table.get(listOf("whole"))
+        if (value == null || value is Boolean) return if (value == true) LogEdge.entries else emptyList()
+        return LogEdge.entries.filter { it.name.lowercase() == value }.ifEmpty {
+            toml.fail(toml.placeOf(table, "whole"), "“whole” is true, “start” or “end”: the parts of a log that the rule needs.")
+        }
+    }
+
+    /** Returns the severity that [table] says; a built-in rule has it once it is proven. */
     private fun severity(table: TomlTable): Severity {
         val severity = toml.string(table, "severity").orEmpty()
-        return Severity.entries.find { it.name.lowercase() == severity }
+        val own = Severity.entries.find { it.name.lowercase() == severity }
             ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”.")
+        return if (isOnTrial(table)) Severity.NOTE else own
     }
 
     private fun comparison(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): ComparisonRule {
@@ -199,6 +220,7 @@ internal class RulesReader(private val source: String, private val signals: Sign
             percent = percent,
             findings = findings.toInt(),
             others = maxOf(fewest.toInt(), ComparisonRule.FEWEST_OTHERS),
+            isOnTrial = isOnTrial(table),
         )
     }
 

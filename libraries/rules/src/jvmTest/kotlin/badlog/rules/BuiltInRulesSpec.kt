@@ -1,6 +1,8 @@
 package badlog.rules
 
 import badlog.core.analysis.LogView
+import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
 import badlog.signals.pose.PLAN_LIMIT
 import badlog.signals.pose.PLAN_PATIENCE
 import io.kotest.assertions.withClue
@@ -10,6 +12,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldNotBeEmpty
 import kotlin.math.roundToInt
@@ -93,14 +96,29 @@ class BuiltInRulesSpec : FunSpec({
         val part = rules.over(LogView.of(recording.copy(values = recording.values.ofPart("90 s to 130 s"))), "test.bag")
         part.findings.map { it.rule }.filter { it in OF_WHOLE_LOGS }.shouldBeEmpty()
         part.skipped.filter { it.rule in OF_WHOLE_LOGS }.map { it.message }.toSet() shouldBe
-            setOf("the log is only part of a log (see its value “Part”)")
+            setOf("the file is only part of a log")
+    }
+
+    test("a file that ends inside a record may only be a part of its log, whose start is known") {
+        val view = TestMatch().apply { flag("/DriverStation/Enabled") { true } }.view()
+        fun found(vararg kinds: ProblemKind): List<String> {
+            val problems = kinds.map { Problem(it, "The file is damaged.") }
+            return rules.over(LogView.of(view.recording.copy(problems = problems)), "test.bag").findings.map { it.rule }.filter { it in OF_WHOLE_LOGS }
+        }
+        found(ProblemKind.BLANK_LINE) shouldBe OF_WHOLE_LOGS
+        for (kind in listOf(ProblemKind.RECORD_CUT, ProblemKind.LAST_CELL_CUT, ProblemKind.GZIP_CUT)) found(kind) shouldBe listOf("Restarted in the match")
+        found(ProblemKind.HEADER_UNREADABLE).shouldBeEmpty()
     }
 
     test("a stop of the log is found, but not while the program starts, nor while the robot is disabled") {
         fun gaps(from: Double, to: Double) = rules.over(TestMatch().view { time -> time.takeIf { it !in from..to } }, "test.bag").findings.filter { it.rule == "Gap in time" }
-        gaps(20.0, 21.0).map { it.text } shouldBe listOf("Nothing was logged for up to 1.04 s.")
+        gaps(20.0, 21.0).map { it.text } shouldBe listOf("Nothing was logged for up to 1.04 s while the robot was enabled.")
         gaps(0.1, 1.0).shouldBeEmpty()
         gaps(2.5, 3.5).shouldBeEmpty()
+        // A log of changes has many pauses.
+        fun pauses(count: Int) = rules.over(TestMatch().view { time -> time.takeIf { it !in 20.0..35.0 || it % 3 < 2 || it > 20 + 3 * count } }, "test.bag").findings
+        pauses(2).map { it.rule } shouldContain "Gap in time"
+        pauses(3).map { it.rule } shouldNotContain "Gap in time"
     }
 
     test("a clock that was set back is found") {

@@ -122,13 +122,22 @@ class LogFindingsSpec : FunSpec({
     fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(WpilogFormat, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
 
     test("where topics have times of their own, time is every one of them, whatever topics are called") {
-        val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 2.5, 6.0), ownTimes("B/Time", 0.2, 2.9)))
+        val enabled = Topic("DS:enabled", "", emptyList(), doubleArrayOf(1.0, 1.0), TextColumn.EMPTY, CellCounts(2, 0, 0, 0, 0, 0), doubleArrayOf(0.0, 6.0))
+        val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 2.5, 6.0), ownTimes("B/Time", 0.2, 2.9), enabled))
         result.findings.single { it.rule == "Gap in time" }.run {
-            text shouldBe "Nothing was logged for up to 3.1 s."
+            text shouldBe "Nothing was logged for up to 3.1 s while the robot was enabled."
             topic shouldBe null
             time shouldBe 6.0
         }
         result.skipped.none { it.isMistake || it.rule == "Clock set back" } shouldBe true
+    }
+
+    test("a rule that fails is skipped, and the others' findings are kept") {
+        val broken = Topic("Pneumatics/Pressure", "psi", emptyList(), DoubleArray(3), TextColumn.EMPTY, CellCounts(3, 0, 0, 0, 0, 0), doubleArrayOf(0.0))
+        val enabled = Topic("DS:enabled", "", emptyList(), doubleArrayOf(1.0, 1.0), TextColumn.EMPTY, CellCounts(2, 0, 0, 0, 0, 0), doubleArrayOf(0.0, 6.0))
+        val result = findingsOf(listOf(ownTimes("A", 0.0, 0.1, 2.5, 6.0), enabled, broken))
+        result.skipped.single { it.rule == "Low air pressure" }.message.startsWith("it failed") shouldBe true
+        result.findings.map { it.rule } shouldContain "Gap in time"
     }
 
     test("a log that counts rows has no time, whatever topics are called") {

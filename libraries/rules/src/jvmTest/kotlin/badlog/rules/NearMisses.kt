@@ -16,7 +16,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Low battery" to { within(20.0..20.05, BATTERY) { "6.4" } },
     "Weak battery" to { within(20.0..20.4, BATTERY) { "8.4" } },
-    "Battery not charged" to { number(BATTERY) { 12.5 - 0.015 * TestMatch.load(it) } },
+    "Battery not charged" to { number(BATTERY) { 12.3 - 0.015 * TestMatch.load(it) } },
     "Bad battery contact" to { within(20.4..20.5, BATTERY) { (11.9 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.043 * TestMatch.load(it) } },
     "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.03 * TestMatch.load(it) } },

@@ -12,7 +12,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Low battery" to { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } },
     "Weak battery" to { from(20.0, BATTERY) { if (it < 21.0) "8.4" else "12" } },
-    "Battery not charged" to { number(BATTERY) { 12.3 - 0.015 * TestMatch.load(it) } },
+    "Battery not charged" to { number(BATTERY) { 12.2 - 0.015 * TestMatch.load(it) } },
     "Bad battery contact" to { from(20.4, BATTERY) { if (it < 20.5) "8" else (12.6 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.055 * TestMatch.load(it) } },
     "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.036 * TestMatch.load(it) } },

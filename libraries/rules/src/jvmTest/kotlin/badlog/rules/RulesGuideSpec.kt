@@ -1,6 +1,10 @@
 package badlog.rules
 
 import badlog.rules.pack.DeviceMap
+import badlog.rules.standing.EvidenceSet
+import badlog.rules.standing.RuleCounts
+import badlog.rules.standing.Standing
+import badlog.rules.standing.lackingIn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import org.tomlj.Toml
@@ -17,6 +21,9 @@ private fun checkGuide(file: String, part: String, text: String) {
     made shouldBe written
 }
 
+/** Returns how many of the findings in a simulator were right; empty if there were none. */
+private fun rightText(counts: RuleCounts): String = (counts.right + counts.wrong).let { judged -> if (judged == 0) "" else "${counts.right} of $judged" }
+
 class RulesGuideSpec : FunSpec({
     test("the guide has the built-in rules, each with its limits") {
         val tables = listOf("rule", "comparison").flatMap { key ->
@@ -26,11 +33,26 @@ class RulesGuideSpec : FunSpec({
         val text = tables.groupBy { it.getString("group").orEmpty() }.entries.joinToString("\n\n") { (group, rules) ->
             val rows = rules.joinToString("\n") { rule ->
                 val limits = rule.getTable("limits")?.run { keySet().map { "*$it* ${get(listOf(it))}" } }.orEmpty()
-                "| ${rule.getString("name")} | ${rule.getString("severity")} | ${limits.joinToString("<br>")} | ${rule.getString("why")} |"
+                val standing = if (countedStanding(rule.getString("name").orEmpty(), hashOf(rule)) == Standing.PROVEN) "proven" else "on trial"
+                "| ${rule.getString("name")} | ${rule.getString("severity")} | $standing | ${limits.joinToString("<br>")} | ${rule.getString("why")} |"
             }
-            "**$group**\n\n| rule | severity | limits | why |\n|---|---|---|---|\n$rows"
+            "**$group**\n\n| rule | severity | standing | limits | why |\n|---|---|---|---|---|\n$rows"
         }
         checkGuide("rules.md", "rules", text)
+    }
+
+    test("the guide has what was counted of each built-in rule, and what it lacks") {
+        val head = "| rule | real logs (teams) | true | false | unknown | ${EvidenceSet.entries.filter { !it.isReal }.joinToString(" | ") { it.title }} | lacks |"
+        val rows = hashesOfBuiltInRules().map { (rule, hash) ->
+            val counts = COUNTS.filter { it.rule == rule && it.hash == hash }
+            val real = counts.find { it.set.isReal }
+            val cells = listOf("${real?.couldRun ?: 0} (${real?.teams ?: 0})", real?.right ?: 0, real?.wrong ?: 0, real?.unknown ?: 0) +
+                EvidenceSet.entries.filter { !it.isReal }.map { set -> counts.find { it.set == set }?.let(::rightText).orEmpty() }
+            val lacking = lackingIn(counts)
+            "| ${if (lacking.isEmpty()) "**$rule**" else rule} | ${cells.joinToString(" | ")} | ${lacking.joinToString("; ")} |"
+        }
+        val proven = rows.count { "**" in it }
+        checkGuide("findings.md", "standing", "$proven of ${rows.size} rules are proven, in bold type.\n\n$head\n${"|---".repeat(9)}|\n${rows.joinToString("\n")}")
     }
 
     test("the guide has the built-in signals") {
@@ -49,6 +71,6 @@ class RulesGuideSpec : FunSpec({
         val changed = RulesFile.parse(examples.getValue("built-in-rules-changed")).rules.rules
         changed.none { it.group == "pneumatics" || it.name == "Flat sensor" } shouldBe true
         DeviceMap.parse(examples.getValue("devices")).devices.map { it.name } shouldBe listOf("Front left drive", "Hood")
-        changed.first { it.name == "Low battery" }.condition shouldBe "(battery < 6.8 and battery > 1) for 0.1 s"
+        changed.first { it.name == "Low battery" }.condition shouldBe "(battery < 6.5 and battery > 1) for 0.1 s"
     }
 })

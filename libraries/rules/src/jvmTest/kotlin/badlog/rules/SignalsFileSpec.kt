@@ -112,4 +112,12 @@ class SignalsFileSpec : FunSpec({
     for ((text, message) in mistakes) {
         test("refuses ${text.replace('\n', ' ')}") { shouldThrow<RulesException> { SignalsFile.parse(text) }.message shouldContain message }
     }
+
+    test("snake case, units as suffixes and other libraries' paths are recognized") {
+        val names = mapOf("can/can_rx_errors" to "CAN errors", "canStatus/receiveErrorCount" to "CAN errors", "drive/gyro_yaw_deg" to "gyro angle", "intake/velocity_mps" to "motor velocity")
+        for ((name, signal) in names) {
+            val topics = SignalTopics(RuleSet.BUILT_IN.signals, Vocabulary(listOf(Signal(name, SignalKind.NUMBER))), null)
+            topics.of(signal).map { it.topic } shouldBe listOf(name)
+        }
+    }
 })

@@ -40,10 +40,11 @@ class TrustSpec : FunSpec({
 
     test("many short hits are one finding with a duration") {
         val match = TestMatch().apply { from(20.0, CAN) { if ((it * 10).toInt() % 2 == 0) "0.97" else "0.7" } }
-        val finding = match.finding("CAN bus full")
+        val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"$CAN > 0.9\"\ntext = \"{duration}\"\n").rules
+        val finding = match.findings(rules).single()
         finding.spans.size shouldBe 1
         finding.spanCount shouldBe 1
-        finding.spans[0].width shouldBe (18.02 plusOrMinus 1e-6)
+        finding.spans[0].width shouldBe (19.9 plusOrMinus 0.1)
     }
 
     test("short hits that come in groups are few marks, and the text says how long and how often in truth") {

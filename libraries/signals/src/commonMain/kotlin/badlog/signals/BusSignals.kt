@@ -173,11 +173,18 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     private fun jam(motor: BusDevice) = derived("stall", "", motor, BusSignal.VELOCITY, BusSignal.CURRENT) { motion ->
         // What holds a place stands still under load.
         val holds = if (BusSignal.REFERENCE in motor) isPlace(motor, motion) else BusSignal.ABSOLUTE in motor
-        if (holds || !motion.isOfMechanism(motor)) {
+        if (holds || hasEnds(motor, motion) || !motion.isOfMechanism(motor)) {
             NOTHING
         } else {
             stall(motion.times, motion.valuesOf(motor, BusSignal.VELOCITY), motion.valuesOf(motor, BusSignal.CURRENT), JAM_AMPERES)
         }
+    }
+
+    /** Returns whether a limit switch of [motor] was ever pressed: what travels between ends may stand at one of them under load. */
+    private fun hasEnds(motor: BusDevice, motion: BusMotion): Boolean {
+        fun reads(signal: BusSignal, pressed: Double) =
+            motor.topic(signal)?.let { name -> motion.valuesOf(name).any { it == pressed } } == true
+        return reads(BusSignal.PRESSED, 1.0) || reads(BusSignal.OPEN, 0.0)
     }
 
     private fun swing(motor: BusDevice) = derived("speed swing", "%", motor, BusSignal.VELOCITY, BusSignal.OUTPUT) { motion ->

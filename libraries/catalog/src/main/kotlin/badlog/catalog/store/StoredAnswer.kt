@@ -55,13 +55,16 @@ object FindingSerializer : KSerializer<Finding> {
         val next: String,
         val caveats: List<String>,
         val isForEach: Boolean,
+        val isOnTrial: Boolean = false,
     )
 
     override val descriptor: SerialDescriptor = Stored.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
         Stored.serializer(),
-        value.run { Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach) },
+        value.run {
+            Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach, isOnTrial)
+        },
     )
 
     override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer()).run {
@@ -79,6 +82,7 @@ object FindingSerializer : KSerializer<Finding> {
             next,
             caveats = caveats,
             isForEach = isForEach,
+            isOnTrial = isOnTrial,
         )
     }
 }

@@ -8,7 +8,8 @@ import badlog.core.analysis.Units
 import badlog.core.analysis.enabledSpans
 import badlog.core.analysis.knowsAutonomous
 import badlog.expression.LogViewSignals
-import badlog.rules.isPart
+import badlog.rules.LogEdge
+import badlog.rules.has
 import badlog.rules.number.ComparedSignal
 import badlog.rules.number.DistributedSignal
 import badlog.rules.number.Distribution
@@ -67,8 +68,8 @@ private class NumberSearch(
     private val spans: Map<Measure, List<Span>>
     private val weights = HashMap<Pair<Measure, DoubleArray>, DoubleArray>()
     private val stretches = view.enabledSpans()
-    private val beginsEnabled = !view.recording.isPart && stretches.any { it.span.from <= start + second }
-    private val endsEnabled = !view.recording.isPart && stretches.any { it.span.to >= end - second / LAST }
+    private val beginsEnabled = view.recording.has(LogEdge.START) && stretches.any { it.span.from <= start + second }
+    private val endsEnabled = view.recording.has(LogEdge.END) && stretches.any { it.span.to >= end - second / LAST }
 
     init {
         val enabled = united(stretches.map { it.span }, gap = 0.0)

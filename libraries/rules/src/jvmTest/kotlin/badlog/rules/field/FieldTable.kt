@@ -3,21 +3,14 @@ package badlog.rules.field
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import java.io.File
-import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Runs the built-in rules over a folder of real logs, and writes where each could run, where it fired, and what of that was judged.
  * Arguments: the folder, the file of judgements (empty for none), the file to write.
  */
 internal fun main(arguments: Array<String>) {
-    val folder = File(arguments[0])
-    require(folder.isDirectory) { "There is no folder $folder. Give the folder of real logs with -Plogs=FOLDER." }
+    val logs = fieldLogsIn(File(arguments[0]))
     val judged = arguments[1].takeIf { it.isNotEmpty() }?.let { judgementsIn(File(it).readText()) }.orEmpty()
-    val files = folder.walkTopDown().filter { it.isFile && it.extension in ENDINGS }.sorted().toList()
-    val done = AtomicInteger()
-    val logs = files.parallelStream().map { file ->
-        fieldLogOf(file.readBytes(), file.name).also { if (done.incrementAndGet() % REPORTED == 0) System.err.println("$done of ${files.size} logs") }
-    }.toList().filterNotNull()
     val text = fieldTable(logs, judged)
     println(text)
     File(arguments[2]).apply { parentFile.mkdirs() }.writeText(text + openQuestions(logs, judged))
@@ -29,18 +22,15 @@ internal fun fieldTable(logs: List<FieldLog>, judged: Map<Firing, Judgement>): S
         val ran = logs.count { rule.name in it.ran }
         val found = logs.flatMap { log -> log.findings.filter { it.firing.rule == rule.name } }
         val counts = Judgement.entries.map { judgement -> found.count { judged[it.firing] == judgement } }
-        val cells = listOf(rule.severity.name.lowercase(), ran, logs.count { log -> log.findings.any { it.firing.rule == rule.name } }, found.size) +
+        val cells = listOf(ran, logs.count { log -> log.findings.any { it.firing.rule == rule.name } }, found.size) +
             counts + (found.size - counts.sum())
-        if (ran == 0) null else "| ${rule.name} | ${cells.joinToString(" | ")} |"
+        if (ran == 0 && found.isEmpty()) null else "| ${rule.name} | ${cells.joinToString(" | ")} |"
     }
-    return "${logs.size} logs\n\n| rule | severity | could run | logs with a finding | findings | true | false | cannot be known | not judged |\n" +
-        "|---|---|---|---|---|---|---|---|---|\n" + rows.joinToString("\n") + "\n"
+    return "${logs.size} logs\n\n| rule | could run | logs with a finding | findings | true | false | cannot be known | not judged |\n" +
+        "|---|---|---|---|---|---|---|---|\n" + rows.joinToString("\n") + "\n"
 }
 
 /** The findings that nobody judged, as lines of judgements to complete. */
 private fun openQuestions(logs: List<FieldLog>, judged: Map<Firing, Judgement>): String = logs.flatMap { log ->
     log.findings.filter { it.firing !in judged }.map { "${lineOf(it.firing)}?\t${log.name}: ${it.severity.name.lowercase()}: ${it.text}" }
 }.joinToString("\n", "\n", "\n")
-
-private val ENDINGS = setOf("wpilog", "bag", "badbag", "dslog", "dsevents", "revlog", "csv")
-private const val REPORTED = 50

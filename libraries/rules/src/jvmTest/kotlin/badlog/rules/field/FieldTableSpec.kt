@@ -21,10 +21,10 @@ class FieldTableSpec : FunSpec({
 
     test("each rule that could run has a row with what was found and judged") {
         val found = listOf(FieldFinding(LOW, Severity.ERROR, "Low."), FieldFinding(LOW.copy(second = 120), Severity.ERROR, "Low."))
-        val logs = listOf(FieldLog("a.wpilog", setOf("Low battery"), found), FieldLog("b.wpilog", setOf("Low battery", "Browned out"), emptyList()))
+        val logs = listOf(FieldLog("a.wpilog", "254", setOf("Low battery"), found), FieldLog("b.wpilog", "254", setOf("Low battery", "Browned out"), emptyList()))
         val table = fieldTable(logs, mapOf(LOW to Judgement.FALSE))
-        table shouldContain "| Low battery | error | 2 | 1 | 2 | 0 | 1 | 0 | 1 |"
-        table shouldContain "| Browned out | error | 1 | 0 | 0 | 0 | 0 | 0 | 0 |"
+        table shouldContain "| Low battery | 2 | 1 | 2 | 0 | 1 | 0 | 1 |"
+        table shouldContain "| Browned out | 1 | 0 | 0 | 0 | 0 | 0 | 0 |"
         table.lines().count { it.startsWith("| ") } shouldBe 3
     }
 

@@ -5,7 +5,7 @@ import kotlin.math.abs
 
 /**
  * Returns whether [measured] has jumped, faster than it ever moves, to a value that it keeps exactly since: 1 or 0. An absolute encoder
- * without a cable reads like that.
+ * without a cable reads like that. What has hardly moved before was at rest, and still is.
  */
 fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArray): Series {
     val range = rangeOf(measured)
@@ -13,10 +13,16 @@ fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArr
     val speeds = DoubleArray(times.size) { i -> if (i == 0 || times[i] == times[i - 1]) 0.0 else step(i) / (times[i] - times[i - 1]) }
     val usual = quantile(DoubleArray(times.size) { if (speeds[it] > 0) speeds[it] else Double.NaN }, 0.98)
     var isDead = false
+    var movedSeconds = 0
+    var lastMoved = -1L
     return Series(
         times,
         DoubleArray(times.size) { i ->
-            if (i > 0 && measured[i] != measured[i - 1]) isDead = step(i) > JUMP * range && speeds[i] > FASTER * usual
+            if (i > 0 && measured[i] != measured[i - 1]) {
+                isDead = movedSeconds >= LEAST_MOVED && step(i) > JUMP * range && speeds[i] > FASTER * usual
+                if (times[i].toLong() != lastMoved) movedSeconds++
+                lastMoved = times[i].toLong()
+            }
             if (isDead && isEnabled[i]) 1.0 else 0.0
         },
     )
@@ -24,3 +30,6 @@ fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArr
 
 private const val JUMP = 0.1
 private const val FASTER = 2.5
+
+/** The number of seconds in which it must have moved before. */
+private const val LEAST_MOVED = 5

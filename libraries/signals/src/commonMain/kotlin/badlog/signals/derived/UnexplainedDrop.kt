@@ -5,13 +5,14 @@ import kotlin.math.max
 
 /**
  * Returns by how much [battery] is lower than [current] explains, in V: 0 where it is not, and in dips whose current is not known well
- * enough to tell, since its sensor was not read at least twice within them.
+ * enough to tell, since its sensor was not read at least twice within them, or is slow.
  *
  * A battery is taken as a voltage that changes slowly and a resistance, which is fitted to the log. The highest current from
  * [LAG_SECONDS] before to [LATEST_SECONDS] after counts, since sensors lag and a dip may be over before they are read.
  */
 fun unexplainedDrop(battery: Series, current: Series): Series {
     val times = battery.x
+    if (usualStep(current) > SLOWEST_STEP) return Series(times, DoubleArray(times.size))
     val amperes = current.heldAt(times)
     val resistance = resistanceOf(battery.y, amperes)
     val open = openVolts(times, battery.y, amperes, resistance)
@@ -40,8 +41,29 @@ fun unexplainedDrop(battery: Series, current: Series): Series {
     return Series(times, explained)
 }
 
-/** Returns the slope of voltage over current in Ω, within what batteries have. */
+/**
+ * Returns the resistance in Ω, within what batteries have: the slope of voltage over current, or what high currents take of the voltage at
+ * rest, if that is more. A sensor that is read a little later than the voltage makes the slope too small.
+ */
 private fun resistanceOf(volts: DoubleArray, amperes: DoubleArray): Double {
+    val resting = quantile(DoubleArray(volts.size) { if (amperes[it] < REST_AMPERES) volts[it] else Double.NaN }, 0.5)
+    val loaded = quantile(
+        DoubleArray(volts.size) {
+            if (amperes[it] >
+                HIGH_AMPERES
+            ) {
+                (resting - volts[it]) / amperes[it]
+            } else {
+                Double.NaN
+            }
+        },
+        0.5,
+    )
+    val slope = slopeOf(volts, amperes)
+    return (if (loaded > slope) loaded else slope).coerceIn(LEAST_OHMS, MOST_OHMS)
+}
+
+private fun slopeOf(volts: DoubleArray, amperes: DoubleArray): Double {
     var n = 0.0
     var meanI = 0.0
     var meanV = 0.0
@@ -58,8 +80,7 @@ private fun resistanceOf(volts: DoubleArray, amperes: DoubleArray): Double {
         squares += dI * (a - meanI)
         products += dI * (v - meanV)
     }
-    val slope = if (squares > 0) -products / squares else LEAST_OHMS
-    return slope.coerceIn(LEAST_OHMS, MOST_OHMS)
+    return if (squares > 0) -products / squares else LEAST_OHMS
 }
 
 /** Returns the voltage without a load around each time: the median of each second. */
@@ -73,7 +94,8 @@ private fun openVolts(times: DoubleArray, volts: DoubleArray, amperes: DoubleArr
         val unloaded = DoubleArray(end - i) { volts[i + it] + if (amperes[i + it].isNaN()) 0.0 else resistance * amperes[i + it] }
         val median = quantile(unloaded, 0.5)
         // A dip may fill most of a second.
-        val level = if (before.isNaN()) median else max(median, before - SLOWEST_VOLTS)
+        // While a robot brakes, its motors charge the battery to more than it holds.
+        val level = minOf(MOST_VOLTS, if (before.isNaN()) median else max(median, before - SLOWEST_VOLTS))
         for (k in i until end) open[k] = level
         before = level
         i = end
@@ -92,13 +114,21 @@ private fun lowest(amperes: DoubleArray, from: Int, until: Int) = (from until un
 
 private fun readsWithin(current: Series, from: Double, to: Double): Int {
     var reads = 0
-    for (i in current.firstAtOrAfter(from) until current.size) {
-        if (current.x[i] > to) break
+    for (i in current.firstAfter(from) until current.size) {
+        if (current.x[i] >= to) break
         if (i > 0 && current.y[i] != current.y[i - 1]) reads++
     }
     return reads
 }
 
+/** Returns the median time between two changes of [current], in s. */
+private fun usualStep(current: Series): Double {
+    val changes = current.x.indices.filter { it > 0 && current.y[it] != current.y[it - 1] }.map { current.x[it] }
+    return quantile(DoubleArray(maxOf(changes.size - 1, 0)) { changes[it + 1] - changes[it] }, 0.5)
+}
+
+/** A sensor that is read more rarely than this, in s, has not seen most dips. */
+private const val SLOWEST_STEP = 0.1
 private const val LAG_SECONDS = 0.15
 private const val LATEST_SECONDS = 0.35
 private const val LEAST_VOLTS = 0.5
@@ -109,9 +139,14 @@ private const val LEAST_READS = 2
 private const val MOST_AMPERES = 100.0
 private const val UNSEEN_AMPERES = 85.0
 private const val LOAD_AMPERES = 40.0
+private const val REST_AMPERES = 10.0
+private const val HIGH_AMPERES = 60.0
 private const val LEAST_OHMS = 0.010
 private const val MOST_OHMS = 0.100
 private const val SECOND = 1.0
 
 /** By how much a battery without a load falls within a second at most. */
 private const val SLOWEST_VOLTS = 0.2
+
+/** The highest voltage of a battery at rest. */
+private const val MOST_VOLTS = 13.2

@@ -14,25 +14,24 @@ class LogFoundSpec : FunSpec({
     fun verdict(vararg findings: Finding) = RuleSet.BUILT_IN.foundIn(findings.toList(), 7).verdict
 
     test("the verdict is the worst of the worst incident, when it happened, and how it came about") {
-        val left = finding("Motor stalled", Severity.WARNING, 92.0, "Drive/Left/Output")
-        val right = finding("Motor stalled", Severity.WARNING, 92.1, "Drive/Right/Output")
+        val cause = finding("Too much at once", Severity.WARNING, 92.0, "Total Current")
         val effects = listOf(finding("Low battery", Severity.ERROR, 92.9), finding("Browned out", Severity.ERROR, 93.7))
-        val found = RuleSet.BUILT_IN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), left, right) + effects, 7)
+        val found = RuleSet.BUILT_IN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), cause) + effects, 7)
         found.verdict!!.headline shouldBe "Browned out at 1:33"
         found.verdict.severity shouldBe Severity.ERROR
-        found.verdict.sentences.first() shouldBe "Likely cause: the robot pushed against something that did not move. Motor stalled."
-        found.rules!!.map { it.name } shouldBe listOf("Browned out", "Low battery", "CAN errors", "Motor stalled")
+        found.verdict.sentences.first() shouldBe "Likely cause: the robot drew more than its battery gives. Too much at once."
+        found.rules!!.map { it.name } shouldBe listOf("Browned out", "Low battery", "CAN errors", "Too much at once")
         found.key shouldBe 7
     }
 
     test("a finding that belongs to no incident is the verdict if it is worse than every incident") {
-        val stalled = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 20.0, it) }
+        val stalled = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Encoder frozen", Severity.WARNING, 20.0, it) }
         val alone = finding("Team rule", Severity.ERROR, 5.0, next = "Ask Ada.")
         verdict(*stalled.toTypedArray(), alone) shouldBe Verdict(Severity.ERROR, "Team rule at 0:05", listOf("Team rule."), "Ask Ada.", errors = 1, warnings = 2)
     }
 
     test("the headline is what the sentences say, and of several findings without an incident it is the first one") {
-        val heavy = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Motor stalled", Severity.WARNING, 90.0, it) }
+        val heavy = listOf("Drive/Left/Output", "Drive/Right/Output").map { finding("Too much at once", Severity.WARNING, 90.0, it) }
         val chain = listOf("Low battery" to 91.0, "Browned out" to 91.5, "Main breaker" to 92.0).map { (rule, at) -> finding(rule, Severity.ERROR, at) }
         val found = verdict(*heavy.toTypedArray(), *chain.toTypedArray())!!
         found.sentences.any { found.headline.substringBefore(" at ") in it } shouldBe true

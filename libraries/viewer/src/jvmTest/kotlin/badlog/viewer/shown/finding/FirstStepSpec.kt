@@ -16,17 +16,17 @@ class FirstStepSpec : FunSpec({
 
     fun FindingStep?.text() = this?.let { "${it.place.finding.rule} at ${it.place.span.from}${if (it.incident == null) "" else ", an incident"}" }
 
-    val stalled = found("Motor stalled", 20.0)
+    val stalled = found("Encoder frozen", 20.0)
     val low = found("Low battery", 20.5)
 
     test("the first step leads to where the worst incident begins, or to a worse finding outside all incidents") {
-        stepOf(low, stalled).text() shouldBe "Motor stalled at 20.0, an incident"
-        stepOf(low, stalled, found("Own rule", 90.0)).text() shouldBe "Motor stalled at 20.0, an incident"
+        stepOf(low, stalled).text() shouldBe "Encoder frozen at 20.0, an incident"
+        stepOf(low, stalled, found("Own rule", 90.0)).text() shouldBe "Encoder frozen at 20.0, an incident"
         stepOf(low, stalled, found("Own rule", 90.0, Severity.ERROR)).text() shouldBe "Own rule at 90.0"
     }
 
     test("an incident whose cause is about the whole log is gone to where its first effect is") {
-        stepOf(found("Raised battery resistance", Double.NaN), found("Weak battery", 30.0)).text() shouldBe "Weak battery at 30.0, an incident"
+        stepOf(found("High battery resistance", Double.NaN), found("Weak battery", 30.0)).text() shouldBe "Weak battery at 30.0, an incident"
     }
 
     test("without an incident it is the worst finding, also one about the whole log, which has no place") {

@@ -14,13 +14,13 @@ class IncidentOrderSpec : FunSpec({
     fun found(rule: String, time: Double) = Finding(rule, Severity.WARNING, "Arm/Output", rule, time, listOf(Span(time, time + 1)), 1, "s")
 
     test("keys go through the incidents first, and then through what belongs to none, in the order of time; back likewise") {
-        val all = listOf(found("Own rule", 90.0), found("Low battery", 20.5), found("Motor stalled", 20.0), found("Early rule", 5.0))
+        val all = listOf(found("Own rule", 90.0), found("Low battery", 20.5), found("Encoder frozen", 20.0), found("Early rule", 5.0))
         val incidents = RuleSet.BUILT_IN.incidentsIn(all)
         val order = FindingOrder(FindingTimeline(all, { it.severity }, { it.places }), incidents)
 
         fun from(first: FindingStep?, steps: Int) = generateSequence(first) { order.beside(it.place.finding, it.place.span.from, steps) }.take(4).map { it.place.finding.rule }.toList()
-        incidents.map { it.first.rule } shouldBe listOf("Motor stalled")
-        from(order.beside(null, Double.NaN, 1), 1) shouldBe listOf("Motor stalled", "Early rule", "Own rule", "Own rule")
-        from(order.beside(null, Double.NaN, -1), -1) shouldBe listOf("Own rule", "Early rule", "Motor stalled", "Motor stalled")
+        incidents.map { it.first.rule } shouldBe listOf("Encoder frozen")
+        from(order.beside(null, Double.NaN, 1), 1) shouldBe listOf("Encoder frozen", "Early rule", "Own rule", "Own rule")
+        from(order.beside(null, Double.NaN, -1), -1) shouldBe listOf("Own rule", "Early rule", "Encoder frozen", "Encoder frozen")
     }
 })

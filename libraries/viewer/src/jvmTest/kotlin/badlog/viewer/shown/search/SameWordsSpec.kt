@@ -21,13 +21,13 @@ class SameWordsSpec : FunSpec({
     }
 
     test("an incident is found by each of its findings, also by those that its description omits") {
-        val units = mapOf("Time" to "s", "System/Battery Voltage" to "V", "System/Browned Out" to "ul", "PDP/Total Current" to "A")
+        val units = mapOf("Time" to "s", "System/Battery Voltage" to "V", "System/Browned Out" to "ul", "PDP/Total Current" to "A", "PDP/Current 0" to "A")
         val topics = units.map { (name, unit) -> """{"name":"$name","unit":"$unit","attrs":[${if (unit == "s") "\"xaxis\"" else ""}]}""" }
-        val rows = List(1500) { "${it / 50.0}," + if (it in 500..700) "6.5,true,240" else "12.2,false,10" }
+        val rows = List(1500) { "${it / 50.0}," + if (it in 500..700) "6.5,true,240,60" else "12.2,false,10,3" }
         val text = listOf("""{"topics":$topics,"values":[]}""", units.keys.joinToString(",")) + rows
         val view = LogView.of(BagParser().apply { accept(text.joinToString("\n", postfix = "\n").encodeToByteArray()) }.finish())
         val incident = RuleSet.BUILT_IN.run { incidentsIn(over(view, "test.bag").findings) }.first()
-        for (query in listOf("brownout", "battery", "\"heavy load\"")) Query(query).findsFound(incident.searchedText) shouldBe true
+        for (query in listOf("brownout", "battery", "\"too much at once\"")) Query(query).findsFound(incident.searchedText) shouldBe true
         Query("gearbox").findsFound(incident.searchedText) shouldBe false
     }
 })

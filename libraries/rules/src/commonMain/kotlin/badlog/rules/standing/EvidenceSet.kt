@@ -1,0 +1,15 @@
+package badlog.rules.standing
+
+/**
+ * Logs over which rules were counted.
+ *
+ * @property id its name in the table of counts.
+ * @property title its name for people.
+ * @property isReal whether the logs are of real robots.
+ */
+enum class EvidenceSet(val id: String, val title: String, val isReal: Boolean = false) {
+    REAL("real", "real logs", isReal = true),
+    GENERATED("generated", "generated matches"),
+    PLANTED("planted", "second simulator"),
+    THIRD("third", "third simulator"),
+}

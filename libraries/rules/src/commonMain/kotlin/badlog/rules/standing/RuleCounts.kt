@@ -1,0 +1,55 @@
+package badlog.rules.standing
+
+/**
+ * Counts of a rule's findings in the logs of [set].
+ *
+ * @property rule its name.
+ * @property hash the beginning of the hash of the rule's text; another one means that the counts are of another rule.
+ * @property couldRun the number of logs that have what it needs.
+ * @property teams the number of teams that these logs are of; 0 for simulations.
+ * @property fired the number of its findings.
+ * @property right those that are true: a fact that the team would accept as worth a warning.
+ * @property wrong those that are false.
+ * @property unknown those about which the log does not say enough to know.
+ */
+data class RuleCounts(
+    val rule: String,
+    val hash: String,
+    val set: EvidenceSet,
+    val couldRun: Int,
+    val teams: Int,
+    val fired: Int,
+    val right: Int,
+    val wrong: Int,
+    val unknown: Int,
+) {
+    /** The number of findings that nobody has judged. */
+    val unjudged: Int get() = fired - right - wrong - unknown
+}
+
+/**
+ * Returns the counts in [text], which has a row for each rule and set with tabs between its cells; lines that begin with `#` are remarks.
+ *
+ * @throws IllegalArgumentException if a row is something else; the message has its line.
+ */
+fun ruleCountsIn(text: String): List<RuleCounts> =
+    text.lines().withIndex().filter { (_, line) -> line.isNotBlank() && !line.startsWith("#") }
+        .map { (at, line) ->
+            val cells = line.split('\t')
+            val set = EvidenceSet.entries.find { it.id == cells.getOrNull(SET) }
+            val numbers = cells.drop(SET + 1).map { it.toIntOrNull() ?: -1 }
+            require(set != null && numbers.size == NUMBERS && numbers.all { it >= 0 }) {
+                "Line ${at + 1} of the counts is not a rule, a hash, a set and $NUMBERS numbers with tabs between them; make the table again."
+            }
+            RuleCounts(cells[0], cells[1], set, numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5])
+        }
+
+/** Returns [counts] as the text of a table that [ruleCountsIn] reads. */
+fun textOf(counts: List<RuleCounts>): String = counts.joinToString("", "# ${COLUMNS.joinToString("\t")}\n") { row ->
+    val numbers = row.run { listOf(couldRun, teams, fired, right, wrong, unknown) }
+    (listOf(row.rule, row.hash, row.set.id) + numbers).joinToString("\t", postfix = "\n")
+}
+
+private val COLUMNS = listOf("rule", "hash", "set", "could run", "teams", "fired", "true", "false", "unknown")
+private const val SET = 2
+private const val NUMBERS = 6

@@ -1,0 +1,49 @@
+package badlog.rules.standing
+
+/** Whether a built-in rule may accuse a robot. */
+enum class Standing {
+    /** It may be an error or a warning, and begin an incident. */
+    PROVEN,
+
+    /** It is a note, begins no incident, and comes after proven rules. */
+    ON_TRIAL,
+}
+
+/** Returns the standing that [counts] of one rule give it. */
+fun standingOf(counts: List<RuleCounts>): Standing = if (lackingIn(counts).isEmpty()) Standing.PROVEN else Standing.ON_TRIAL
+
+/**
+ * Returns what [counts] of one rule lack to prove it, each as a few words; empty if they prove it.
+ *
+ * A rule is proven by real logs over which it was silent or right, and by simulators in which it names what was planted. A simulated robot
+ * shows that a rule finds its fault; only real ones show that it leaves other robots alone.
+ */
+fun lackingIn(counts: List<RuleCounts>): List<String> {
+    if (counts.isEmpty()) return listOf("its text was never counted")
+    val real = counts.filter { it.set.isReal }
+    val simulated = counts.filter { !it.set.isReal }
+    val logs = real.sumOf { it.couldRun }
+    val wrong = real.sumOf { it.wrong }
+    val right = simulated.sumOf { it.right }
+    val judged = right + simulated.sumOf { it.wrong }
+    return listOfNotNull(
+        "$logs of $MIN_LOGS real logs".takeIf { logs < MIN_LOGS },
+        real.sumOf { it.teams }.let { teams -> "logs of $teams of $MIN_TEAMS teams".takeIf { teams < MIN_TEAMS } },
+        "$wrong false in $logs real logs".takeIf { wrong > logs / LOGS_PER_WRONG },
+        real.sumOf { it.unjudged }.let { open -> "$open not judged".takeIf { open > 0 } },
+        "$right of $judged right in simulators".takeIf { right * PERCENT < judged * MIN_PERCENT_RIGHT },
+        (right + real.sumOf { it.right }).let { all -> "right $all of $MIN_RIGHT times".takeIf { all < MIN_RIGHT } },
+    )
+}
+
+/** Fewer logs say little of robots in general. */
+private const val MIN_LOGS = 30
+private const val MIN_TEAMS = 3
+
+/** One false finding is allowed for as many real logs. */
+private const val LOGS_PER_WRONG = 200
+private const val PERCENT = 100
+private const val MIN_PERCENT_RIGHT = 95
+
+/** The least number of findings that must be right, over all sets: a rule that is always silent is never wrong, and proves nothing. */
+private const val MIN_RIGHT = 3

@@ -1,0 +1,22 @@
+package badlog.rules
+
+import badlog.rules.standing.RuleCounts
+import badlog.rules.standing.Standing
+import badlog.rules.standing.ruleCountsIn
+import badlog.rules.standing.standingOf
+import org.tomlj.TomlTable
+import java.security.MessageDigest
+
+/** The counts of built-in rules, as their table says them. */
+internal val COUNTS: List<RuleCounts> by lazy { ruleCountsIn(resource(COUNTS_FILE)) }
+
+/** Returns the standing of the built-in rule called [name], whose text has the hash [hash]: counts of another text say nothing of it. */
+internal fun countedStanding(name: String, hash: String): Standing = standingOf(COUNTS.filter { it.rule == name && it.hash == hash })
+
+/** Returns the beginning of the hash of the [rule]'s text, whatever its lines and remarks. */
+internal fun hashOf(rule: TomlTable): String =
+    MessageDigest.getInstance("SHA-256").digest(rule.toJson().encodeToByteArray()).take(HASH_BYTES).joinToString("") { "%02x".format(it) }
+
+/** The name of the table of counts, among the resources. */
+internal const val COUNTS_FILE = "badlog-counts.tsv"
+private const val HASH_BYTES = 4

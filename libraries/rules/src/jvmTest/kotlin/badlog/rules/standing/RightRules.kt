@@ -1,0 +1,93 @@
+package badlog.rules.standing
+
+/** Rules about what a robot that draws too much does to its battery. */
+private val LOAD = setOf(
+    "Browned out", "Below the brownout voltage", "Low battery", "Weak battery", "Too much at once", "Main breaker", "High total current",
+    "Heavy load", "Current too long", "High current", "Motor hot", "Motor too hot",
+)
+private val BATTERY = setOf(
+    "Browned out",
+    "Below the brownout voltage",
+    "Low battery",
+    "Weak battery",
+    "Battery not charged",
+    "High battery resistance",
+    "Raised battery resistance",
+)
+private val BLOCKED = setOf(
+    "Motor stalled", "Motor stuck", "Motor does not turn", "Motor jammed", "Output without effect", "Setpoint missed", "Speed not reached",
+    "Output saturated", "Moves harder", "Current too long", "High current", "Motor hot", "Motor too hot", "Side stands still",
+)
+private val CAN = setOf(
+    "CAN errors", "CAN bus full", "One CAN bus full", "CAN utilization high", "CAN bus off", "Values frozen", "Device silent", "Device lost",
+    "Sensor lost", "Error logged", "Motor fault",
+)
+private val LINK = setOf(
+    "Link lost", "Link lost while disabled", "Packets late", "Packets very late", "Packets lost", "Many packets lost", "Very weak radio signal",
+    "Weak radio signal", "Error logged",
+)
+private val SLOW = setOf(
+    "Loop blocked", "Loop overrun", "Slow loops", "Loop overruns reported", "Gap in time", "Long garbage collection",
+    "Frequent garbage collection", "CPU busy", "CPU overloaded",
+)
+private val RESTARTED = setOf("Restarted in the match", "Ended in the match", "Code restarted", "Code crashed", "Error logged", "Gap in time")
+private val ENCODER = setOf(
+    "Encoder frozen", "Encoder stopped", "Encoders disagree", "Linked speeds differ", "Setpoint missed", "Output without effect", "Flat sensor",
+    "Sensor lost", "Side stands still", "Output saturated", "Values frozen", "Motor turns alone", "Module does not turn",
+)
+private val GYRO = setOf("Heading jumped", "Gyro drifts", "Pose jumped", "Sensor lost", "Left the plan", "Flat sensor")
+private val MODULE = setOf("Module does not turn", "Module lags", "Module drives weakly", "Channel lost its share", "Setpoint missed")
+private val UNPOWERED = setOf(
+    "Breaker tripped", "Breaker open", "Channel rests alone", "Device silent", "Device lost", "Output lost", "Linked motor off",
+    "Linked motors unequal", "Channel lost its share", "Module drives weakly", "Module does not turn", "Motor fault", "Values frozen",
+    "Setpoint missed", "Speed not reached", "Encoder frozen", "Output without effect", "Side drags", "Sensor lost", "Error logged",
+)
+private val AIR = setOf("Air leak", "Low air pressure", "Compressor without effect")
+
+/** Rules that repeat what the robot's computer reported of itself, which is never all right: true in any match. */
+internal val FACTS: Set<String> = setOf("Browned out", "Below the brownout voltage", "CAN bus off", "Code crashed")
+
+/** Rules that repeat messages: true wherever something is wrong, whatever the cause of it. */
+internal val MESSAGES: Set<String> = setOf("Error logged", "Loop overruns reported")
+
+/**
+ * Returns the rules of which a finding says something true about a match with [fault], which a simulator by another author planted: its
+ * cause, or what follows from it. Null for a fault that is unknown here.
+ */
+internal fun rightRulesFor(fault: String): Set<String>? = RIGHT[fault]
+
+/** The rules that are right about some fault. */
+internal val ALL_RIGHT: Set<String> get() = RIGHT.values.flatten().toSet()
+
+private val RIGHT = mapOf(
+    // The second simulator.
+    "brownout" to LOAD + BLOCKED,
+    "lead" to BATTERY + RESTARTED + LINK + "Bad battery contact" + "Radio lost power",
+    "stall" to BLOCKED,
+    "can" to CAN,
+    "vision" to SLOW + setOf("Vision blocked the loop", "Vision in the loop", "Vision jumps", "Late pictures", "Camera silent"),
+    "encoder" to ENCODER,
+    "gyro" to GYRO,
+    "radio" to LINK + setOf("Radio lost power", "Controller unplugged"),
+    "air" to AIR,
+    "module" to MODULE,
+    "restart" to RESTARTED,
+    "jam" to BLOCKED,
+    // The third.
+    "battery_tired" to BATTERY + LOAD,
+    "battery_lead_loose" to BATTERY + RESTARTED + LINK + "Bad battery contact" + "Radio lost power",
+    "breaker_trips" to UNPOWERED,
+    "drive_motor_lost" to UNPOWERED + CAN,
+    "module_offset" to MODULE,
+    "mechanism_jammed" to BLOCKED,
+    "encoder_lost" to ENCODER + BLOCKED,
+    "gyro_lost" to GYRO,
+    "slow_loops" to SLOW,
+    "link_lost" to LINK + setOf("Radio lost power", "Controller unplugged"),
+    "can_bus_fault" to CAN,
+    "code_crash" to RESTARTED,
+    "controller_unplugged" to setOf("Controller unplugged", "Error logged"),
+    "air_leak" to AIR,
+    "setpoint_not_held" to setOf("Overshoot", "Setpoint missed", "Speed oscillates", "Speed not reached", "Output saturated", "Motor turns alone"),
+    "motor_overheats" to LOAD + BLOCKED,
+)

@@ -1,0 +1,64 @@
+package badlog.rules.standing
+
+import badlog.core.json.JsonReader
+import badlog.rules.Finding
+import badlog.rules.confusion.MatchSet
+import badlog.rules.confusion.faultyMatches
+import badlog.rules.confusion.healthyMatches
+import badlog.rules.field.Judgement
+import badlog.rules.field.rulesOver
+import badlog.samples.generated.GeneratedMatch
+import badlog.samples.generated.fault.Verdict
+import badlog.signals.json.JsonFields
+import java.io.File
+
+/** Returns the matches of this project's final sets with [seeds], judged by the words that each fault accepts. */
+internal fun generatedLogs(seeds: List<Long>, rounds: Int, healthy: Int): List<JudgedLog> {
+    val matches = seeds.flatMap { faultyMatches(MatchSet.FINAL, it, rounds) + healthyMatches(MatchSet.FINAL, it, healthy) }
+    return matches.parallelStream().map { make ->
+        val match = make()
+        judgedLog(match.bytes, match.fileName) { verdictOn(it, match) }
+    }.toList().filterNotNull()
+}
+
+private fun verdictOn(finding: Finding, match: GeneratedMatch): Judgement {
+    if (finding.rule in FACTS) return Judgement.TRUE
+    val fault = match.fault ?: return Judgement.FALSE
+    if (finding.rule in MESSAGES) return Judgement.TRUE
+    val isShown = match.evidence.isEmpty() || finding.evidence.any { topic -> match.evidence.any(topic::startsWith) }
+    return if (isShown && fault.verdictOn("${finding.rule}. ${finding.text}") != Verdict.OTHER) Judgement.TRUE else Judgement.FALSE
+}
+
+/** Returns the matches of the second simulator in [folder], whose names begin with what was planted. */
+internal fun plantedLogs(folder: File): List<JudgedLog> = logsIn(folder).parallelStream().map { file ->
+    val right = rightRulesFor(file.name.takeWhile { it.isLetter() })?.plus(MESSAGES).orEmpty() + FACTS
+    judgedLog(file.readBytes(), file.name) { if (it.rule in right) Judgement.TRUE else Judgement.FALSE }
+}.toList().filterNotNull()
+
+/**
+ * Returns the matches of the third simulator in [folder] and those below it, whose `truth.json` says what was planted in each, and when. What its author calls
+ * invisible still disturbs the robot, so other rules' findings there are neither true nor false.
+ */
+internal fun thirdLogs(folder: File): List<JudgedLog> = folder.walkTopDown().filter { it.name == "truth.json" }.sorted().toList().flatMap { thirdLogsOf(it.parentFile) }
+
+private fun thirdLogsOf(folder: File): List<JudgedLog> {
+    val truth = JsonFields(JsonReader.readObject("{\"all\":${File(folder, "truth.json").readText()}}")).list("all") { JsonFields(it.members) }
+    return truth.parallelStream().map { match ->
+        val file = File(folder, match.string("file"))
+        val fault = match.optional("fault")
+        val from = match.find("at")?.json?.toDoubleOrNull()
+        val right = if (from == null) emptySet() else rightRulesFor(fault.orEmpty())?.plus(MESSAGES).orEmpty()
+        val other = if (fault == null || from == null || match.isTrue("visible")) Judgement.FALSE else Judgement.UNKNOWN
+        judgedLog(file.readBytes(), file.name) { finding ->
+            val isAfter = finding.time.isNaN() || finding.time >= (from ?: 0.0) - BEFORE
+            if (finding.rule in FACTS || (finding.rule in right && isAfter)) Judgement.TRUE else other
+        }
+    }.toList().filterNotNull()
+}
+
+private fun judgedLog(bytes: ByteArray, name: String, judgement: (Finding) -> Judgement): JudgedLog? = rulesOver(bytes, name)?.let { result -> JudgedLog(name, null, result.ran, result.findings.map { JudgedFinding(it.rule, it.text, judgement(it)) }) }
+
+private fun logsIn(folder: File) = folder.walkTopDown().filter { it.isFile && it.extension in setOf("wpilog", "bag") }.sorted().toList()
+
+/** Rules that look at the time around a sample find something this much earlier than it happened, in s. */
+private const val BEFORE = 2.0
