@@ -99,12 +99,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     override fun finish(): Recording {
-        // A file that is shorter than what shows its dialect is rewritten only now.
-        if (!header.isDone) advance(true)
-        header.translation?.let {
-            it.finish()
-            pending.append(it.out, 0, it.outSize)
-        }
+        header.translation?.let(pending::finish)
         advance(true)
         val rows = rows ?: rowsOf(header.columns ?: columnsOfHeaderAlone())
         val topics = rows.topics()

@@ -29,6 +29,9 @@ internal class CsvNumber private constructor(
             else -> null
         }
 
+    /** Whether several marks leave no doubt about [grouping]. */
+    val isSurelyGrouped: Boolean get() = marks.size > 1 && grouping != null
+
     /** Whether its only mark may be either: `1,234`. */
     val mayBeGrouped: Boolean get() = marks.size == 1 && marks[0] in POINTS && exponent.isEmpty() && isGrouped(parts)
 

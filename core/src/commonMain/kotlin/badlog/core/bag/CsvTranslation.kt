@@ -50,6 +50,8 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
     }
 
     private fun accept(byte: Int) {
+        // There may be a billion of them, and whatever was in quotes is lost.
+        if (byte == NUL) return putHole()
         if (isInQuotes && size > MAX_TEXT) isInQuotes = false
         if (isInQuotes) {
             keep(byte)
@@ -86,7 +88,14 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
         }
     }
 
+    private fun putHole() {
+        endCell()
+        put(NUL)
+        index = 0
+    }
+
     private fun keep(byte: Int) {
+        if (size == MAX_LINE) return
         if (size == cell.size) cell = cell.copyOf(size * 2)
         cell[size++] = byte.toByte()
     }
@@ -223,6 +232,9 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
 
         /** The digits between two marks. */
         const val GROUP = 3
+
+        /** What is longer is cut: no log has such a line. */
+        const val MAX_LINE = 1 shl 24
 
         /** A quote that nothing closes must not swallow the file. */
         const val MAX_TEXT = 1 shl 16

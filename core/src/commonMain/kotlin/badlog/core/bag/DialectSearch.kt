@@ -48,6 +48,8 @@ internal object DialectSearch {
         if (isOneColumn(usual, lines)) return Reading(SEMICOLON, lines.map { listOf(Cell(it)) })
         val others = listOf(SEMICOLON, TAB).filter { lines[0].indexOf(it.toChar()) >= 0 || lines[1].indexOf(it.toChar()) >= 0 }
             .map { separator -> Reading(separator, lines.map { split(it, separator) }) }
+            // A cell between commas may have a list, which its title has not.
+            .filter { it.lines[0].size == it.width }
         return others.maxByOrNull { it.score }?.takeIf { it.score > maxOf(usual.score, 0) } ?: usual
     }
 
@@ -58,14 +60,21 @@ internal object DialectSearch {
     private fun dialect(reading: Reading, isNamed: Boolean): CsvDialect {
         val first = reading.lines[0]
         val hasTitles = first.any { !it.isEmpty && !it.isValue }
-        val body = if (hasTitles) reading.rows else reading.rows + listOf(first)
+        val body = if (hasTitles || first.size != reading.width) reading.rows else reading.rows + listOf(first)
         val isUsual = reading.separator == COMMA
         // Without such a mark, points are decimal ones between commas.
         val marked = if (isUsual && body.none { row -> row.any { cell -> cell.text.any { it in MARKS } } }) emptyList() else body.flatten()
         val numbers = marked.mapNotNull { it.number }
         fun points(mark: Char) = numbers.count { it.point == mark }
-        fun isBetween(mark: Char) = numbers.any { it.grouping == mark }
-        fun isOpen(mark: Char) = numbers.any { it.openMark == mark }
+
+        // One such cell among others is rather a text, such as the numbers of two teams.
+        fun isUsed(mark: Char) = (0 until reading.width).any { index ->
+            val cells = body.mapNotNull { it.getOrNull(index) }.filter { !it.isEmpty }
+            val grouped = cells.mapNotNull { it.number }.filter { it.grouping == mark || it.openMark == mark }
+            (grouped.size > 1 || grouped.any { it.isSurelyGrouped }) && cells.all { it.number?.isPossible == true }
+        }
+        fun isBetween(mark: Char) = isUsed(mark) && numbers.any { it.grouping == mark }
+        fun isOpen(mark: Char) = isUsed(mark) && numbers.any { it.openMark == mark }
         val between = when {
             !isUsual && points('.') == 0 && (isBetween('.') || (isOpen('.') && points(',') > 0)) -> '.'
             points(',') == 0 && (isBetween(',') || (isOpen(',') && points('.') > 0)) -> ','
@@ -76,13 +85,20 @@ internal object DialectSearch {
         // In quotes, between commas, the reader of rows finds decimal commas, and reports them for each topic.
         val hasComma = between != ',' && (if (isUsual) between != null && points(',') > 0 else points(',') > 0 || isOpen(','))
         val clocks = (0 until reading.width).mapNotNull { index -> clockOf(index, first, body)?.let { index to it } }.toMap()
-        return CsvDialect(reading.separator, hasComma, between, clocks, hasTitles, isNamed)
+        // Where there is a time already, a clock beside it is not the x axis.
+        val hasTime = (0 until reading.width).any { index -> index !in clocks && isTime(index, first, body) }
+        return CsvDialect(reading.separator, hasComma, between, if (hasTime) emptyMap() else clocks, hasTitles, isNamed)
     }
+
+    private fun isTime(index: Int, titles: List<Cell>, rows: List<List<Cell>>): Boolean =
+        "time" in titles.getOrNull(index)?.text.orEmpty().lowercase() &&
+            rows.all { it[index].isEmpty || it[index].number?.isPossible == true }
 
     private fun clockOf(index: Int, titles: List<Cell>, rows: List<List<Cell>>): CsvClock? {
         val cells = rows.map { it[index] }.filter { !it.isEmpty }
         if (cells.size < 2) return null
-        if (cells.all { microsOfIsoTime(it.text.trim()) != null }) return CsvClock.ISO
+        val times = cells.mapNotNull { microsOfIsoTime(it.text.trim()) }
+        if (times.size == cells.size) return CsvClock.ISO.takeIf { times.first() < times.last() }
         val title = titles.getOrNull(index)?.text.orEmpty().lowercase()
         if (TIMES.none { it in title }) return null
         val numbers = cells.map { it.text.trim().toDoubleOrNull() ?: return null }

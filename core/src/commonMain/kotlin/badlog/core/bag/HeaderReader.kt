@@ -116,7 +116,12 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             pending.advanceTo(afterLineEnd(pending.bytes, lineEnd, pending.end, true))
             pending.line++
         }
-        if (!dialect.isUsual) translation = CsvTranslation(dialect).also { pending.translate(it) }
+        if (!dialect.isUsual) {
+            translation = CsvTranslation(dialect).also {
+                pending.translate(it)
+                if (isEnd) pending.finish(it)
+            }
+        }
         return pending.start
     }
 

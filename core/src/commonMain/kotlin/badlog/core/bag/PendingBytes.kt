@@ -61,6 +61,12 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         append(translation.out, 0, translation.outSize)
     }
 
+    /** Appends what [translation] makes of the last bytes of the file. */
+    fun finish(translation: CsvTranslation) {
+        translation.finish()
+        append(translation.out, 0, translation.outSize)
+    }
+
     /** Treats the bytes from [from] until [until] of [others] as a separate file, without copying them. Nothing may be appended. */
     fun lend(others: ByteArray, from: Int, until: Int) {
         bytes = others

@@ -134,6 +134,46 @@ class CsvDialectSpec : FunSpec({
         parse("a,b\n9007199254740992,1e300\n10000000000000000000,0.12345678901234567890\n").problems.shouldBeEmpty()
     }
 
+    test("a last line that is not ended is read as one that is, in every dialect and in pieces") {
+        for (text in listOf("a;b\n1,5;2\n2,5;3", "a\tb\n1,5\t2\n2,5\t3,5", "timestamp,A\n2024-03-16T10:59:58Z,1\n2024-03-16T10:59:59Z,2", "t,v\n1,\"1,234,567\"\n2,\"1,234\"")) {
+            val ended = parse("$text\n")
+            for (piece in listOf(1, 3, 1000)) {
+                val recording = parse(text, piece)
+                recording.topics.map { it.samples.toList() } shouldBe ended.topics.map { it.samples.toList() }
+                recording.rowCount shouldBe 2
+            }
+        }
+    }
+
+    test("lists in cells between commas do not separate columns, quoted or not") {
+        for (list in listOf("[1.5; 2.5; 0.1; 2.5; 3; 0.2]", "1;2;3", "\"1;2;3;4;5;6;7;8;9\"")) {
+            val recording = parse("Timestamp,/Poses,Volts\n" + (0 until 9).joinToString("") { "0.0$it,$list,12.$it\n" })
+            recording.topics.map { it.name } shouldBe listOf("Timestamp", "/Poses", "Volts")
+            recording.topic("Volts").samples[3] shouldBe 12.3
+        }
+    }
+
+    test("a wall clock beside a time is not the x axis, and a date that stays is no time") {
+        val clock = parse("Time,Volts,Wall Clock\n" + (0 until 9).joinToString("") { "0.0$it,12,2024-03-16T10:59:0$it\n" })
+        clock.topics.none { "xaxis" in it.attributes } shouldBe true
+        clock.values.shouldBeEmpty()
+        val built = parse("t,BuildDate\n" + (0 until 9).joinToString("") { "0.0$it,2024-03-16 10:41:07 UTC\n" })
+        built.values.shouldBeEmpty()
+        built.topic("t").samples[4] shouldBe 0.04
+    }
+
+    test("two numbers in one cell are not one number with a mark between thousands") {
+        val teams = parse("t,v,teams\n" + (0 until 9).joinToString("") { "0.0$it,1.5,${if (it == 4) "118 254" else "118"}\n" })
+        teams.topic("teams").samples.filter { it == 118254.0 }.shouldBeEmpty()
+        teams.hints().shouldBeEmpty()
+    }
+
+    test("a hole of NULs in a file of another dialect loses what it covers, and nothing else") {
+        val recording = parse("a;b\n1,5;2\n2,5;3\n" + "\u0000".repeat(5000) + "\n4,5;5\n")
+        recording.topic("a").samples.filter { it == 4.5 }.size shouldBe 1
+        recording.problems.map { it.kind } shouldContain ProblemKind.NUL_HOLE
+    }
+
     test("an ordinary file is read without any of this") {
         parse("Timestamp,/path,State\n0.0,\"[1; 2; 3]\",a;b\n0.02,\"[1; 2; 3]\",a;c\n").problems.shouldBeEmpty()
         parse("a,b\n1,2\n3,4\n").problems.shouldBeEmpty()

@@ -146,7 +146,7 @@ class FindingsPanelSpec : FunSpec({
             val name = onNodeWithContentDescription("Incident: ${incident.name}")
             name.assertIsNotSelected()
             name.performClick()
-            viewer.findings.selected shouldBe incident.sentences.first().finding
+            viewer.findings.selected shouldBe incident.first
             name.assertIsSelected()
             savePicture("incident-open")
             runOnIdle { viewer.findings.goTo(list.all.first { it !in incident }) }

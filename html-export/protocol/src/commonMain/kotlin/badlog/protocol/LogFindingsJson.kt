@@ -60,6 +60,7 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "next" to finding.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
     "caveats" to finding.caveats.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
     "isForEach" to "true".takeIf { finding.isForEach },
+    "isOnTrial" to "true".takeIf { finding.isOnTrial },
     "texts" to finding.texts.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
 )
 
@@ -83,6 +84,7 @@ internal fun findingOf(value: JsonValue): Finding {
         next = json.find("next")?.string.orEmpty(),
         caveats = if (json.find("caveats") == null) emptyList() else json.list("caveats") { it.string },
         isForEach = json.find("isForEach")?.boolean == true,
+        isOnTrial = json.find("isOnTrial")?.boolean == true,
         texts = if (json.find("texts") == null) emptyList() else json.list("texts") { it.string },
     )
 }

@@ -28,6 +28,7 @@ import badlog.signals.kind.simulationIn
 import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopic
+import kotlin.coroutines.cancellation.CancellationException
 
 /**
  * The result of a rule for a log.
@@ -169,8 +170,11 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** Returns the result of [step]; a rule that fails is skipped, so that the others' findings are kept. */
     private fun answerOf(step: Step, run: RuleRun): AskedRule = try {
         run.ask(step)
+    } catch (e: CancellationException) {
+        throw e
     } catch (e: RuntimeException) {
-        AskedRule(step.rule, emptyList(), Refusal("it failed, which is a mistake of badlog: $e"))
+        val text = "It stopped, which is a mistake of badlog; report it with the log: $e."
+        AskedRule(step.rule, emptyList(), Refusal(text, mistake = text))
     }
 
     /** Returns the rules that are skipped for [recording], which was read from a file called [file], and why. */

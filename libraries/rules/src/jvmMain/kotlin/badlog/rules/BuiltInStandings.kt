@@ -14,8 +14,12 @@ internal val COUNTS: List<RuleCounts> by lazy { ruleCountsIn(resource(COUNTS_FIL
 internal fun countedStanding(name: String, hash: String): Standing = standingOf(COUNTS.filter { it.rule == name && it.hash == hash })
 
 /** Returns the beginning of the hash of the [rule]'s text, whatever its lines and remarks. */
-internal fun hashOf(rule: TomlTable): String =
-    MessageDigest.getInstance("SHA-256").digest(rule.toJson().encodeToByteArray()).take(HASH_BYTES).joinToString("") { "%02x".format(it) }
+internal fun hashOf(rule: TomlTable): String = hashOfJson(rule.toJson())
+
+/** Returns the beginning of the hash of [json], whose lines end as the system's do. */
+internal fun hashOfJson(json: String): String =
+    MessageDigest.getInstance("SHA-256").digest(json.replace("\r\n", "\n").encodeToByteArray()).take(HASH_BYTES)
+        .joinToString("") { "%02x".format(it) }
 
 /** The name of the table of counts, among the resources. */
 internal const val COUNTS_FILE = "badlog-counts.tsv"

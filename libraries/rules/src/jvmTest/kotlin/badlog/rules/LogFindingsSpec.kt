@@ -136,7 +136,9 @@ class LogFindingsSpec : FunSpec({
         val broken = Topic("Pneumatics/Pressure", "psi", emptyList(), DoubleArray(3), TextColumn.EMPTY, CellCounts(3, 0, 0, 0, 0, 0), doubleArrayOf(0.0))
         val enabled = Topic("DS:enabled", "", emptyList(), doubleArrayOf(1.0, 1.0), TextColumn.EMPTY, CellCounts(2, 0, 0, 0, 0, 0), doubleArrayOf(0.0, 6.0))
         val result = findingsOf(listOf(ownTimes("A", 0.0, 0.1, 2.5, 6.0), enabled, broken))
-        result.skipped.single { it.rule == "Low air pressure" }.message.startsWith("it failed") shouldBe true
+        val failed = result.skipped.single { it.rule == "Low air pressure" }
+        failed.isMistake shouldBe true
+        failed.message.startsWith("It stopped, which is a mistake of badlog") shouldBe true
         result.findings.map { it.rule } shouldContain "Gap in time"
     }
 

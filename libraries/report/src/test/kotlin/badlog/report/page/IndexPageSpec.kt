@@ -79,7 +79,7 @@ class IndexPageSpec : FunSpec({
         page.shownItems() shouldBe all
         page.set("level", "2")
         page.elements(".match li").filter { it.isDisplayed }.all { it.getDomAttribute("class") == "error" } shouldBe true
-        page.shownMatches().size shouldBe 3
+        page.shownMatches().size shouldBe 2
     }, page = samples)
 
     browserTest("matches of several types are filtered by type", { page ->

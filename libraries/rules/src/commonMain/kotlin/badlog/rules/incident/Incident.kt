@@ -23,8 +23,10 @@ class Incident internal constructor(
 ) {
     val severity: Severity = (causes + effects).maxOf { it.severity }
 
-    /** Its beginning: its first cause, or the first effect if the cause is about the whole log. */
-    val first: Finding = causes[0].takeUnless { it.time.isNaN() } ?: effects.firstOrNull() ?: causes[0]
+    /** Its beginning: its first cause, or the first effect that [sentences] mention if the cause is about the whole log. */
+    val first: Finding get() = causes[0].takeUnless { it.time.isNaN() } ?: firstMentioned ?: effects.firstOrNull() ?: causes[0]
+
+    private val firstMentioned get() = sentences.map { it.finding }.firstOrNull { !it.time.isNaN() }
 
     /** When it began, in the unit of x; NaN if its cause is about the whole log and no effect has a time. */
     val time: Double get() = first.time

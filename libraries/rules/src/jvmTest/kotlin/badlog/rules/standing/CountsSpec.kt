@@ -10,6 +10,7 @@ import badlog.rules.TestMatch
 import badlog.rules.builtInRulesFromToml
 import badlog.rules.countedStanding
 import badlog.rules.field.Judgement
+import badlog.rules.hashOfJson
 import badlog.rules.hashesOfBuiltInRules
 import badlog.rules.incident.incidentsIn
 import badlog.rules.over
@@ -36,8 +37,9 @@ class CountsSpec : FunSpec({
         countedStanding(proven, "00000000") shouldBe Standing.ON_TRIAL
     }
 
-    test("each rule's hash is its own") {
+    test("each rule's hash is its own, and the same on a system whose lines end otherwise") {
         hashes.values.toSet().size shouldBe hashes.size
+        hashOfJson("{\r\n  \"name\": \"A\"\r\n}") shouldBe hashOfJson("{\n  \"name\": \"A\"\n}")
     }
 
     test("a built-in rule on trial is a note, whatever it is once proven") {

@@ -30,7 +30,6 @@ private fun incidentRow(shown: FindingsShown, incident: Incident, key: String): 
     val current = shown.visited?.finding
     val sentences = incident.sentences
     val first = sentences.first().finding
-    val open = sentences.map { it.finding }.firstOrNull { it.time.isFinite() }
     val read = sentences.map { it.finding }.find { it === current }
     return Row(
         key,
@@ -40,7 +39,7 @@ private fun incidentRow(shown: FindingsShown, incident: Incident, key: String): 
         sentences.map { lineOf(shown, it.finding, it.text, incident) },
         isFramed = true,
         isCurrent = current != null && current in incident,
-        open = goTo(open ?: first, incident, isWhole = true),
+        open = goTo(incident.first, incident, isWhole = true),
         tools = if (shown.details == null) listOf(pin(first, incident)) else emptyList(),
         below = if (read != null && shown.details != null) detailsOf(shown, read) else nextOf(incident.next),
     )

@@ -48,7 +48,7 @@ fun findingsPanel(shown: FindingsShown): List<Part> {
         rulesLine(shown, found),
         search(shown, found),
         hidden(searched),
-        shown.state.refusal?.let { Trouble("refusal", Severity.WARNING, it) },
+        shown.state.refusal?.let { Paragraph("refusal", it, Tone.ALERT) },
         changes(shown.differences),
     ) + troubles(found) + listOfNotNull(
         incidentRows(shown, listed.incidents),
