@@ -35,13 +35,16 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
         if (firstSize < first.size) return
         for (i in at until until) {
             if (isFull) return
-            started().accept(bytes[i])
+            val rows = started()
+            rows.accept(bytes[i])
+            if (rows.isTooLong) isFull = true
         }
     }
 
     override fun finish(): Recording {
-        started().finish()
-        if (isFull) problems.addTooMany(maxRows)
+        val rows = started()
+        rows.finish()
+        if (rows.isTooLong) problems.add(ProblemKind.ROW_CUT, TOO_LONG, rows.line) else if (isFull) problems.addTooMany(maxRows)
         reportBadRows()
         val all = topics.build()
         if (topics.sampleCount == 0) problems.add(ProblemKind.NO_ROWS, "There is a header but no sample.")
@@ -77,6 +80,7 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
     }
 
     private companion object {
+        const val TOO_LONG = "A line of more than ${ListRows.MAX_LINE} bytes is not a sample; the rest of the file was not read."
         const val MAX_SAMPLES = 50_000_000
     }
 }

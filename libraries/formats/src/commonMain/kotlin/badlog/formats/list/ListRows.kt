@@ -39,7 +39,9 @@ internal class ListRow(val line: Int, val hasComma: Boolean, private val cells: 
 
     companion object {
         const val CELLS = 3
-        private val NUMBER = Regex("[+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?")
+
+        // Two runs of digits that may touch would take a time that grows with the square of their length.
+        private val NUMBER = Regex("[+-]?(?:\\d+(?:\\.\\d*)?|\\.\\d+)(?:[eE][+-]?\\d+)?")
     }
 }
 
@@ -58,10 +60,19 @@ internal class ListRows(private val separator: Int, private val take: (ListRow) 
     private var isInQuotes = false
     private var endedQuotes = false
     private var isAfterReturn = false
-    private var line = 1
+
+    /** Whether a line has more than [MAX_LINE] bytes, after which nothing is read. */
+    var isTooLong = false
+        private set
+    private var lineSize = 0
+
+    /** The number of the line that is being read, from 1. */
+    var line = 1
+        private set
     private var lineNow = 1
 
     fun accept(byte: Byte) {
+        if (isTooLong) return
         val value = byte.toInt()
         if (value == LF && isAfterReturn) {
             isAfterReturn = false
@@ -105,11 +116,16 @@ internal class ListRows(private val separator: Int, private val take: (ListRow) 
 
     /** Ends the file. */
     fun finish() {
+        if (isTooLong) return
         if (size > 0 || isQuoted || cells.isNotEmpty()) endLine()
     }
 
     private fun keep(byte: Byte) {
         endedQuotes = false
+        if (lineSize++ == MAX_LINE) {
+            isTooLong = true
+            return
+        }
         if (size == cell.size) cell = cell.copyOf(size * 2)
         cell[size++] = byte
     }
@@ -129,14 +145,17 @@ internal class ListRows(private val separator: Int, private val take: (ListRow) 
         take(ListRow(line, separator != ','.code, cells.toList(), quoted.toList()))
         cells.clear()
         quoted.clear()
+        lineSize = 0
     }
 
-    private companion object {
-        const val QUOTE = '"'.code
-        const val LF = '\n'.code
-        const val CR = '\r'.code
+    companion object {
+        /** The most bytes of a line, as in a bag. */
+        const val MAX_LINE = 1 shl 24
+        private const val QUOTE = '"'.code
+        private const val LF = '\n'.code
+        private const val CR = '\r'.code
 
         /** A quote that nothing closes must not swallow the file. */
-        const val MAX_TEXT = 1 shl 16
+        private const val MAX_TEXT = 1 shl 16
     }
 }

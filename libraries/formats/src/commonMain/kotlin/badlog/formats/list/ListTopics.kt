@@ -10,16 +10,25 @@ import badlog.core.recording.timesText
 import badlog.core.text.UniqueNames
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.ElementBlocks
+import badlog.formats.column.GrowingDoubles
 import badlog.formats.column.SampleBlock
 import badlog.formats.column.Timestamps
 import badlog.formats.column.reportTopic
 import badlog.formats.wpilog.attributesIn
 
-/** The topics of a list. The first value of each shows whether it has numbers, texts or arrays of numbers. */
+/** The topics of a list. The first value of each that is not empty shows whether it has numbers, texts or arrays of numbers. */
 internal class ListTopics(private val source: ColumnSource, private val problems: ProblemList) {
     private enum class Kind { NUMBERS, TEXTS, ARRAYS }
 
-    private class Listed(val kind: Kind, val elements: ElementBlocks) {
+    private inner class Listed {
+        /** Null while all values are empty. */
+        var kind: Kind? = null
+        val elements = ElementBlocks(source.keepsSamples) { index, timestamps -> newBlock(kind, index, timestamps) }
+
+        /** The times of the empty values before the kind is known, if samples are kept. */
+        val emptyTimes = GrowingDoubles()
+        var emptyCount = 0
+        var firstEmpty: ListRow? = null
         var textCount = 0
         var firstText = ""
         var firstLine = 0
@@ -38,11 +47,39 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     fun add(row: ListRow): Boolean {
         val time = row.time ?: return false
         val name = row.name ?: return false
-        val listed = byName.getOrPut(name) { newTopic(kindOf(row)) }
+        val listed = byName.getOrPut(name) { if (source.hasRoomFor(1)) Listed() else null }
         sampleCount++
         if (time < 0 && earlyCount++ == 0) firstEarly = name
-        if (listed == null) droppedCount++ else add(listed, row, time)
+        when {
+            listed == null -> droppedCount++
+
+            listed.isOpenAfter(row) -> listed.hold(row, time)
+
+            else -> {
+                decide(listed, row)
+                add(listed, row, time)
+            }
+        }
         return true
+    }
+
+    // An empty array is `[]` to AdvantageScope and nothing to DataLogTool; only texts are both.
+    private fun Listed.isOpenAfter(row: ListRow) =
+        kind == null && isEmpty(row) && firstEmpty?.value?.contentEquals(row.value) != false
+
+    private fun Listed.hold(row: ListRow, time: Double) {
+        if (emptyCount++ == 0) firstEmpty = row
+        if (source.keepsSamples) emptyTimes.add(time)
+    }
+
+    private fun decide(listed: Listed, row: ListRow) {
+        if (listed.kind != null) return
+        val empty = listed.firstEmpty
+        listed.kind = if (empty != null && row !== empty && isEmpty(row)) Kind.TEXTS else kindOf(row)
+        if (empty == null) return
+        val times = listed.emptyTimes.take()
+        for (i in 0 until listed.emptyCount) add(listed, empty, times.getOrElse(i) { 0.0 })
+        listed.firstEmpty = null
     }
 
     private fun kindOf(row: ListRow): Kind = when {
@@ -52,12 +89,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         else -> Kind.TEXTS
     }
 
-    private fun newTopic(kind: Kind): Listed? {
-        if (!source.hasRoomFor(1)) return null
-        return Listed(kind, ElementBlocks(source.keepsSamples) { index, timestamps -> newBlock(kind, index, timestamps) })
-    }
-
-    private fun newBlock(kind: Kind, index: Int, timestamps: Timestamps): SampleBlock? {
+    private fun newBlock(kind: Kind?, index: Int, timestamps: Timestamps): SampleBlock? {
         if (index >= ElementBlocks.MAX_ELEMENTS || !source.hasRoomFor(1)) return null
         return SampleBlock(source.columns(listOf(if (kind == Kind.ARRAYS) "[$index]" else "")), timestamps)
     }
@@ -71,7 +103,11 @@ internal class ListTopics(private val source: ColumnSource, private val problems
             elements.end(numbers.size, time)
             return
         }
-        val column = elements.next(0, time)?.columns?.get(0) ?: return
+        val column = elements.next(0, time)?.columns?.get(0)
+        if (column == null) {
+            droppedCount++
+            return
+        }
         val number = if (listed.kind == Kind.TEXTS || row.isText) null else row.number
         val truth = if (number == null) truthIn(row) else null
         when {
@@ -102,6 +138,8 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     } else {
         null
     }
+
+    private fun isEmpty(row: ListRow) = !row.isText && (row.value.isEmpty() || isEmptyArray(row))
 
     private fun isEmptyArray(row: ListRow) = row.textOf(2).let { it == "[]" || it == "[ ]" }
 
@@ -138,6 +176,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     }
 
     private fun build(name: String, listed: Listed, names: UniqueNames, topics: MutableList<Topic>) {
+        listed.firstEmpty?.let { decide(listed, it) }
         listed.elements.timestamps.finish(ALL)
         for (block in listed.elements.blocks) {
             block.timestamps.finish(ALL)

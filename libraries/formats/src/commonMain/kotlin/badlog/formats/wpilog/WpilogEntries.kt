@@ -186,10 +186,7 @@ internal class WpilogEntries(
         if (!source.hasRoomFor(1)) return NoDecoder()
         if (type == "double[]" && NETWORK in name) {
             return FieldArrayDecoder(source) {
-                name.substringBeforeLast('/').let {
-                    it in fields ||
-                        "field" in it.substringAfterLast('/').lowercase()
-                }
+                name.substringBeforeLast('/').let { it in fields || it.substringAfterLast('/').equals(FIELD_FOLDER, ignoreCase = true) }
             }
         }
         val isArray = type.endsWith("[]")
@@ -250,6 +247,9 @@ internal class WpilogEntries(
         private const val NETWORK = "NT:"
         private const val DASHBOARD_TYPE = "/.type"
         private const val FIELD = "Field2d"
+
+        /** The usual name of one, whose type may have been lost. */
+        private const val FIELD_FOLDER = "Field"
         private const val SCHEMA = "structschema"
         private const val STRUCT_SCHEMA = ".schema/struct:"
         private const val PROTO = "proto:"

@@ -82,8 +82,44 @@ class ListFormatSpec : FunSpec({
         recording.problems.map { it.kind } shouldContain ProblemKind.TIMES_SORTED
     }
 
+    test("empty values leave open whether a topic has numbers, texts or arrays, and keep their times") {
+        val recording = read("Timestamp,Name,Value\n1,a,\n1,b,\n1,c,[]\n1,d,\n2,a,\n2,b,\n3,a,1;2;3\n3,b,UP\n3,c,[1; 2]\n3,d,7\n")
+        recording.topics.map { it.name } shouldBe listOf("a[0]", "a[1]", "a[2]", "b", "c[0]", "c[1]", "d")
+        recording.topic("a[2]").samples.last() shouldBe 3.0
+        recording.topic("b").times?.toList() shouldBe listOf(1.0, 2.0, 3.0)
+        List(3) { recording.topic("b").texts[it] } shouldBe listOf("", "", "UP")
+        recording.topic("c[1]").samples.last() shouldBe 2.0
+        recording.topic("d").times?.toList() shouldBe listOf(1.0, 3.0)
+        recording.topic("d").samples[0].shouldBeNaN()
+        recording.topic("d").samples[1] shouldBe 7.0
+        recording.problems shouldBe emptyList()
+    }
+
+    test("empty values in both ways of writing them are texts") {
+        for ((first, second) in listOf("" to "[]", "[]" to "")) {
+            val recording = read("Timestamp,Name,Value\n1,a,$first\n2,a,$second\n3,a,[UP]\n")
+            List(3) { recording.topic("a").texts[it] } shouldBe listOf(first, second, "[UP]")
+        }
+    }
+
+    test("a topic that never has more than empty values is shown") {
+        val recording = read("Timestamp,Name,Value\n1,a,\n2,a,\n2,b,[]\n")
+        recording.topics.map { it.name to it.counts.total } shouldBe listOf("a" to 2, "b" to 1)
+    }
+
+    test("a value of many digits that is no number is a text, and does not take forever") {
+        val digits = "1".repeat(1 shl 18)
+        read("Timestamp,Name,Value\n1,a,${digits}x\n").topic("a").texts[0] shouldBe "${digits}x"
+    }
+
+    test("reading stops at a line that is too long, and says so") {
+        val recording = read("Timestamp,Name,Value\n1,a,5\n2,a,${"1".repeat(1 shl 24)}\n3,a,6\n")
+        recording.topic("a").samples.toList() shouldBe listOf(5.0)
+        recording.problems.map { it.kind to it.line } shouldBe listOf(ProblemKind.ROW_CUT to 3)
+    }
+
     test("counting without keeping samples finds the same topics and counts") {
-        val text = "Timestamp,Name,Value\n1,a,5\n2,b,x\n3,a,6\n4,c,true\n5,d,1;2\n".encodeToByteArray()
+        val text = "Timestamp,Name,Value\n1,a,5\n2,b,x\n3,a,6\n4,c,true\n4,d,\n5,d,1;2\n5,e,\n6,e,x\n6,f,\n".encodeToByteArray()
         val counted = RecordingParser(LOG_FORMATS, keepSamples = false).run {
             accept(text)
             finish()
@@ -100,7 +136,7 @@ class ListFormatSpec : FunSpec({
     test("no bytes break it, and pieces make no difference") {
         val head = "Timestamp,Name,Value\n".encodeToByteArray()
         checkAll(Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes -> describe(read(head + bytes, 7)) shouldBe describe(read(head + bytes)) }
-        val pieces = listOf("1", "0.5", ",", ",a,", "\"", "\n", "\r\n", "true", "[1; 2]", "1;2", "x", "\u0000", "-3", "nan")
+        val pieces = listOf("1", "0.5", ",", ",a,", "\"", "\n", "\r\n", "true", "[1; 2]", "[]", "1;2", "x", "\u0000", "-3", "nan")
         checkAll(Arb.list(Arb.element(pieces), 0..60).map { it.joinToString("") }) { body ->
             describe(read("Timestamp,Key,Value\n$body", 1)) shouldBe describe(read("Timestamp,Key,Value\n$body"))
         }

@@ -94,7 +94,7 @@ class WpilogVariantsSpec : FunSpec({
     }
 
     test("three numbers, and other arrays, keep their elements") {
-        val log = TestLog().start(1, "NT:/SmartDashboard/Field/Robot", "double[]").start(2, "NT:/a/list", "double[]")
+        val log = TestLog().start(1, "NT:/SmartDashboard/Field/Robot", "double[]").start(2, "NT:/FieldRelative/list", "double[]")
         log.record(1, 1, doubles(1.0, 2.0, 90.0)).record(2, 1, doubles(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))
         log.read().topics.map { it.name.substringAfterLast('/') } shouldBe
             listOf("Robot[0]", "Robot[1]", "Robot[2]", "list[0]", "list[1]", "list[2]", "list[3]", "list[4]", "list[5]")

@@ -15,10 +15,14 @@ private val EVENT = Regex("[-_. ]+([A-Za-z][A-Za-z0-9]{2,})[-_. ]+")
 /** Returns the code of an event, in capitals or with its year, if that is the only word in [start] that is not common in names of logs. */
 private fun eventBefore(start: String): String? {
     val word = start.split(Regex("[-_. ]+")).filter { it.isNotEmpty() && it.lowercase() !in COMMON }.singleOrNull() ?: return null
+    if (NO_EVENT.matches(word)) return null
     return CODE.matchEntire(word)?.groupValues?.drop(1)?.first { it.isNotEmpty() }
 }
 
 private val CODE = Regex("([A-Z][A-Z0-9]{2,})|20\\d\\d([A-Za-z][A-Za-z0-9]{2,})")
+
+/** The words for an alliance, a team, a robot or a kind of match that stand where the code of an event may be. */
+private val NO_EVENT = Regex("(red|blue|alliance|team|comp|competition|practice|quals|elims)\\d*", RegexOption.IGNORE_CASE)
 private val COMMON =
     setOf("log", "logs", "frc", "ftc", "robot", "rio", "roborio", "bag", "badlog", "akit", "match", "data", "test", "day", "rev", "run")
 
@@ -35,7 +39,7 @@ fun matchInName(fileName: String): MatchOfLog {
     val event = if (date == null || found.range.first < afterDate) {
         eventBefore(fileName.substring(0, found.range.first))
     } else {
-        EVENT.matchEntire(fileName.substring(afterDate, found.range.first))?.groupValues?.get(1)
+        EVENT.matchEntire(fileName.substring(afterDate, found.range.first))?.groupValues?.get(1)?.takeUnless(NO_EVENT::matches)
     }
     return MatchOfLog(event, type?.title, if (second.isEmpty()) number else "$number-$second")
 }

@@ -86,10 +86,13 @@ private val PATTERNS = listOf(
 )
 private val OFFSET = Regex("(?:GMT|UTC|UT)?([+-])(\\d{1,2})(?::?(\\d{2}))?(?::?(\\d{2}))?")
 
-/** The short names of zones that mean one offset only, or nearly always one of those in RFC 1123; in hours. */
+/**
+ * The short names of zones that mean one offset only, or nearly always one of those in RFC 1123; in hours. CST is not one: it is also the
+ * time of China and Taiwan.
+ */
 private val ZONES = mapOf(
     "Z" to 0, "UT" to 0, "UTC" to 0, "GMT" to 0,
-    "EST" to -5, "EDT" to -4, "CST" to -6, "CDT" to -5, "MST" to -7, "MDT" to -6, "PST" to -8, "PDT" to -7,
+    "EST" to -5, "EDT" to -4, "CDT" to -5, "MST" to -7, "MDT" to -6, "PST" to -8, "PDT" to -7,
     "AKST" to -9, "AKDT" to -8, "HST" to -10, "CET" to 1, "CEST" to 2, "EET" to 2, "EEST" to 3,
 )
 private val FULL_MONTHS = listOf(

@@ -3,6 +3,7 @@ package badlog.signals.match
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.long
@@ -10,6 +11,7 @@ import io.kotest.property.checkAll
 import java.text.SimpleDateFormat
 import java.time.Instant
 import java.time.ZoneId
+import java.time.ZoneOffset
 import java.time.ZonedDateTime
 import java.time.format.DateTimeFormatter
 import java.util.Date
@@ -61,9 +63,21 @@ class WrittenDateSpec : FunSpec({
                 if (name.startsWith("America/New_York") || name == "UTC" || "GMT" in text) date.utcSecond shouldBe second
             }
         }
-        for (name in listOf("America/New_York", "America/Chicago", "America/Denver", "America/Los_Angeles", "Europe/Berlin")) {
+        for (name in listOf("America/New_York", "America/Denver", "America/Los_Angeles", "Europe/Berlin")) {
             val zone = ZoneId.of(name)
             for (second in listOf(1_516_000_000L, 1_531_000_000L)) dateInText(javaDate(second, zone)) shouldBe localSecondOf(second)
+        }
+    }
+
+    test("a date in CST, a zone of America and of Asia, is that of a clock on the wall") {
+        for (zone in listOf("America/Chicago", "Asia/Shanghai", "Asia/Taipei")) {
+            val time = ZonedDateTime.ofInstant(Instant.ofEpochSecond(1_516_000_000L), ZoneId.of(zone))
+            val text = javaDate(time.toEpochSecond(), time.zone)
+            withClue(text) {
+                text shouldContain " CST "
+                writtenDate(text)?.utcSecond shouldBe null
+                dateInText(text) shouldBe time.toLocalDateTime().toEpochSecond(ZoneOffset.UTC)
+            }
         }
     }
 
