@@ -33,7 +33,7 @@ async def talk(command):
 
         found, _ = await ask("findings", log=log)
         incident = next(one for one in found["incidents"] if any("rown" in sentence["text"] for sentence in one["sentences"]))
-        evidence = list(dict.fromkeys(topic for sentence in incident["sentences"] for topic in sentence["evidence"]))[:6]
+        evidence = list(dict.fromkeys(topic for sentence in incident["sentences"] for topic in sentence["evidence"][:3]))[:6]
         start, end = incident["time"] - 3, incident["time"] + 5
 
         topics = []

@@ -44,7 +44,11 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
     override fun finish(): Recording {
         val rows = started()
         rows.finish()
-        if (rows.isTooLong) problems.add(ProblemKind.ROW_CUT, TOO_LONG, rows.line) else if (isFull) problems.addTooMany(maxRows)
+        if (rows.isTooLong) {
+            problems.add(ProblemKind.ROW_CUT, TOO_LONG, rows.line)
+        } else if (isFull) {
+            problems.addTooMany(maxRows)
+        }
         reportBadRows()
         val all = topics.build()
         if (topics.sampleCount == 0) problems.add(ProblemKind.NO_ROWS, "There is a header but no sample.")

@@ -64,8 +64,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     }
 
     // An empty array is `[]` to AdvantageScope and nothing to DataLogTool; only texts are both.
-    private fun Listed.isOpenAfter(row: ListRow) =
-        kind == null && isEmpty(row) && firstEmpty?.value?.contentEquals(row.value) != false
+    private fun Listed.isOpenAfter(row: ListRow) = kind == null && isEmpty(row) && firstEmpty?.value?.contentEquals(row.value) != false
 
     private fun Listed.hold(row: ListRow, time: Double) {
         if (emptyCount++ == 0) firstEmpty = row

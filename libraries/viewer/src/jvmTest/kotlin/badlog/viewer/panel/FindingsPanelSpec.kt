@@ -3,7 +3,7 @@ package badlog.viewer.panel
 import badlog.core.analysis.Span
 import badlog.core.analysis.XAxis
 import badlog.core.recording.Severity
-import badlog.rules.BUILT_IN
+import badlog.rules.BUILT_IN_PROVEN
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
@@ -86,7 +86,7 @@ class FindingsPanelSpec : FunSpec({
     test("incidents come first, their sentences stand nowhere else, and what they leave out is folded") {
         fun of(rule: String, time: Double, severity: Severity) = Finding(rule, severity, "Arm/Output", "$rule.", time, listOf(Span(time, time + 1)), 1, "s")
         val all = listOf(of("Motor stalled", 20.0, Severity.ERROR), of("Low battery", 20.5, Severity.ERROR), of("Own rule", 90.0, Severity.WARNING))
-        val incidents = RuleSet.BUILT_IN.incidentsIn(all)
+        val incidents = RuleSet.BUILT_IN_PROVEN.incidentsIn(all)
         val parts = findingsPanel(shown(FoundInLog(all, incidents = incidents, ran = 3), visited = all[0]))
         val incident = parts.rows("incidents").single()
         incident.isFramed shouldBe true
