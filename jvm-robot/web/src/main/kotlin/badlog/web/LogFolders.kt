@@ -97,7 +97,10 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
             } catch (_: InvalidPathException) {
                 return null
             }
-            if (i < names.lastIndex && (isBare(path.parent) || attributesOf(path)?.isDirectory != true)) return null
+            val attributes = attributesOf(path) ?: return null
+            // A home shows only the bags directly in it, no folder.
+            if (attributes.isDirectory && isBare(path.parent)) return null
+            if (i < names.lastIndex && !attributes.isDirectory) return null
         }
         return path
     }
