@@ -5,10 +5,10 @@ import badlog.core.recording.Topic
 /**
  * One line of a graph.
  *
- * @property name what the legend calls it.
+ * @property name its name in the legend.
  * @property unit its unit, `ul` for none.
  * @property topic the topic it comes from.
- * @property isDerived whether its samples were calculated from those of [topic] rather than logged.
+ * @property isDerived whether its samples were calculated from [topic]'s samples rather than logged.
  * @property states the names of the states, if the numbers only stand for states: number `n` is `states[n]`. Otherwise
  * null.
  * @param range returns where its recording has samples, see [recorded].
@@ -35,8 +35,8 @@ public class GraphSeries internal constructor(
     public val recorded: ClosedFloatingPointRange<Double>? get() = range()
 
     /**
-     * Returns this line with [offset] added to each x, in the unit of x, and [suffix] behind its name and its topic's: so a line of one log
-     * is drawn among those of another. The times of the topic itself stay.
+     * Returns this line with [offset] added to each x, and [suffix] to its name and its topic's. The line can then be drawn among the lines
+     * of another log. [offset] is in the unit of x; the times of the topic itself stay.
      */
     public fun moved(offset: Double, suffix: String): GraphSeries = GraphSeries(
         name + suffix,

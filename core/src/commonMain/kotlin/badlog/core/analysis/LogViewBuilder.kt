@@ -204,7 +204,7 @@ private fun textOf(number: Double): String = if (abs(number) < WHOLE) number.toL
 
 private const val WHOLE = 1e15
 
-/** Puts all that is shown into folders: the root folder first, the others sorted regardless of case. */
+/** Sorts everything into folders: the root folder first, then the others regardless of case. */
 private fun folders(values: List<Value>, eventLogs: List<EventLog>, graphs: List<Graph>): List<Folder> {
     val valuesOf = values.groupBy { PathName.folderOf(it.name) }
     val eventLogsOf = eventLogs.groupBy { PathName.folderOf(it.name) }

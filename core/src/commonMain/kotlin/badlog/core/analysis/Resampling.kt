@@ -12,11 +12,12 @@ import kotlin.math.ceil
 import kotlin.math.round
 
 /**
- * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before
- * that time, and nothing before its first sample. A sample less than a nanosecond after a row, as rounding makes them, is in it. An event
- * is in the first row that is not before it; several events of one row are joined by `; `. So is the sample of a topic that
- * [was sparse][Topic.wasSparse]; of several in one row, it is the last. The first topic is `Time`, with these times, as the x axis. If the
- * recording was made from rows, the topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
+ * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before that time, and
+ * nothing before its first sample. A sample less than a nanosecond after a row is in that row, because times are rounded. An event is in
+ * the first row that is not before it; several events of one row are joined by `; `. A sample of a topic that [was sparse][Topic.wasSparse]
+ * goes to its row in the same way; of several in one row, the last one counts. The first topic is `Time`, with these times, as the x axis.
+ * If the recording was made from rows, the topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as
+ * a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
  * @throws IllegalArgumentException if they are not.
@@ -46,7 +47,7 @@ private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): To
     return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
 }
 
-/** Returns the topic [former] with its own numbers, if they hold the times more precisely than [times] does. */
+/** Returns the topic [former] as the x axis. Its own numbers are kept where they agree with [times], because they are more precise. */
 private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
     val inSeconds = Units.microsIn(former.unit) / 1e6
     val x = DoubleArray(times.size) { row ->
@@ -59,11 +60,10 @@ private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
 private fun xCounts(times: DoubleArray) = CellCounts(times.size, 0, 0, 0, 0, 0)
 
 /**
- * Returns times that are [period] apart, from the first sample of [recording] on; the last one is not before the
- * last sample.
+ * Returns times [period] apart, from the first sample of [recording] on. The last time is not before the last sample.
  *
- * @param period in the unit of the x axis, above 0.
- * @throws IllegalArgumentException if it is not, or if there would be more than 100 million times.
+ * @param period in the unit of the x axis; above 0.
+ * @throws IllegalArgumentException if [period] is not above 0, or if there would be more than 100 million times.
  */
 public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     require(period > 0) { "A period must be above 0, but is $period." }
@@ -88,7 +88,10 @@ public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
     return positions.copyOf(size)
 }
 
-/** Returns how many samples of [topic], which has times of its own, are in none of the rows that [resampled] makes at [times]. */
+/**
+ * Returns the number of samples of [topic] that are in none of the rows that [resampled] makes at [times]. [topic] must have times of its
+ * own.
+ */
 public fun samplesBetween(topic: Topic, times: DoubleArray): Long {
     val own = topic.times ?: return 0
     // All events before a row are in it.
@@ -129,7 +132,7 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     return sampler.build()
 }
 
-/** Walks through the samples of a topic, and puts the last one at each time into its row. */
+/** Puts the last sample of a topic at each time into that time's row. */
 private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
 

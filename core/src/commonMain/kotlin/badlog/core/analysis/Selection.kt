@@ -33,7 +33,7 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
                 values[right--] = value
             }
         }
-        // Anything between the two is the pivot.
+        // The values between the two equal the pivot.
         if (place >= left) {
             low = left
         } else if (place <= right) {
@@ -44,7 +44,7 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
     }
 }
 
-/** Moves to [place], by selecting within a sample, a value slightly farther from the middle than the wanted one. */
+/** Moves a pivot to [place]: a value slightly farther from the middle than the wanted one, selected within a sample. */
 private fun selectInSample(values: DoubleArray, place: Int, low: Int, high: Int) {
     val size = high - low + 1.0
     val rank = place - low + 1.0
@@ -64,9 +64,9 @@ private const val MANY = 600
 private const val MAX_ROUNDS = 8
 
 /**
- * Returns the value below which [share] of the total weight lies. It is the smallest of the first [count] of [values] whose weight,
- * with the weights of all below it, reaches that share; if they reach it exactly, it is the midpoint between that value and the
- * next. Equal values may have their weights together or separately, with the same result. NaN if there are no values.
+ * Returns the value below which [share] of the total weight lies. It is the smallest of the first [count] of [values] that weighs, together
+ * with all values below it, at least that share; if exactly that share, the result is the midpoint between that value and the next. Equal
+ * values may have their weights together or separately, with the same result. NaN if there are no values.
  *
  * @param values not NaN.
  * @param weights above 0.
@@ -124,14 +124,14 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
 
     private fun partOf(value: Double): Int = ((value - smallest) * scale).toInt()
 
-    /** The value of [some] at which the weight reaches [wanted], if the values below all of them weigh [before]. */
+    /** Returns the value of [some] at which the weight reaches [wanted]; the values below all of them weigh [before]. */
     private fun selected(some: DoubleArray, weightsOfSome: DoubleArray, before: Double, wanted: Double, rounding: Double): Double {
         var low = 0
         var high = some.size - 1
         var below = before
         var random = 1
         while (true) {
-            // Any place will do; but with a fixed one, some orders of values would make this slow.
+            // Any place is correct, but with a fixed one, some orders of values would be slow.
             random = random * 1_103_515_245 + 12_345
             val pivot = some[low + (random ushr 1) % (high - low + 1)]
             var less = low

@@ -3,8 +3,7 @@ package badlog.core.analysis
 import kotlin.math.abs
 
 /**
- * Samples over x: `(x[i], y[i])` for every `i`. Callers need not know whether it shares its x with other series or
- * has its own.
+ * Samples over x: `(x[i], y[i])` for every `i`. Several series may share one array of x.
  *
  * @property x the position of each sample; finite. Usually ascending, see [isOrdered]. Not to be changed.
  * @property y the samples, of the same size as [x]; NaN is a gap, and an infinity is drawn as one. Not to be changed.

@@ -53,7 +53,7 @@ public class StateRuns(series: Series, end: Double) {
         sums
     }
 
-    /** Returns how much of x the whole recording is in [state]. */
+    /** Returns the total length of the runs in [state], in the unit of x. */
     public fun timeIn(state: Int): Double = times[state]
 
     /** Returns the index of the first run that may extend to [position] or beyond. */

@@ -2,7 +2,7 @@ package badlog.core.analysis
 
 import badlog.core.recording.Topic
 
-/** How units are shown and derived. */
+/** Functions that recognize, derive and convert units. */
 public object Units {
     /** Returns whether [unit] means that there is none: `ul`, or a blank text. */
     public fun isNone(unit: String): Boolean = unit.isBlank() || unit == Topic.UNITLESS

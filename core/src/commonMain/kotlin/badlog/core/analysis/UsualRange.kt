@@ -1,8 +1,8 @@
 package badlog.core.analysis
 
 /**
- * The range in which some positions lie, without a few outliers that would make the others too small to see. Outliers are a hundred times
- * as far away as the others are from one another, and at most one in a hundred. Positions that are not finite are ignored.
+ * The range of some positions without a few outliers, which would make the others too small to see. An outlier is a hundred times as far
+ * away as the others are from one another. At most one position in a hundred is an outlier. Positions that are not finite are ignored.
  *
  * @property range the range; null if there are no positions.
  * @property wildCount the number of outliers.
@@ -72,10 +72,10 @@ internal class UsualRange(positions: DoubleArray) {
         /** At most one in this many positions may be an outlier. */
         const val FEW = 100
 
-        /** One in this many is ignored at each end when the distances of the others are measured. */
+        /** One position in this many is ignored at each end when the spread of the others is measured. */
         const val PART = 20
 
-        /** With fewer positions than this, there is no usual range. */
+        /** With fewer positions than this, no position counts as an outlier. */
         const val FEWEST = 100
         const val LOOKED_AT = 2000
     }

@@ -12,11 +12,11 @@ import badlog.core.text.NUL
 import badlog.core.text.TextDecoder
 
 /**
- * Reads a bag, or a plain CSV file, that is pushed to it in pieces of any size. It never throws because of the bytes:
- * whatever is wrong becomes a problem of the recording, by the rules in `docs/bag-format.md`.
+ * Reads a bag or a plain CSV file from pieces of any size. It never throws because of the bytes: anything wrong in them becomes a problem
+ * of the recording, by the rules in `docs/bag-format.md`.
  *
- * Besides the recording's own columns, it holds one piece of the file in memory, never the whole file. Compressed files must
- * be inflated first. Not thread-safe.
+ * Besides the recording's columns, it keeps one piece of the file in memory, never the whole file. Compressed files must be inflated first.
+ * Not thread-safe.
  *
  * @param expectedBytes the length of the file, if known, so that columns do not grow beyond what its rows need. 0 if it is
  *   not known.
@@ -30,7 +30,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     /**
      * Creates a parser that passes the slow work of each column to [forAll].
      *
-     * @param sinks where numbers go that the recording is not to keep; texts and counts are kept all the same.
+     * @param sinks receivers of the numbers that the recording does not keep; texts and counts are always kept.
      * @param expectedLines the number of lines of the file, if known, so that columns need not grow at all. 0 if it is not known.
      * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads if
      *   available, and returns when all calls have returned.
@@ -61,7 +61,10 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     override val isFull: Boolean get() = rows?.gaveUp == true
 
-    /** What a [RowBatchParser] must know to read rows of this file; null until the header is read, and if no rows follow. */
+    /**
+     * The argument for a [RowBatchParser] that reads rows of this file: for each column, whether a decimal comma is read. Null until the
+     * header is read, and if no rows follow.
+     */
     public val readsDecimalComma: BooleanArray? get() = if (ignoresTheRest) null else rowReader()?.readsDecimalComma
 
     private val ignoresTheRest: Boolean get() = header.isNoLog || isFull
@@ -83,7 +86,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     /**
-     * Takes rows that a [RowBatchParser] read, in place of their bytes, which follow those of the previous calls.
+     * Adds rows that a [RowBatchParser] read from the next bytes of the file, in place of those bytes.
      *
      * @return false if no row begins there because a row or a hole continues, if [batch] lacks numbers that this parser keeps
      *   or passes on, or if the file separates cells or writes numbers in an unusual way; the bytes themselves must then be passed.
@@ -152,7 +155,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     private fun columnsOfHeaderAlone(): HeaderColumns =
         HeaderColumns.match(header.header, header.header?.topics.orEmpty().map { it.name }, pending.line, problems)
 
-    /** Skips NULs, and reports how many there were once they end. Returns false if more may follow. */
+    /** Skips NULs, and reports their number once they end. Returns false if more may follow. */
     private fun passHole(isEnd: Boolean): Boolean {
         var at = pending.start
         while (at < pending.end && pending.bytes[at].toInt() == NUL) at++

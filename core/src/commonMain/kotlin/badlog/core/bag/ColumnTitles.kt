@@ -1,10 +1,10 @@
 package badlog.core.bag
 
 /**
- * The titles of a file's columns, as far as its first two lines and the rows after them agree on them.
+ * The titles of a file's columns, according to its first two lines and the rows after them.
  *
  * @property titles a title for each column.
- * @property isDoubtful for each column, whether its title may be that of another one.
+ * @property isDoubtful for each column, whether its title may belong to another column.
  */
 internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArray = BooleanArray(titles.size)) {
     /** Returns the same with [change] applied to each title. */
@@ -23,7 +23,7 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
 
         private fun doubtful(titles: List<String>) = ColumnTitles(titles, BooleanArray(titles.size) { true })
 
-        /** Pairs names with titles, some of which differ. */
+        /** Pairs names with titles if some of them differ. */
         private fun paired(names: List<String>, titles: List<String>): ColumnTitles {
             val same = titles.indices.count { titles[it] == names[it] }
             val waiting = names.filterIndexed { index, name -> titles[index] != name }.toMutableList()
@@ -56,7 +56,7 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
             val line = names.joinToString(",")
             val rest = titles.joinToString(",")
             if (isInOrder || line.startsWith(rest) || line.endsWith(rest)) return ColumnTitles(names)
-            // Line 2 had its own order, which is known from both its ends inwards.
+            // Line 2 had its own order, which is known from both ends of the line inwards.
             val left = names.toMutableList()
             val first = titles.takeWhile { left.remove(it) }
             val last = titles.drop(first.size).takeLastWhile { left.remove(it) }

@@ -25,7 +25,7 @@ internal object DialectSearch {
         val width = lines.drop(1).groupingBy { it.size }.eachCount().maxByOrNull { it.value * WIDEST + it.key }?.key ?: 0
         val rows = lines.drop(1).filter { it.size == width }
 
-        /** How well the rows fit: in rows with a value, each value counts for it, each other text against it. */
+        /** The quality of this reading: in rows with a value, each value counts for it, each other text against it. */
         val score by lazy(LazyThreadSafetyMode.NONE) {
             if (width < 2) 0 else rows.filter { row -> row.any { it.isValue } }.sumOf(::scoreOf)
         }
@@ -48,7 +48,7 @@ internal object DialectSearch {
         if (isOneColumn(usual, lines)) return Reading(SEMICOLON, lines.map { listOf(Cell(it)) })
         val others = listOf(SEMICOLON, TAB).filter { lines[0].indexOf(it.toChar()) >= 0 || lines[1].indexOf(it.toChar()) >= 0 }
             .map { separator -> Reading(separator, lines.map { split(it, separator) }) }
-            // A cell between commas may have a list, which its title has not.
+            // A cell between commas may contain a list, unlike its title.
             .filter { it.lines[0].size == it.width }
         return others.maxByOrNull { it.score }?.takeIf { it.score > maxOf(usual.score, 0) } ?: usual
     }
@@ -85,7 +85,7 @@ internal object DialectSearch {
         // In quotes, between commas, the reader of rows finds decimal commas, and reports them for each topic.
         val hasComma = between != ',' && (if (isUsual) between != null && points(',') > 0 else points(',') > 0 || isOpen(','))
         val clocks = (0 until reading.width).mapNotNull { index -> clockOf(index, first, body)?.let { index to it } }.toMap()
-        // Where there is a time already, a clock beside it is not the x axis.
+        // If there already is a time, a clock beside it is not the x axis.
         val hasTime = (0 until reading.width).any { index -> index !in clocks && isTime(index, first, body) }
         return CsvDialect(reading.separator, hasComma, between, if (hasTime) emptyMap() else clocks, hasTitles, isNamed)
     }

@@ -6,11 +6,11 @@ import badlog.core.text.UniqueNames
 import badlog.core.text.isLetterOrDigit
 
 /**
- * Which topic of line 1 belongs to which column of line 2.
+ * The columns of line 2, matched with the topics of line 1.
  *
  * @property columnNames the name of each column, unique, in the order of line 2.
  * @property topics for each column, its topic of line 1, or null.
- * @property order the columns in display order: that of line 1, then those it does not name.
+ * @property order the columns in display order: first in the order of line 1, then those that line 1 does not name.
  */
 internal class HeaderColumns private constructor(val columnNames: List<String>, val topics: List<BagTopic?>, val order: List<Int>) {
     /** Returns the same with the topic that [describe] returns for each column by its index. */

@@ -53,7 +53,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         end += until - from
     }
 
-    /** Replaces all bytes that have arrived by what [translation] makes of them. */
+    /** Replaces all bytes that have arrived by their [translation]. */
     fun translate(translation: CsvTranslation) {
         translation.accept(bytes, start, end)
         end = start
@@ -61,7 +61,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         append(translation.out, 0, translation.outSize)
     }
 
-    /** Appends what [translation] makes of the last bytes of the file. */
+    /** Appends the [translation] of the file's last bytes. */
     fun finish(translation: CsvTranslation) {
         translation.finish()
         append(translation.out, 0, translation.outSize)

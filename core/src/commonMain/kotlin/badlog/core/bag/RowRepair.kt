@@ -14,8 +14,8 @@ import badlog.core.text.ZERO
 import badlog.core.text.isLetterOrDigit
 
 /**
- * Reads the rows that [RowScanner] cannot: quoted, cut, split, too short or too long ones. The most important rule: a line
- * that is a complete row by itself is never merged into a damaged one before it.
+ * Reads the rows that [RowScanner] cannot read: quoted, cut, split, too short or too long ones. A line that is a complete row by itself is
+ * never merged into a damaged one before it.
  *
  * @param endsInNewline whether every whole row of this file ends in a newline, as a bag's does, so that a last row
  *   without one is cut.
@@ -52,7 +52,7 @@ internal class RowRepair(
      * Reads the pending bytes, from the start of a line.
      *
      * @param isEnd whether no more bytes will follow.
-     * @param row how many rows there are so far.
+     * @param row the number of rows so far.
      * @return where the next row begins, or [RowScanner.INCOMPLETE] when more bytes are needed to decide.
      */
     fun repair(isEnd: Boolean, row: Int): Int {
@@ -196,10 +196,7 @@ internal class RowRepair(
         return isPiece
     }
 
-    /**
-     * Returns whether the bytes are a number directly followed by letters: the x of a row of which, because of damage, only the end is left
-     * besides.
-     */
+    /** Returns whether the bytes are a number directly followed by letters: a row that damage reduced to its x and its end.  */
     private fun isEndOfRow(bytes: ByteArray, from: Int, end: Int): Boolean {
         var at = from
         while (at < end && bytes[at] in ZERO..NINE) at++
@@ -246,7 +243,7 @@ internal class RowRepair(
         return take(bytes, isStrict, next, count)
     }
 
-    /** Drops what follows a hole up to the next newline, as it would be complete only by chance. */
+    /** Drops the bytes between a hole and the next newline, as they would be a complete row only by chance. */
     private fun dropFragment(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
         problems.add(
             ProblemKind.ROW_CUT,

@@ -6,7 +6,8 @@ import badlog.core.text.QUOTE
 /** Finds the cells of a row that is not plain, under several readings of its quotes. */
 internal class RowSplitter {
     /**
-     * Where the cells that were last found begin and end, without their quotes; only the first ones are valid, as many as [split] returned.
+     * The start and the end of each cell that was last found, without its quotes. Only the first ones are valid, as many as [split]
+     * returned.
      */
     var starts = IntArray(16)
         private set
@@ -25,7 +26,7 @@ internal class RowSplitter {
     var isMalformed = false
         private set
 
-    /** How to read quotes. */
+    /** The readings of quotes. */
     enum class Quotes {
         /** RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one. */
         STRICT,

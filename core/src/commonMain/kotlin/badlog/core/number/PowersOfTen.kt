@@ -27,7 +27,7 @@ internal class PowersOfTen96(private val min: Int, max: Int) {
     /** Bits 32 to 63. */
     fun middle(power: Int): Long = words[(power - min) * WORDS + 1].toLong() and WORD_MASK
 
-    /** Highest 32 bits, the first of which is set. */
+    /** Highest 32 bits; the first bit is set. */
     fun high(power: Int): Long = words[(power - min) * WORDS + 2].toLong() and WORD_MASK
 
     /** Powers of five times 2^96, which leaves room for three words below the shortest of them. */

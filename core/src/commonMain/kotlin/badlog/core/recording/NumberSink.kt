@@ -14,9 +14,9 @@ public fun interface NumberSink {
     }
 }
 
-/** Decides where the numbers of a file's topics go. Called once for each topic, before its first row. */
+/** Chooses the sink for the numbers of each topic. Called once for each topic, before its first row. */
 public fun interface NumberSinks {
-    /** Returns where the numbers of the topic [name] with [attributes] go; null for the recording. */
+    /** Returns the sink for the numbers of the topic [name] with [attributes]; null for the recording. */
     public fun of(name: String, attributes: List<String>): NumberSink?
 
     public companion object {

@@ -13,7 +13,7 @@ public inline fun freeName(wanted: String, ending: String = "", isFree: (String)
     return name
 }
 
-/** Hands out each name once, in a time that does not grow with how often one is wanted. */
+/** Hands out each name once, in a time that does not grow with the number of requests for it. */
 public class UniqueNames {
     private val given = HashSet<String>()
     private val copies = HashMap<String, Int>()

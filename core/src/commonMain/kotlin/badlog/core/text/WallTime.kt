@@ -22,11 +22,11 @@ public fun wallTimeText(micros: Double): String? {
 }
 
 /**
- * Returns the moment that [text] is in ISO 8601, with at least date, hour and minute, in whole µs since 1970: in UTC if it has an offset,
- * otherwise on the clock that it was read from. Null if it is not one.
+ * Returns the time that [text] gives in ISO 8601, in whole µs since 1970; null if it is not such a time. [text] needs at least date, hour
+ * and minute. With an offset, the result is in UTC, otherwise on the clock that wrote it.
  */
 internal fun microsOfIsoTime(text: String): Double? {
-    // Most cells of a file are none, and cheap to tell.
+    // Most cells of a file are not times, and are excluded quickly.
     if (text.length < SHORTEST || text[DASH] != '-') return null
     val match = ISO_TIME.matchEntire(text) ?: return null
     val (year, month, day, hour, minute, second) = match.destructured

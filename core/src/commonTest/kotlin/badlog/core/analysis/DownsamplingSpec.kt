@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-/** What [Downsampling] promises, found in a slow and simple way. */
+/** The result that [Downsampling] promises, computed in a slow and simple way. */
 private fun expected(series: Series, from: Double, to: Double, count: Int): List<List<Double>> = List(count) { column ->
     val indices = series.x.indices.filter { i ->
         series.x[i] in from..to && columnOf(series.x[i], from, to, count) == column
@@ -24,7 +24,7 @@ private fun columnOf(x: Double, from: Double, to: Double, count: Int): Int = (0 
 
 private fun found(series: Series, from: Double, to: Double, count: Int): List<List<Double>> {
     val columns = PixelColumns(count)
-    // Filled twice, because nothing may remain of an earlier zoom.
+    // Filled twice, because an earlier zoom must leave nothing behind.
     val downsampling = Downsampling(series)
     series.range?.let { if (it.endInclusive > it.start) downsampling.fill(it.start, it.endInclusive, columns) }
     downsampling.fill(from, to, columns)

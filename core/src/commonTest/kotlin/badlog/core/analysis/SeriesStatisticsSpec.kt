@@ -70,10 +70,7 @@ private infix fun SeriesStatistics.shouldBeLike(other: SeriesStatistics) {
     }
 }
 
-/**
- * Values as logs have them, and as they should not have them: few different ones, gaps, infinities, both zeros, huge
- * ones.
- */
+/** Usual and unusual values of logs: few different ones, gaps, infinities, both zeros, huge ones.  */
 private val VALUES = Arb.choose(
     6 to Arb.double(-5.0, 5.0),
     3 to Arb.element(-1.0, -0.0, 0.0, 1.0, 2.0),

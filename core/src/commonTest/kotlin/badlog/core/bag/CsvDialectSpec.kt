@@ -47,7 +47,7 @@ class CsvDialectSpec : FunSpec({
         checkAll(dialects, Arb.int(2..6), Arb.int(2..40), Arb.long(0L..99_999_999L), Arb.boolean()) { (separator, point, between), columns, rows, seed, isQuoted ->
             fun value(row: Int, column: Int) = (seed * (row + 1) * (column + 3)) % 99_999_991L
             fun cell(row: Int, column: Int) = written(value(row, column), point, between).let { if (isQuoted) "\"$it\"" else it }
-            // The first row shows beyond doubt what the marks are.
+            // The first row leaves no doubt about the marks.
             val sure = List(columns) { written(1_234_567_891L, point, between) }.joinToString("$separator")
             val text = List(columns) { "c$it" }.joinToString("$separator") + "\n$sure\n" +
                 (0 until rows).joinToString("") { row -> List(columns) { cell(row, it) }.joinToString("$separator") + "\n" }

@@ -17,7 +17,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
 class RecordingWriterSpec : FunSpec({
-    /** The one thing that no file can say for sure: a text whose lines look like rows. */
+    /** Returns whether [text] may be read back as rows, which no file can prevent. */
     fun mayLookLikeRows(text: String) = text.any { it in "\r\n" } && text.any { it in ",\"" }
 
     fun shouldComeBack(recording: Recording) {

@@ -33,7 +33,7 @@ class RowSurvivalSpec : FunSpec({
             val recording = parse(file)
             val found = List(recording.rowCount) { row -> recording.topics.joinToString(",") { cellText(it, row) } }
             for (row in rows.indices) {
-                // What is between a NUL and the next newline is not a whole row.
+                // The bytes between a NUL and the next newline are not a whole row.
                 if (row == damaged || (row == damaged + 1 && '\u0000' in lines[damaged])) continue
                 // A damaged line may be read as a part of the text above it.
                 val isThere = found.any { it == rows[row] || it.startsWith(rows[row] + "\n") }

@@ -155,8 +155,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
                 else -> (random.nextInt(100_000) * 10 + 5) / 1.0e4
             }
         }
-        // The JVM itself may allocate on this thread when it compiles, at any time. What the formatting allocates, it would allocate each
-        // time.
+        // The JVM itself may allocate on this thread at any time, when it compiles. The formatting itself would allocate each time.
         List(10) { allocatedByWriting(values, 50_000) }.min() shouldBe 0
     }
 })
