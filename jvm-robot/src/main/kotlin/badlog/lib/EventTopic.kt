@@ -19,7 +19,7 @@ internal class EventTopic(name: String, override val texts: EventTexts) :
     }
 }
 
-/** A column in which the log itself can note what went wrong. */
+/** A column in which the log itself can note faults. */
 internal interface EventSink {
     /** The texts that wait for the next row that has room. */
     val texts: EventTexts

@@ -3,13 +3,13 @@ package badlog.lib
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Handles everything that goes wrong in a robot's loop: each fault is counted every time, reported once by
- * [StandardError], and noted as an event in the log if that has [room] for events. Never throws.
+ * Handles the faults in a robot's loop. Each is counted every time, reported once by [StandardError], and noted as an event if the log has
+ * [room] for events. Never throws.
  *
  * Messages are built only when they are reported, so that a fault in each loop does not produce garbage in each.
  */
 internal class Faults(val counters: Counters) {
-    // Three sets, because names that a program makes up must not clash with each other or with the log's own subjects.
+    // Three sets, because a program's names must not clash with each other or with the log's own subjects.
     private val said = ConcurrentHashMap.newKeySet<String>()
     private val ignoredCalls = ConcurrentHashMap.newKeySet<String>()
     private val ignoredNames = ConcurrentHashMap.newKeySet<String>()
@@ -33,7 +33,7 @@ internal class Faults(val counters: Counters) {
         if (isNewCall(about)) say(why())
     }
 
-    /** Handles something published to [name] that is ignored. */
+    /** Handles a value that was published to [name] but is ignored. */
     inline fun publishIgnored(name: String?, why: () -> String) {
         if (isNewName(name ?: "")) say(why())
     }
@@ -65,7 +65,7 @@ internal class Faults(val counters: Counters) {
     }
 
     private companion object {
-        // A limit, so that a program that makes up names cannot fill the memory with them.
+        // A limit, so that a program that invents names cannot fill the memory with them.
         const val MAX_MESSAGES = 100
     }
 }

@@ -3,7 +3,7 @@ package badlog.lib
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * What a log has written, lost and ignored since [BadLog.init], as of one moment.
+ * The numbers of rows, cells and calls that a log has written, lost or ignored since [BadLog.init], at one moment.
  *
  * @property rowsWritten rows that were passed to the operating system, except those written to a file known to be
  * deleted.

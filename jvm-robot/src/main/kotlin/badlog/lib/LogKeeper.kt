@@ -5,8 +5,8 @@ import java.time.Instant
 import java.util.function.Supplier
 
 /**
- * Does the work with files that a robot's loop must not wait for: opens and renames the log, frees space, and stops the log when there is
- * none.
+ * Handles files on its own thread, so that a robot's loop does not wait: opens and renames the log, frees space, and stops the log when
+ * there is none.
  */
 internal class LogKeeper(private val session: LogSession, private val options: RobotLogOptions) : Thread("badlog keeper") {
     private val faults = session.faults
@@ -79,7 +79,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
             "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
                 "Copy old logs to a laptop, then delete them here."
         }
-        // Writes a row with it, because there may be no other.
+        // Writes a row with the note, because there may be no other.
         if (session.state != LogState.SETTING_UP) session.log()
         session.close()
     }
@@ -88,7 +88,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         val file = session.file ?: return
         val wasUnknown = match.isEmpty()
         if (!learn()) return
-        // First, and whatever becomes of the name: this is what shows the match.
+        // First, even if renaming fails: this note shows the match.
         if (wasUnknown && match.isNotEmpty()) faults.note("Match $event $match")
         if (time == null) return
         val name = LogName.free(folder.path, currentName(), ending)
@@ -99,7 +99,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         syncFolder(folder.path)
     }
 
-    /** Asks for what is not known yet. Returns whether any of it is known now. */
+    /** Asks for the event, the match and the time that are not known yet. Returns whether any of them is known now. */
     private fun learn(): Boolean {
         val before = Triple(time, event, match)
         if (time == null && ask("isClockSet") { options.isClockSet.asBoolean } == true) time = Instant.now()
@@ -123,7 +123,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         try {
             session.addValue(name, text)
         } catch (_: DuplicateNameException) {
-            // The program itself creates this value.
+            // The program itself created this value.
         } catch (_: InvalidModeException) {
             // The log was closed in the meantime.
         }

@@ -4,8 +4,8 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Reports what went wrong on standard error, on a thread of its own: if that is a pipe that nobody reads, writing to it may never
- * return, and a robot's loop cannot wait for that. Messages that arrive while too many are waiting are dropped. Never throws.
+ * Prints messages on standard error from its own thread. If standard error is a pipe without a reader, a write may never return, and a
+ * robot's loop cannot wait for that. Messages that arrive while too many are waiting are dropped. Never throws.
  */
 internal object StandardError : Thread("badlog messages") {
     private const val MAX_WAITING = 400

@@ -9,7 +9,7 @@ import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.util.Locale
 
-/** All differences from a bag of the original, each with what the original did. */
+/** All differences from a bag of the original, each with the original's behavior. */
 class DeviationSpec : FunSpec({
     test("an x axis has microseconds; the original left 10 ms of 100 s") {
         inFolder { folder ->

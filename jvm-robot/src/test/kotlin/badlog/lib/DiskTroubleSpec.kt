@@ -10,13 +10,13 @@ import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.io.IOException
 
-/** After this time without a try, a disk that was full is tried again. */
+/** The pause after which a full disk is tried again. */
 private const val RETRY_MILLIS = 250L
 
-/** A deleted file is noticed when it was looked for twice, as often as it is synced. */
+/** The time between two checks for a deleted file; it is noticed at the second one. */
 private const val LOOK_MILLIS = 250L
 
-/** A device that is always full. */
+/** Runs tests only where a device exists that is always full. */
 private val IF_FULL =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no device that is always full")
 

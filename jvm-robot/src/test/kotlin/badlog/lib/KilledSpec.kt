@@ -11,10 +11,10 @@ import java.nio.ByteBuffer
 import java.util.concurrent.Executors
 import kotlin.random.Random
 
-/** How many robots are killed: some in each build, 200 by `thoroughTest`. */
+/** The number of robots that are killed: some in each build, 200 by `thoroughTest`. */
 private val KILLS = PropertyTesting.defaultIterationCount / 5
 
-/** A robot has logged fewer rows, or about as many, when it is killed. */
+/** The largest number of rows, roughly, that a robot has logged when it is killed. */
 private const val MAX_ROWS = 1000L
 
 /** The header, the names of the topics, then the first row. */
@@ -32,7 +32,7 @@ class KilledSpec : FunSpec({
     }
 })
 
-/** What is wrong with the log of a robot that was killed, or null. */
+/** Kills a robot, and returns the first fault of its log; null if there is none. */
 private fun killOne(folder: File, number: Int): String? {
     val compress = number % 2 == 1
     val returned = File(folder, "$number.returned")
@@ -50,7 +50,7 @@ private fun killOne(folder: File, number: Int): String? {
     val whole = (0 until rows.toInt()).all { it < samples.size && samples[it] == it.toDouble() }
     val said = File(folder, "$number.txt").readText()
     listOf(file, path, returned).forEach(File::delete)
-    // The row whose log() had not returned may be cut, but nothing before it.
+    // Only the row with an unfinished call of log() may be cut, and nothing before it.
     val lost = recording.problems.filter { it.severity == Severity.ERROR && (it.line ?: 0) < FIRST_ROW_LINE + rows }
     return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) {
         null

@@ -7,10 +7,10 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import java.io.File
 
-/** The log's files are looked after once in this time. */
+/** The interval of the thread that handles the log's files. */
 private const val TICK_MILLIS = 100L
 
-/** A system that renames no open file, as Windows: it says no until the file was tried once, and then renames the closed one. */
+/** A system that does not rename open files, such as Windows: the first attempt for a file fails, the next one, after closing, succeeds. */
 private class RenamesOnlyClosed {
     private val tried = HashSet<File>()
 

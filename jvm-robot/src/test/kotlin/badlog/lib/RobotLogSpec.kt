@@ -9,7 +9,7 @@ import io.kotest.matchers.string.shouldMatch
 import java.io.File
 import java.util.function.Supplier
 
-/** A robot in the state that a test gives it. Its loop takes 10 ms. */
+/** A robot with a state that the test sets. Its loop takes 10 ms. */
 private class Robot(folder: File) {
     val time = TestTime()
 
@@ -49,13 +49,13 @@ private class Robot(folder: File) {
     }
 }
 
-/** The log's files are looked after once in this time. */
+/** The interval of the thread that handles the log's files. */
 private const val TICK_MILLIS = 100
 
 private fun File.names() = list().orEmpty().sorted()
 
 class RobotLogSpec : FunSpec({
-    // Robots of other specs never close their logs, as real ones do not.
+    // Robots of other specs never close their logs, like real robots.
     beforeTest { inFolder { folder -> standardErrorOf { BadLog.init("$folder/last.bag").close() } } }
 
     test("nothing is written until a driver station is connected; then time, event and match make the name") {
@@ -123,7 +123,7 @@ class RobotLogSpec : FunSpec({
                 robot.enabled = true
                 repeat(100) { isRow() shouldBe true }
                 robot.enabled = false
-                // The row that says so.
+                // The row that shows the robot disabled.
                 isRow() shouldBe true
                 isRow() shouldBe false
             }
@@ -201,7 +201,7 @@ class RobotLogSpec : FunSpec({
                     robot.drive(log)
                     log.log.state shouldBe LogState.LOGGING
                     robot.free = 5_000_000
-                    // The space is looked at every five seconds.
+                    // The free space is checked every five seconds.
                     robot.drive(log, 5000)
                     log.log.state shouldBe LogState.CLOSED
                     robot.drive(log)

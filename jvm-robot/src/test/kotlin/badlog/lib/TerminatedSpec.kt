@@ -10,7 +10,7 @@ import java.io.File
 import java.nio.ByteBuffer
 import java.util.zip.GZIPInputStream
 
-/** A robot's program is asked to end by a signal, and killed a second later. Windows has no such signal. */
+/** Whether the system can ask a program to end by a signal, before it is killed a second later. Windows has no such signal. */
 private val HAS_SIGNALS = !System.getProperty("os.name").startsWith("Windows")
 
 @Tags("InCheck")
@@ -25,7 +25,7 @@ class TerminatedSpec : FunSpec({
                 val command = childCommand(listOf(path.path, "100000000", "$isCompressed", returned.path))
                 val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "said")).start()
                 eventually("the robot's first 500 rows") { rowsThatReturned(returned) > 500 }
-                // Those that return later may come after the log was closed, while the program still runs.
+                // Later calls may come after the log was closed, while the program still runs.
                 val before = rowsThatReturned(returned)
                 process.destroy()
                 process.waitFor()

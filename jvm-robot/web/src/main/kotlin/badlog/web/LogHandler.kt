@@ -18,16 +18,16 @@ internal class LogHandler(
 ) : HttpHandler {
     private val mayGoOn = { whyClosed() == null }
 
-    // On the field, nothing is excepted.
+    // On the field, there is no exception.
     private val mayFollow = { whyClosed() != Refusal.FIELD }
 
     override fun handle(exchange: HttpExchange) {
         try {
             answer(exchange)
         } catch (_: IOException) {
-            // Whoever asked is gone, or gets less than was announced, which no browser takes for the whole log.
+            // The client is gone, or gets fewer bytes than announced, so that no browser takes them for the whole log.
         } catch (_: InterruptedException) {
-            // The place of a download that stood still was needed.
+            // Another request needed the place of this download, which stood still.
         } finally {
             exchange.close()
         }
@@ -129,14 +129,14 @@ internal class LogHandler(
                 exchange.responseHeaders["ETag"] = log.tag
                 exchange.responseHeaders["Content-Type"] = "application/octet-stream"
                 if (range != null) exchange.responseHeaders["Content-Range"] = "bytes $from-${from + length - 1}/${log.size}"
-                // An empty body is announced by -1.
+                // The length -1 announces an empty body.
                 exchange.sendResponseHeaders(if (range == null) OK else PARTIAL, if (length == 0L) NO_BODY else length)
                 download.copy(it, length, exchange.responseBody, mayGoOn)
             }
         }
     }
 
-    /** Answers that nothing has changed if whoever asks has [tag] already. */
+    /** Answers that nothing has changed if the client already has [tag]. */
     private fun isKnown(exchange: HttpExchange, tag: String): Boolean {
         exchange.responseHeaders["ETag"] = tag
         if (exchange.requestHeaders.getFirst("If-None-Match") != tag) return false
@@ -163,10 +163,10 @@ internal class LogHandler(
         const val NOT_MODIFIED = 304
         const val NO_BODY = -1L
 
-        /** How much of a running log's end may be read while the robot is enabled: half a minute of fifty numbers in each loop. */
+        /** The part of a running log's end that may be read while the robot is enabled: half a minute of fifty numbers in each loop. */
         const val TAIL_BYTES = 1024 * 1024
 
-        /** A log that was written to less long ago is being written. */
+        /** A log is running if its last write is more recent than this. */
         const val RUNNING_MILLIS = 10_000
     }
 }

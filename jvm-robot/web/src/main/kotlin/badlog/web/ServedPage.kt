@@ -8,7 +8,7 @@ internal class ServedPage {
     /** Its length in bytes. */
     val size: Long
 
-    /** What identifies its bytes. */
+    /** The identifier of its bytes. */
     val tag: String
 
     init {

@@ -55,7 +55,7 @@ class DownloadsSpec : FunSpec({
     test("whoever asks gets the place of a download that stood still for ten seconds") {
         val clock = TestClock(isRunning = true)
         withServer(LogServerOptions().also { it.clock = clock }) { server ->
-            // More than the system keeps for somebody who does not read.
+            // More than the system buffers for a client that does not read.
             server.logs.resolve("large.bag").writeBytes(ByteArray(30_000_000))
             server.logs.resolve("small.bag").writeText("small")
             val asleep = List(2) {
@@ -67,7 +67,7 @@ class DownloadsSpec : FunSpec({
             clock.advance(seconds = 9)
             server.get("/logs/small.bag").status shouldBe 503
             awaited("a place") {
-                // What the system keeps may still be filling.
+                // The system's buffer may still be filling.
                 clock.advance(seconds = 11)
                 server.get("/logs/small.bag").takeIf { it.status == 200 }
             }.text shouldBe "small"

@@ -22,7 +22,7 @@ private const val SECRET = "secret of the robot"
 
 @Tags("InCheck")
 class HostileRequestSpec : FunSpec({
-    /** A server with one log, and with secrets beside its folder, in hidden files, behind links, and under other names. */
+    /** Starts a server with one log, and with secrets beside its folder, in hidden files, behind links, and under other names. */
     fun withSecrets(test: (TestServer) -> Unit) = withServer { server ->
         val logs = server.logs
         logs.resolve("match.bag").writeText("log")
@@ -90,7 +90,7 @@ class HostileRequestSpec : FunSpec({
                 "localhost", "LOCALHOST:1", "127.0.0.1:5806", "10.10.14.2", "[::1]:5806", "[fe80::1]", "robot.local:5806", "roboRIO-1014-FRC.local:5806",
                 "roborio-254-frc", "roborio-9999-frc.lan", "roborio-1-frc.frc-field.local",
             )
-            // A place for downloads is free again only a moment after a download has arrived.
+            // A download frees its place only a moment after it has arrived.
             for (host in own) eventually("the log, for $host") { server.sent("GET /logs/match.bag HTTP/1.1\r\nHost: $host\r\n\r\n")?.status == 200 }
         }
     }

@@ -132,7 +132,7 @@ class LogServerSpec : FunSpec({
                 val answer = range(beyond)
                 answer.status to answer.headers["content-range"] shouldBe (416 to "bytes */100000")
             }
-            // What a server may ignore gets the whole log, once.
+            // Ranges that a server may ignore get the whole log, once.
             for (ignored in listOf("bytes=0-1,4-5", "bytes=" + (0..900).joinToString(",") { "0-" }, "bytes=5-1", "bytes=-", "lines=0-1", "bytes=a-b", "bytes=--5")) {
                 val answer = range(ignored)
                 answer.status to answer.body.size shouldBe (200 to BYTES.size)
@@ -187,13 +187,13 @@ class LogServerSpec : FunSpec({
             val third = server.get("/logs/a.bag")
             third.status shouldBe 503
             third.text shouldStartWith "Two downloads are running already"
-            // Pages that follow learn that it passes.
+            // Pages that follow the log learn to try again.
             third.headers["retry-after"] shouldBe "1"
             // Short answers need no place.
             server.get("/logs/?format=json").status shouldBe 200
             clock.run()
             for (socket in sockets) socket.getInputStream().readBytes().takeLast(9) shouldBe BYTES.takeLast(9)
-            // Each byte took its time but those of the last part, which are what is left of a log after six parts of 16 KiB.
+            // Each byte took its time, except for those in the last part: the rest of a log after six parts of 16 KiB.
             clock.nanos() shouldBe (200_000 - (100_000 - 6 * 16_384)) * 20_000L
             sockets.forEach { it.close() }
             awaited("a free place") { server.get("/logs/a.bag").takeIf { it.status == 200 } }.body.size shouldBe BYTES.size
@@ -207,7 +207,7 @@ class LogServerSpec : FunSpec({
             old.setLastModifiedTime(FileTime.fromMillis(1_772_892_000_000))
             val running = server.logs.resolve("running.bag").apply { writeBytes(ByteArray(2_000_000)) }
             running.appendText("end")
-            // In the year 2100: written to until long after this test.
+            // In the year 2100, so that the log counts as running throughout the test.
             running.setLastModifiedTime(FileTime.fromMillis(4_102_444_800_000))
             DriverStation.enabled = true
             try {
@@ -285,13 +285,13 @@ class LogServerSpec : FunSpec({
     }
 })
 
-/** Options of a server whose downloads get 50,000 bytes in a second of [clock]. */
+/** Options of a server that sends 50,000 bytes of downloads in a second of [clock]. */
 private fun paced(clock: Clock) = LogServerOptions().also {
     it.bytesPerSecond = 50_000
     it.clock = clock
 }
 
-/** Runs a robot's program that serves on [port], and ends once the port is opened or refused; returns its exit code and all that it said. */
+/** Runs a robot's program that serves on [port], and ends once the port is opened or refused. Returns its exit code and its output. */
 private fun saidBy(port: String, vararg options: String): Pair<Int, String> {
     val java = File(System.getProperty("java.home"), "bin/java").path
     val classpath = System.getProperty("badlog.shipped") + File.pathSeparator + System.getProperty("badlog.robots")
