@@ -25,7 +25,7 @@ internal class Answering(private val text: String, private val root: Node, priva
     private val quantities = ArrayList<Quantity>()
     private val whenTrue = ArrayList<Spans>()
 
-    // Where and how the first quantity was found, to find it again for a part of the time.
+    // The samples of the first quantity, to find it again in a part of the time.
     private var first: SpannedQuantity? = null
     private val whyUnknown = whyUnknown(root)
 
@@ -69,7 +69,7 @@ internal class Answering(private val text: String, private val root: Node, priva
     private fun isOpen(outcome: Outcome) =
         outcome == Outcome.UNKNOWN || (outcome == Outcome.NO_QUESTION && quantities.all { it.value.isNaN() })
 
-    /** Returns why an expression that depends on the robot's mode is not known. */
+    /** Returns the reason why an expression that depends on the robot's mode is not known. */
     private fun whyUnknown(node: Node): String? {
         if (node is Node.Enabled) {
             if (signals.enabled == null) return "The log does not show when the robot was enabled."

@@ -16,8 +16,9 @@ import badlog.expression.syntax.Node
 sealed interface ParsedQuestion
 
 /**
- * What a person asks about a log: an [Expression]; one for each of several topics or states, such as `max("PDP/Current *") by
- * topic` and `total by State`; or each occurrence of something with the values just before, such as `each(Browned Out, State)`.
+ * A question about a log. It is an [Expression], an expression for each of several topics or states, or a list of occurrences. Examples of
+ * the last two are `max("PDP/Current *") by topic`, `total by State`, and `each(Browned Out, State)`, which lists each occurrence with the
+ * values just before.
  */
 sealed class Question : ParsedQuestion {
     /** Returns the answer for [signals]. */
@@ -64,7 +65,7 @@ sealed class Question : ParsedQuestion {
     }
 
     companion object {
-        /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
+        /** Reads [text] with the names of [vocabulary]. Never throws, whatever the text. */
         fun parse(text: String, vocabulary: Vocabulary): ParsedQuestion {
             val parsed = Expression.parse(text, vocabulary)
             if (parsed is Expression) return Plain(parsed)
@@ -177,7 +178,7 @@ sealed class Question : ParsedQuestion {
             }
         }
 
-        /** Returns the answers of [parts] as one: the number of each that has one, or of each that holds. */
+        /** Returns the answers of [parts] as one answer: the number of each part that has one, or of each part that holds. */
         private fun grouped(parts: List<Pair<String, Expression>>, signals: Signals): Answer {
             val answers = parts.map { (group, expression) -> group to expression.answer(signals) }
             val outcomes = answers.map { it.second.outcome }

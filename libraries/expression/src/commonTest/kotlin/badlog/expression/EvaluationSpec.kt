@@ -27,7 +27,7 @@ class EvaluationSpec : FunSpec({
             if (!isRounding) throw AssertionError("seed $seed: $text is ${shown(fast)}, not ${shown(slow)}")
             roundings++
         }
-        // More could not be explained by rounding.
+        // Rounding does not explain more differences.
         roundings shouldBeLessThanOrEqual MOST_ROUNDINGS
     }
 
@@ -96,7 +96,7 @@ private fun shown(value: Value): String = when (value) {
 
 private fun shown(value: SlowValue): String = value.rows?.indices?.joinToString { "${value.logged(it)}: ${value.rows[it].value}" } ?: "${value.single}"
 
-/** What [node] is made of, without places. */
+/** The structure of [node], without positions in the text. */
 internal fun shape(node: Node): String = when (node) {
     is Node.Number -> "${node.value}"
     is Node.Time -> "${node.seconds}s"

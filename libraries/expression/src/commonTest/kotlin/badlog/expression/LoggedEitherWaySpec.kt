@@ -110,7 +110,7 @@ class LoggedEitherWaySpec : FunSpec({
                 val rows = expression.column(logs.inRows)
                 val changes = expression.column(logs.changes)
                 for (row in 1 until ROWS - 1) {
-                    // What ends between two rows is a gap in one of them.
+                    // A value that ends between two rows is a gap in one of them.
                     val near = (row - 1..row + 1).map { rows.at(it * STEP) }
                     val own = changes.at(row * STEP)
                     val isNear = if (own.isNaN()) near.any { it.isNaN() } else near.any { it.isNaN() } || own in near.min() - 1e-6..near.max() + 1e-6

@@ -96,7 +96,7 @@ class ParsingSpec : FunSpec({
     )
     for ((text, shape) in names) {
         test("the names in “$text” are found") {
-            // How a whole number is written depends on the platform.
+            // The text of a whole number depends on the platform.
             shapeOf(text) shouldBe shape.replace(Regex("(?<= )[0-9]")) { "${it.value.toDouble()}" }
         }
     }

@@ -7,7 +7,7 @@ import badlog.expression.syntax.ExpressionErrorKind
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** 100 rows that are [step] apart, in which V counts up. Without a [unit], there is no x axis. */
+/** 100 rows, [step] apart, in which V counts up. If [unit] is null, the rows have no x axis. */
 private fun signals(step: Double, unit: String?): Signals {
     val attributes = if (unit == null) "" else """"xaxis""""
     val header = """{"topics":[{"name":"Time","unit":"${unit.orEmpty()}","attrs":[$attributes]},{"name":"V","unit":"V"}],"values":[]}"""

@@ -13,7 +13,7 @@ import java.io.File
 
 private val ROOT = generateSequence(File("").absoluteFile) { it.parentFile }.first { File(it, "docs/expressions.md").exists() }
 
-/** What [expression] prints, each line indented. */
+/** Returns the output of [expression], with each line indented. */
 private fun printed(expression: String, signals: Signals): String = when (val result = Question.parse(expression, signals.vocabulary)) {
     is Question -> result.answer(signals).run { listOf(toString()) + occurrences.map(::printed) }.joinToString("\n")
     is ExpressionError -> result.pointed()

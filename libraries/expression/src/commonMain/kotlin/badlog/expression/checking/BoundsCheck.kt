@@ -18,8 +18,8 @@ private class Bounds(val low: Double, val high: Double) {
 }
 
 /**
- * Determines whether parts of an expression may hold, without looking at samples, from the bounds of each topic's samples
- * ([ofTopic], null if not known). If the result is false, they never hold.
+ * Determines from the bounds of each topic's samples whether parts of an expression may hold. If the result is false, they never hold.
+ * [ofTopic] returns the bounds, or null if they are not known.
  */
 internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     /** Returns whether the condition [node] may be true at some time. */
@@ -110,7 +110,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     private fun bounds(low: Double, high: Double) = if (low.isNaN() || high.isNaN()) Bounds.ALL else Bounds(low, high)
 
     private companion object {
-        /** Functions whose results stay within the values of their first operand. */
+        /** The functions with results within the values of their first operand. */
         val KEEPING = setOf(
             Function.MIN, Function.MAX, Function.FIRST, Function.LAST, Function.WINDOW_MIN, Function.WINDOW_MAX, Function.PREVIOUS,
             Function.HOLD, Function.SHIFT_TIME, Function.ANY,

@@ -9,7 +9,7 @@ import badlog.expression.syntax.Parameter
 import badlog.expression.syntax.Type
 import badlog.expression.syntax.mistake
 
-/** Finds the type of each node, or the first that does not fit. */
+/** Determines the type of each node; fails at the first node that does not fit. */
 internal object Checker {
     /** Checks [node], assigns ids to it and all nodes below it from [firstId] on, and returns the next free id. */
     fun check(node: Node, firstId: Int = 0): Int {

@@ -2,7 +2,7 @@ package badlog.expression.samples
 
 import badlog.core.text.isLetterOrDigit
 
-/** Returns 1 where [holds] is true for the text of [column], 0 where it is false, and a gap where there is no text. */
+/** Returns 1 where [holds] is true for the text of [column], 0 where it is false, and a gap where the text is missing. */
 internal fun whereText(column: Column, holds: (String) -> Boolean): Column {
     val results = DoubleArray(column.texts!!.size) { if (holds(column.texts[it])) 1.0 else 0.0 }
     return column.with(DoubleArray(column.size) { column.y[it].let { id -> if (id.isNaN()) id else results[id.toInt()] } })

@@ -4,23 +4,23 @@ import badlog.expression.signals.Vocabulary
 import badlog.expression.signals.editDistance
 import badlog.expression.signals.isWordCharacter
 
-/** Words that are keywords when written exactly like this. */
+/** The words that are keywords in exactly this spelling. */
 internal val KEYWORDS = setOf("not", "true", "false", AXIS) + Mode.entries.map { it.word }
 
 /** The meaning of a word where an operand is allowed. */
 internal sealed interface Meaning {
     class Topic(val node: Node.Topic) : Meaning
 
-    /** The scanner is still before [name], which is as written. */
+    /** A function call. The scanner is still before [name], which is as written. */
     class Call(val name: String) : Meaning
 
-    /** The scanner is still before it. */
+    /** A keyword. The scanner is still before it. */
     class Keyword(val word: String) : Meaning
 }
 
 /** Distinguishes names of topics from functions and keywords. */
 internal class NameReader(private val text: String, private val scanner: Scanner, private val vocabulary: Vocabulary) {
-    /** Returns what begins at the scanner's position. */
+    /** Returns the meaning of the text at the scanner's position. */
     fun read(): Meaning {
         val from = afterNeedlessSlash(scanner.at)
         val word = scanner.wordAt(from)
@@ -42,7 +42,10 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         failUnknown(from, word, key)
     }
 
-    /** Returns the topic that is meant by the words at [from], if they are more than the name of [length] there, and no name themselves. */
+    /**
+     * Returns the topic meant by the words at [from]. The words must be longer than the name of [length] there, and must not be a name
+     * themselves.
+     */
     private fun byWords(from: Int, length: Int): Meaning.Topic? {
         val until = nameEnd(from)
         if (until <= from + length || isCalled(until)) return null
@@ -161,7 +164,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     }
 
     private fun severalText(signal: String, topics: List<String>): String {
-        // Whole words, as a person would write it.
+        // Cut to whole words, as a person would write the pattern.
         val start = topics.reduce { one, other -> one.commonPrefixWith(other) }.dropLastWhile(::isWordCharacter)
         val rest = topics.map { it.substring(start.length) }
         val end = rest.reduce { one, other -> one.commonSuffixWith(other) }.dropWhile(::isWordCharacter)
@@ -182,7 +185,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${notA(name)}.$suggestion")
     }
 
-    /** Returns what [name] may have been meant to be, for people. */
+    /** Returns names that [name] may have been meant to be, for a message. */
     private fun near(name: String) = listOfNotNull(
         vocabulary.nearestTopic(name)?.let { "“${it.name}”" },
         vocabulary.nearestMeaning(name)?.let { "`${it.name}`" },

@@ -6,8 +6,8 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 
 /**
- * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since the vocabulary and the
- * positions where operands are allowed decide what is a name, which a table of tokens cannot express.
+ * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, because names depend on the vocabulary and on where
+ * operands are allowed, which a table of tokens cannot express.
  */
 internal class Parser(private val text: String, private val vocabulary: Vocabulary) {
     private val scanner = Scanner(text)
@@ -55,7 +55,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
                 left = made(Node.Measured(left.from, operatorUntil, left.value, left.digits, "%"))
                 continue
             }
-            // Except for ^, an operator that binds equally tightly begins the next round.
+            // Except for ^, an operator of the same precedence begins the next round.
             val right = try {
                 expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
             } catch (mistake: Mistake) {
@@ -266,8 +266,8 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 }
 
 /**
- * The limits of an expression. They keep expressions from untrusted sources from overflowing the stack, and bound the work:
- * each node costs a pass over the samples, and only functions that move times create more of them.
+ * The limits of an expression. They keep untrusted expressions from overflowing the stack, and bound the work: each node costs a pass over
+ * the samples, and only functions that move times create more of them.
  */
 internal object Limits {
     const val LENGTH = MAX_EXPRESSION_LENGTH
