@@ -54,7 +54,7 @@ Recording ReadBag(std::string_view bytes) {
     }
 
     if (!header.columns) {
-        // Without a line of titles there are no rows, but the line of JSON may still have the topics that there were to be.
+        // Without a line of titles there are no rows, but the line of JSON may still list the topics.
         const auto names = header.header ? header.header->Names() : Names{};
         header.columns = HeaderColumns::Match(header.Header(), names, cursor.line, problems);
     }

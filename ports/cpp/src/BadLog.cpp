@@ -35,7 +35,7 @@ std::shared_ptr<LogSession> CurrentSession() {
     return current.session;
 }
 
-/** Makes a session the log in which topics are created; returns the one before it. */
+/** Makes a session the log in which topics are created. Returns the previous one. */
 std::shared_ptr<LogSession> Exchange(std::shared_ptr<LogSession> session) {
     auto& current = Current();
     const std::lock_guard lock{current.mutex};
@@ -46,7 +46,7 @@ void SayFailure(std::string_view failure) {
     SayOnStandardError(failure);
 }
 
-/** The session to which a name is added; null, which is reported, if there is none. */
+/** Returns the session to which a name is added. If there is none, reports that and returns null. */
 std::shared_ptr<LogSession> SettingUp(std::string_view name) {
     auto session = CurrentSession();
     if (!session) SayOnStandardError("\"" + std::string{name} + "\" was created too early: call BadLog::Init(path) first.");
@@ -57,7 +57,7 @@ TopicDescription Described(std::string_view name, std::string_view unit, BadLog:
     return {std::string{name}, std::string{unit}, {attributes.begin(), attributes.end()}};
 }
 
-/** Creates a topic that is asked for its values; `more` are the other arguments of its constructor. */
+/** Creates a topic that calls a supplier; `more` are the other arguments of its constructor. */
 template <typename Queried, typename Supplier, typename... More>
 bool CreateQueried(TopicDescription description, Supplier supplier, const std::shared_ptr<LogSession>& session, More&... more) {
     if (!session) return false;
@@ -78,7 +78,7 @@ std::shared_ptr<SubscribedTopic> CreateSubscribed(TopicDescription description, 
     return {topic.get(), [topic, session](SubscribedTopic*) {}};
 }
 
-/** What an action returns; nothing if it failed, which is reported. */
+/** Returns the result of an action. If it fails, reports that and returns nothing. */
 template <typename Action>
 auto Result(Action action) noexcept {
     decltype(action()) result{};

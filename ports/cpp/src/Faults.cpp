@@ -8,11 +8,11 @@
 namespace badlog {
 namespace {
 
-// A program that makes up names must not fill the memory with them.
+// A program that invents names must not fill the memory with them.
 constexpr size_t MAX_MESSAGES = 100;
 
 void IgnoreFailure(std::string_view) {
-    // Without memory for a message, the counters have to do.
+    // Without memory for a message, only the counters show the fault.
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void LogSession::PrepareRows() {
     size_t room = ROWS_ROOM;
     for (auto* topic : m_topics) room += TEXT_ROOM + (topic->Texts() != nullptr ? EventTexts::MAX_BYTES * 2 : 0);
     m_sink->row.Reserve(room);
-    // Makes the tables that numbers are written with.
+    // Creates the tables for writing numbers.
     char number[MAX_NUMBER_LENGTH];
     WriteFiveDigits(1e100, number);
 }

@@ -55,7 +55,7 @@ void SayOnStandardError(std::string_view message) noexcept {
             if (messages.isStarted) return;
             std::thread{SayAll, std::ref(messages)}.detach();
             messages.isStarted = true;
-            // If the program ends at once because of what went wrong, the message should still appear.
+            // If the fault ends the program, the message must still be printed.
             std::atexit([] { AwaitSaid(EXIT_MILLISECONDS); });
         },
         [](std::string_view) {

@@ -54,7 +54,7 @@ bool SyncThread::Pause() {
 
 void SyncThread::Sync() {
     if (!isSyncing || !m_sink.isDirty) return;
-    // Before the sync, so that what is written meanwhile is not missed.
+    // Before the sync, so that rows written meanwhile are not missed.
     m_sink.isDirty = false;
     const auto failure = m_file.Sync();
     if (!failure) return;
@@ -64,7 +64,7 @@ void SyncThread::Sync() {
                     ". A power cut may cost more than the last quarter of a second.");
 }
 
-/** A file counts as missing when it was not found twice: it may just be being renamed. */
+/** Checks twice before a file counts as missing, because it may be in the middle of being renamed. */
 void SyncThread::LookForFile() {
     m_timesMissing = m_file.Exists() ? 0 : m_timesMissing + 1;
     const bool isMissing = m_timesMissing > 1;
@@ -74,7 +74,7 @@ void SyncThread::LookForFile() {
                            " was deleted, or its disk was removed, while it was being written. From now on, data is lost; "
                            "restart the robot program to start a new log.");
     }
-    // Reported before it is visible, so that whoever sees the log fail can read why.
+    // Reported before the state changes, so that code that sees the log fail can read why.
     m_file.isMissing = isMissing;
 }
 

@@ -8,7 +8,8 @@
 #include "LogFiles.h"
 #include "SystemPath.h"
 
-// The programs of docs/robot-cpp.md, whose main functions CMakeLists.txt renames; it replaces the robot's folder by "guide".
+// The programs of docs/robot-cpp.md. CMakeLists.txt renames their main functions, and replaces the robot's folder by
+// "guide".
 int RunGuideRobot();
 int RunGuideReader(int, char** arguments);
 
@@ -19,7 +20,7 @@ TEST_CASE("the guide's robot logs, at each start into a new file") {
     CHECK(RunGuideRobot() == 0);
     CHECK(RunGuideRobot() == 0);
     std::filesystem::current_path(before);
-    // The robot never closes its log, as real ones do not.
+    // The robot never closes its log, like real robots.
     StandardErrorOf([&] { badlog::BadLog::Init(folder / "last.bag").Close(); });
     const auto rows = RowsIn(folder / "guide/robot.bag");
     REQUIRE(rows.size() == 3);

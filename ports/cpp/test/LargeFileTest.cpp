@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-// Windows would fill such a file with zeros: minutes, and a disk.
+// Windows would fill such a file with zeros, which takes minutes and fills the disk.
 #if !defined(_WIN32)
 
 #include <cstdint>
@@ -29,7 +29,7 @@ namespace {
 constexpr int64_t TWO_GIB = int64_t{1} << 31;
 constexpr int64_t YEAR_2050 = 2'524'608'000;
 
-/** What is in a file from a place on. */
+/** Returns the content of a file from a position on. */
 std::string ReadFrom(const std::string& path, int64_t place) {
     std::ifstream file{path, std::ios::binary};
     file.seekg(place);
@@ -50,7 +50,7 @@ int DescriptorOf(const std::string& path) {
     return -1;
 }
 
-/** Dates a file or a folder to 2050; false if the C library, or the disk, knows no such time. */
+/** Dates a file or a folder to 2050. Returns false if the C library or the disk does not support such a time. */
 bool IsDated2050(const std::string& path) {
     if constexpr (sizeof(time_t) < sizeof(int64_t)) {
         return false;

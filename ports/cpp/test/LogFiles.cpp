@@ -50,7 +50,7 @@ Folder::~Folder() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
     std::error_code failure;
     std::filesystem::remove_all(SystemPath(m_path), failure);
-    // Windows deletes no file that is open, and a log's own thread closes it a little after Close() returned.
+    // Windows does not delete open files, and a log's own thread closes its file a little after Close() has returned.
     while (failure && std::chrono::steady_clock::now() < end) {
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
         std::filesystem::remove_all(SystemPath(m_path), failure);

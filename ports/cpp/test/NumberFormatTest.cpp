@@ -32,7 +32,7 @@ std::string Integer(int64_t value) {
     return {text, badlog::WriteInteger(value, text)};
 }
 
-/** The generator of the corpus: splitmix64. */
+/** Returns the next bits of the corpus's generator, splitmix64. */
 uint64_t NextBits(uint64_t& state) {
     state += 0x9E3779B97F4A7C15u;
     uint64_t bits = state;

@@ -21,7 +21,7 @@ using badlog::LogState;
 
 namespace {
 
-/** What is said of a log that cannot be created; it logs nothing. */
+/** Returns the message about a log that cannot be created; checks that it logs nothing. */
 std::string RefusalOf(const std::string& path) {
     return StandardErrorOf([&] {
         const auto log = BadLog::Init(path);
@@ -39,7 +39,7 @@ std::string Reason(const std::string& path, std::errc failure) {
 }
 
 #if !defined(_WIN32)
-/** While it lives, the program is not allowed more than anybody: permissions do not hold for root. */
+/** While it lives, the program has an ordinary user's rights: permissions have no effect on root. */
 class WithoutRoot {
 public:
     WithoutRoot() {
@@ -49,7 +49,7 @@ public:
         if (!m_isRoot) return;
         CHECK(seteuid(0) == 0);
 #if defined(__linux__)
-        // Linux takes this away with the change of users, and AddressSanitizer looks for leaks by it.
+        // Linux removes this right with the change of users, and AddressSanitizer needs it to find leaks.
         prctl(PR_SET_DUMPABLE, 1);
 #endif
     }

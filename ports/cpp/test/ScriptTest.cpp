@@ -31,7 +31,7 @@ int64_t JavaRound(double value) {
 
 }  // namespace
 
-// What jvm-robot's RecordedScript.java does; its recording was made by the original badlog.
+// The same calls as in jvm-robot's RecordedScript.java; the original badlog made the recording.
 TEST_CASE("a recorded script of calls gives the same bytes as with the original and in Java") {
     const Folder folder;
     int loop = 0;
