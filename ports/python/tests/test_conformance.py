@@ -1,4 +1,4 @@
-"""The corpus that every reader of bags must read as it says: `core/conformance`."""
+"""Reads the corpus of bags, `core/conformance`, and compares with its expectations."""
 
 from __future__ import annotations
 

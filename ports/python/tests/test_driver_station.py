@@ -1,4 +1,4 @@
-"""Logs of the Driver Station: what the corpus does not show, damage, and what another reader finds in real ones."""
+"""Logs of the Driver Station: cases that the corpus lacks, damage, and another reader's results for real logs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The corpus of logs without rows that readers in all languages must read alike: `libraries/formats/conformance`."""
+"""Reads the corpus of logs without rows, `libraries/formats/conformance`, which all languages' readers must read alike."""
 
 from __future__ import annotations
 

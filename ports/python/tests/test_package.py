@@ -1,4 +1,4 @@
-"""What is built and shipped: types that mypy accepts, and a wheel with all of the package."""
+"""The built package: mypy accepts its types, and its wheel has all of the package."""
 
 from __future__ import annotations
 

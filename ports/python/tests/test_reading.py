@@ -1,4 +1,4 @@
-"""Files and folders, compressed and damaged, and what a recording answers."""
+"""Reads files and folders, compressed and damaged, and queries recordings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The logger for RobotPy writes the bytes that jvm-robot writes."""
+"""The logger for RobotPy writes the same bytes as jvm-robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The logger for RobotPy never raises into the loop, whatever goes wrong, and loses no row whose `log()` returned."""
+"""The logger for RobotPy never raises into the loop, and loses no row after its call of `log()` returned."""
 
 from __future__ import annotations
 
@@ -270,7 +270,7 @@ def test_a_full_standard_error_never_blocks_the_loop(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": str(HERE.parent / "src")}
     robot = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment)
     assert robot.stdout is not None and robot.stderr is not None
-    # Nobody reads its standard error, whose pipe holds 64 KiB.
+    # Its standard error is a pipe of 64 KiB without a reader.
     assert robot.stdout.readline() == b"done\n"
     robot.kill()
     robot.wait()
@@ -289,11 +289,11 @@ def test_robots_are_killed_in_mid_loop_and_every_row_whose_log_returned_is_in_th
 
 
 def _fault_of(folder: Path, number: int) -> str | None:
-    """What is wrong with the log of a robot that was killed, or None."""
+    """The fault of a killed robot's log, or None."""
     rows = int((folder / f"{number}.returned").read_text())
     recording = badlog.read(folder / (f"{number}.bag.gz" if number % 2 == 1 else f"{number}.bag"))
     samples = recording["Row"].samples.tolist() if "Row" in recording else []
-    # The row whose log() had not returned may be cut, with the compressed bytes that hold it, but nothing before it.
+    # Only the row with an unfinished call of log() may be cut, with the compressed bytes that hold it, and nothing before it.
     cut = [problem for problem in recording.problems if problem.severity.name == "ERROR" and problem.kind is not ProblemKind.GZIP_CUT]
     lost = [problem for problem in cut if (problem.line or 0) < 3 + rows]
     if rows > 0 and samples[:rows] == list(range(rows)) and not lost:

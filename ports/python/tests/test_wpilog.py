@@ -1,4 +1,4 @@
-"""WPILOGs: what the corpus does not show, damage, and what WPILib's own reader finds in the same bytes."""
+"""WPILOGs: cases that the corpus lacks, damage, and the results of WPILib's own reader for the same bytes."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def test_a_log_that_is_cut_anywhere_keeps_the_whole_records_before(with_numpy: b
     for size in range(0, len(data), 3):
         recording = parsed(data[:size], with_numpy)
         assert recording.sample_count <= whole.sample_count
-        # An entry whose schema or elements are cut off is one topic.
+        # An entry with its schema or elements cut off is one topic.
         assert all(any(name.startswith(topic.name) for name in whole) for topic in recording.topics)
 
 
@@ -246,7 +246,7 @@ def _wpilib_values(path: Path) -> dict[tuple[str, str], list[tuple[int, Any]]]:
 
 
 def _must_agree_with_wpilib(path: Path) -> int:
-    """Compares each value of the log; returns how many there are."""
+    """Compares each value of the log. Returns their number."""
     recording = badlog.read(path)
     first = min(_floats(topic.times)[0] for topic in recording.topics if len(topic) > 0)
     compared = 0

@@ -1,4 +1,4 @@
-"""What is odd about the attributes of topics, as the page and the window report it when they apply them."""
+"""The problems of topics' attributes, as reported by the page and the window."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 _PLAIN = ("hide", "log", "area", "zero", "xaxis", "delta", "differentiate", "integrate")
 _DERIVATIONS = {"delta": "Delta", "differentiate": "Derivative", "integrate": "Integral"}
 
-# Positions are wild if they are a hundred times as far from the others as those are from each other, and at most one in a hundred.
+# Positions are wild if they are a hundred times as far from the others as those are from one another. At most one in a hundred is
+# wild.
 _FAR = 100.0
 _FEW = 100
 _FEWEST = 100
@@ -46,7 +47,7 @@ class _AttributeReader:
         self.problems.append(Problem(kind, message, None, topic.name))
 
     def _read(self, topic: Topic) -> bool:
-        """Reads the attributes of one topic; returns whether it wants to be the x axis."""
+        """Reads the attributes of one topic. Returns whether it is to be the x axis."""
         name = topic.name
         seen: list[str] = []
         derived = self._derived.setdefault(name, [])
@@ -166,7 +167,7 @@ def _base_name(name: str) -> str:
 
 
 def _wild_among(positions: list[float]) -> int:
-    """The number of positions so far away that all others could not be told apart on an axis."""
+    """The number of positions so far away that the others would be too small to see on an axis."""
     step = max(1, len(positions) // _LOOKED_AT)
     some = sorted(position for position in positions[::step] if math.isfinite(position))
     if len(some) < _FEWEST:

@@ -1,4 +1,4 @@
-"""Makes a recording from the bytes of a bag or a CSV file, by the rules of `docs/bag-format.md`. It never raises, whatever the bytes."""
+"""Makes a recording from the bytes of a bag or a CSV file, by the rules of `docs/bag-format.md`. Never raises because of the bytes."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class _BagParser:
         header = self._header
         layout = header.columns
         if layout is None:
-            # Without a line of titles there are no rows, but the line of JSON may still have the topics that there were to be.
+            # Without a line of titles there are no rows, but the line of JSON may still list the topics.
             names = [topic.name for topic in header.header.topics] if header.header is not None else []
             layout = HeaderColumns.match(header.header, names, self._cursor.line, self._problems)
         rows = self._rows

@@ -1,4 +1,4 @@
-"""What a cell's bytes are."""
+"""The kinds of cells, and how their bytes are read."""
 
 from __future__ import annotations
 
@@ -39,5 +39,5 @@ def read_cell(cell: bytes) -> tuple[int, float]:
 
 
 def read_decimal_comma(cell: bytes) -> float | None:
-    """The number with a decimal comma that the bytes are, such as `1,2345`, or None."""
+    """The number in bytes with a decimal comma, such as `1,2345`; None if they are not one."""
     return float(cell.replace(b",", b".")) if _WITH_COMMA.fullmatch(cell) else None

@@ -1,4 +1,4 @@
-"""How far a file is read, and where its lines end."""
+"""The position in a file up to which it is read, and the ends of its lines."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def after_line_end(data: bytes, end: int) -> int:
 
 
 class Cursor:
-    """The bytes of a file, inflated, and how far they are read."""
+    """The bytes of a file, inflated, and the position up to which they are read."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
@@ -56,7 +56,9 @@ class Cursor:
         self.start = following
 
     def pass_blank_lines(self, end: int, following: int, problems: ProblemList) -> int:
-        """Skips the blank line that ends at `end`, before `following`, and all that follow it; returns where they end."""
+        """Skips the blank line that ends at `end`, before `following`, and all blank lines after it. Returns where they
+        end.
+        """
         size = following - end
         at = following
         more = _CRLFS if size == 2 else _LINE_FEEDS if self.data[end] == _LF else None

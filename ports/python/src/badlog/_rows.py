@@ -1,4 +1,4 @@
-"""Reads the rows into columns: many plain ones at a time where it can, one by one where it must."""
+"""Reads the rows into columns: many plain ones at a time, all others one by one."""
 
 from __future__ import annotations
 
@@ -43,18 +43,18 @@ class RowReader:
         self._max_rows = max_rows
         self._arrow = arrow if len(columns) > 1 else None
         self._repair = RowRepair(cursor, columns, problems, ends_in_newline)
-        # The place of the next byte of each sort that no plain row has; searched again when it is passed.
+        # The next place of each kind of byte that no plain row has; searched again when it is passed.
         self._next_odd = {"nul": -1, "cr": -1, "quote": -1}
-        # The lines with a wrong number of commas in what was searched, the next one last.
+        # The lines with a wrong number of commas in the searched part, the next one last.
         self._uneven: list[int] = []
         # Before this place, Arrow has failed although every line seems plain.
         self._arrow_from = 0
         self.row_count = 0
         self.gave_up = False
-        """Whether what follows is not a row at all and is not read."""
+        """Whether reading stopped because the bytes that follow are not rows at all."""
 
     def read(self) -> int:
-        """Reads the next rows; returns where those after them begin."""
+        """Reads the next rows. Returns where the rows after them begin."""
         cursor = self._cursor
         if self.row_count >= self._max_rows:
             message = f"The log has more than {self._max_rows} rows; the rest was not read. Pass max_rows to read more."
@@ -80,7 +80,7 @@ class RowReader:
         return self._cursor.end
 
     def _plain_until(self, start: int) -> int:
-        """Where the last line ends, from `start` on, before anything that no plain row has; `start` if there is none."""
+        """The end of the last line from `start` on before a byte that no plain row has; `start` if there is none."""
         data = self._cursor.data
         odd = self._next_odd
         if odd["nul"] < start:
@@ -124,7 +124,7 @@ class RowReader:
                     self._find_uneven(at, end)
                     self._arrow_from = end
                     if self._uneven:
-                        # Arrow reads what is between such lines.
+                        # Arrow reads the lines between such lines.
                         self._arrow_from = at
                         until = min(until, self._uneven[-1])
                         continue

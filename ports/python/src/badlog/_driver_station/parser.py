@@ -1,6 +1,6 @@
-"""Makes a recording from the bytes of a `.dslog`, a `.dsevents`, or of the first and then the second, by the rules of `docs/driver-station.md`.
+"""Makes a recording from the bytes of a `.dslog`, of a `.dsevents`, or of both in this order, by the rules of `docs/driver-station.md`.
 
-It never raises, whatever the bytes.
+Never raises because of the bytes.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class _StationParser:
         return Recording(RecordingFormat.DRIVER_STATION, None, self._values(), topics, 0, problems.to_list())
 
     def _begin(self, at: int) -> Frames | None:
-        """What follows the header at `at`; None if it is not to be read."""
+        """The frames that follow the header at `at`; None if they are not to be read."""
         data = self._data
         version = word_at(data, at)
         if version not in _VERSIONS:

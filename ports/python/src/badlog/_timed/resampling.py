@@ -17,7 +17,7 @@ _MICROSECOND = 1e-6
 _MAX_ROWS = 1e8
 # Times are rounded to this fraction of a second.
 _PLACES = 1e9
-# A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
+# A sample up to this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
 _NEAR = 1 / _PLACES
 
 
@@ -44,7 +44,7 @@ def times_of(topic: Topic) -> list[float]:
 def resampled(recording: Recording, rows: list[float]) -> Recording:
     """The recording with a row for each of `rows`: each topic has its last value at or before that time, and nothing before its first sample.
 
-    A topic that was sparse in the bag that the log was made of has each value only in the first row that is not before it.
+    If the log was made from a bag, a topic that was sparse there has each value only in the first row that is not before it.
     """
     vectors = vectors_of(b"", uses_numpy())
     name = "Time"
@@ -86,7 +86,7 @@ def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
 
 
 def _was_sparse(topic: Topic) -> bool:
-    """Whether badlog made the log of a bag in which the topic was sparse, so that rows do not hold its last value."""
+    """Whether badlog made the log from a bag in which the topic was sparse, so that rows do not repeat its last value."""
     roles = [value.text for name, value in read_object(topic.metadata) or [] if name == "badlog"]
     return roles[-1:] == ["sparse"]
 

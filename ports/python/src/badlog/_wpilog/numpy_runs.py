@@ -1,4 +1,4 @@
-"""Reads records that all fit by NumPy: Python finds where they begin, and NumPy looks at thousands of heads together."""
+"""Reads records that all fit, with NumPy: Python finds where they begin, and NumPy checks thousands of heads together."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from badlog._wpilog.record_search import NEAR_MICROS
 from badlog._wpilog.record_table import RecordTable
 from badlog._wpilog.time_histogram import NEVER, WIDTH, TimeHistogram
 
-# The number of records that are looked at together grows while they fit.
+# The number of records that are checked together grows while they fit.
 _FEWEST = 64
 _MOST = 1 << 16
-# Entries with larger ids are looked at one by one.
+# Entries with larger ids are checked one by one.
 _MAX_ID = 1 << 16
 
 _BITS = numpy.arange(256)
@@ -109,7 +109,7 @@ class NumpyRuns:
 
 
 def _chain(data: bytes, at: int, most: int) -> list[int]:
-    """Where up to `most` records begin, the first of them at `at`, up to a control record, one that is not a record, or the last one."""
+    """The starts of up to `most` records from `at` on, up to a control record, bytes that are not a record, or the last record."""
     limit = len(data) - MAX_HEAD
     places: list[int] = []
     add = places.append

@@ -1,7 +1,7 @@
 """Distinguishes records from bytes that only look like them.
 
-A WPILOG has neither checksums nor marks between its records, but each of them names a started entry, has a size that fits its type, and a time near
-that of the previous one.
+A WPILOG has neither checksums nor marks between its records. But each record names a started entry, has a size that fits its type, and a time near
+the previous record's.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ NOWHERE = -1
 _ENOUGH = 10
 _LEAST_AT_END = 3
 _LEAST_FAR = 5
-# How many of them must be of types with a fixed size if the place may be inside a record.
+# The number of them that must have types of a fixed size if the place may be inside a record.
 _SURE = 2
-# How many odd ones may be among them, in addition to one for each fitting one.
+# The number of odd ones that may be among them, in addition to one for each fitting one.
 _MOST_ODD = 2
 _GOES_ON = 4
 _PATIENCE = 100
-# How many bytes to look ahead at most.
+# The maximum number of bytes to look ahead.
 _FARTHEST = 1 << 20
 # One minute: the maximum distance between the times of consecutive records.
 NEAR_MICROS = 6e7
@@ -37,17 +37,17 @@ _ZEROS = re.compile(rb"\0{3,}")
 
 
 class StartedEntries(Protocol):
-    """What is known about the entries so far."""
+    """The known entries so far."""
 
     by_id: dict[int, Entry]
     """The entries that are started and not finished, by their ids."""
 
     def is_stranger(self, id: int) -> bool:
-        """Whether there were so many records of `id`, which is not an entry's id, that more are to be expected."""
+        """Whether more records of `id`, which is not an entry's id, are to be expected, because there were so many."""
 
 
 class RecordSearch:
-    """Looks at the records of one file."""
+    """Recognizes the records of one file."""
 
     def __init__(self, data: bytes, entries: StartedEntries) -> None:
         self._data = data
@@ -56,7 +56,7 @@ class RecordSearch:
         self._head = RecordHead()
 
     def look(self, head: RecordHead, at: int, near: float) -> int:
-        """What the bytes at `at` look like after a record at `near` µs, or NaN if there was none; reads them into `head`."""
+        """Reads the bytes at `at` into `head`, and returns their look after a record at `near` µs, or NaN if there was none."""
         possible = head.read(self._data, at, self._end)
         if possible != FITTING:
             return possible
@@ -73,7 +73,7 @@ class RecordSearch:
         return FITTING if control_texts(self._data, end - head.size, end) is not None else ODD
 
     def find(self, start: int, end: int, near: float, is_inside: bool) -> int:
-        """The first place from `start` and before `end` at which records continue after damage, several fitting ones in a row; or NOWHERE.
+        """The first place from `start` and before `end` at which several fitting records in a row continue after damage; or NOWHERE.
 
         `is_inside` says whether the place is inside bytes that may themselves be a record; the first records there must be of types with a fixed
         size.

@@ -1,4 +1,4 @@
-"""The structs whose schemas a file provides."""
+"""The structs with schemas in the file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from badlog._wpilog.struct_schema import read_schema
 
 _MAX_DEPTH = 32
 _MAX_SCHEMAS = 10_000
-# No struct of as many values as are shown needs more text.
+# A struct with the maximum number of shown values needs no more text.
 _MAX_CHARACTERS = 1 << 20
 
 

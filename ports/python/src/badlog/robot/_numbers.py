@@ -1,4 +1,4 @@
-"""The texts of numbers, byte for byte those of `jvm-robot`: Java 17's `%.5g`, and six decimals for an x axis."""
+"""Writes numbers in the same bytes as `jvm-robot`: by Java 17's `%.5g`, and with six decimals for an x axis."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def five_digits(value: float) -> str:
 
 
 def microseconds(value: float) -> str:
-    """The number with six digits after its point: `%.5g` leaves 10 ms of 100 s."""
+    """The number with six decimals: `%.5g` only resolves 10 ms from 100 s on."""
     magnitude = abs(value)
     if not magnitude < 9.0e18:
         return five_digits(value)
