@@ -22,10 +22,10 @@ public data class EnabledSpan(
  * times of its own holds until the recording's end. Empty if no topic shows it, or if x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
-    val alone = modes.autonomous?.let(::spansOf).orEmpty()
+    val autonomous = modes.autonomous?.let(::spansOf).orEmpty()
     val tests = modes.test?.let(::spansOf).orEmpty()
     val names = modes.opMode?.let(::textsOf)
-    return modes.enabled?.let(::spansOf).orEmpty().flatMap { enabled -> split(enabled, alone) }.flatMap { piece ->
+    return modes.enabled?.let(::spansOf).orEmpty().flatMap { enabled -> split(enabled, autonomous) }.flatMap { piece ->
         if (piece.isInside) {
             listOf(EnabledSpan(piece.span, isAutonomous = true, opMode = names?.at(piece.span.from)))
         } else {

@@ -30,8 +30,8 @@ public fun resampled(recording: Recording, times: DoubleArray): Recording {
     val xAxis = LogView.of(recording).xAxis
     val formerX = recording.topics.find { it.wasXAxis && it.samples.isNotEmpty() }
     val topics = recording.topics.filter { it !== xAxis.topic }.map { topic ->
-        val held = held(topic, xAxis, times)
-        if (topic === formerX) xAxisAgain(held, times) else held
+        val resampled = resampledTopic(topic, xAxis, times)
+        if (topic === formerX) restoredXAxis(resampled, times) else resampled
     }
     return recording.copy(
         format = RecordingFormat.BAG,
@@ -48,7 +48,7 @@ private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): To
 }
 
 /** Returns the topic [former] as the x axis. Its own numbers are kept where they agree with [times], because they are more precise. */
-private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
+private fun restoredXAxis(former: Topic, times: DoubleArray): Topic {
     val inSeconds = Units.microsIn(former.unit) / 1e6
     val x = DoubleArray(times.size) { row ->
         val own = former.samples[row]
@@ -76,7 +76,7 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
 /** Returns [count] times from [from] on, [period] apart, without the stray last digits of sums of binary fractions. */
 public fun periodicTimes(from: Double, period: Double, count: Int): DoubleArray = DoubleArray(count) {
     val time = from + it * period
-    if (period >= MICROSECOND) round(time * PLACES) / PLACES else time
+    if (period >= MICROSECOND) round(time * ROUNDING_SCALE) / ROUNDING_SCALE else time
 }
 
 /** Returns the times at which [topic], one of [recording]'s, has samples: each once, in ascending order. */
@@ -96,19 +96,19 @@ public fun samplesBetween(topic: Topic, times: DoubleArray): Long {
     val own = topic.times ?: return 0
     // All events before a row are in it.
     if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) {
-        return own.count { times.isEmpty() || it > times.last() + NEAR }.toLong()
+        return own.count { times.isEmpty() || it > times.last() + MAX_LATENESS }.toLong()
     }
     var lost = 0L
     var row = 0
     for (i in own.indices) {
-        while (row < times.size && times[row] + NEAR < own[i]) row++
-        val isShown = row < times.size && (i == own.lastIndex || own[i + 1] > times[row] + NEAR)
+        while (row < times.size && times[row] + MAX_LATENESS < own[i]) row++
+        val isShown = row < times.size && (i == own.lastIndex || own[i + 1] > times[row] + MAX_LATENESS)
         if (!isShown) lost++
     }
     return lost
 }
 
-private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
+private fun resampledTopic(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     val positions = positionsOf(topic, xAxis)
     val isOrdered = Series(positions, positions).isOrdered
     // If a clock was set back, samples out of order would be found by none of the times.
@@ -123,11 +123,11 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     for (row in times.indices) {
         while (next < count) {
             val index = order?.get(next) ?: next
-            if (positions[index] > times[row] + NEAR) break
-            sampler.meet(index)
+            if (positions[index] > times[row] + MAX_LATENESS) break
+            sampler.advanceTo(index)
             next++
         }
-        sampler.hold(row)
+        sampler.endRow(row)
     }
     return sampler.build()
 }
@@ -142,7 +142,7 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
     private val textOf = IntArray(topic.size) { -1 }
     private val dictionary = ArrayList(topic.texts.dictionary)
-    private val idOfJoined = HashMap<String, Int>()
+    private val idOfText = HashMap<String, Int>()
     private val textIds = IntArray(rows) { -1 }
     private var last = -1
     private var text = -1
@@ -151,29 +151,29 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
         for (i in 0 until topic.texts.size) textOf[topic.texts.rows[i]] = topic.texts.ids[i]
     }
 
-    fun meet(index: Int) {
+    fun advanceTo(index: Int) {
         // Empty cells of a sparse topic are not samples.
         if (topic.isSparse && textOf[index] < 0 && topic.samples.getOrElse(index) { Double.NaN }.isNaN()) return
         last = index
-        val met = textOf[index]
-        text = if (isEvent && text >= 0 && met >= 0) {
-            joined(text, met)
-        } else if (isEvent && met < 0) {
+        val textId = textOf[index]
+        text = if (isEvent && text >= 0 && textId >= 0) {
+            joined(text, textId)
+        } else if (isEvent && textId < 0) {
             text
         } else {
-            met
+            textId
         }
     }
 
     private fun joined(one: Int, other: Int): Int {
         val joined = dictionary[one] + "; " + dictionary[other]
-        return idOfJoined.getOrPut(joined) {
+        return idOfText.getOrPut(joined) {
             dictionary += joined
             dictionary.lastIndex
         }
     }
 
-    fun hold(row: Int) {
+    fun endRow(row: Int) {
         if (last < 0) return
         textIds[row] = text
         if (samples.isNotEmpty() && textOf[last] < 0) {
@@ -196,15 +196,15 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     private fun counts(texts: Int): CellCounts {
         val total = textIds.size
         val finite = samples.count { it.isFinite() }
-        val unfit = samples.count { it.isInfinite() }
+        val infinite = samples.count { it.isInfinite() }
         val gaps = textIds.indices.count { row -> isGap(row) && (row == 0 || !isGap(row - 1)) }
         val isTruth = topic.counts.truthValues > 0 && topic.counts.numbers == 0
         return CellCounts(
             numbers = if (isTruth) 0 else finite,
-            notFinite = unfit + nans,
+            notFinite = infinite + nans,
             truthValues = if (isTruth) finite else 0,
             texts = texts,
-            empty = total - finite - unfit - nans - texts,
+            empty = total - finite - infinite - nans - texts,
             gaps = gaps,
         )
     }
@@ -218,7 +218,7 @@ private const val MICROSECOND = 1e-6
 private const val MAX_ROWS = 1e8
 
 /** Times are rounded to this fraction of a unit of x. */
-private const val PLACES = 1e9
+private const val ROUNDING_SCALE = 1e9
 
 /** A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s. */
-private const val NEAR = 1 / PLACES
+private const val MAX_LATENESS = 1 / ROUNDING_SCALE

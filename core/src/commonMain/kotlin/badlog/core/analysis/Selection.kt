@@ -16,11 +16,11 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
     var high = until - 1
     var rounds = MAX_ROUNDS
     while (high > low) {
-        if (high - low < FEW || rounds-- == 0) {
+        if (high - low < MAX_SORTED || rounds-- == 0) {
             values.sort(low, high + 1)
             return
         }
-        if (high - low > MANY) selectInSample(values, place, low, high)
+        if (high - low > MIN_SAMPLED) selectInSample(values, place, low, high)
         val pivot = values[place]
         var left = low
         var right = high
@@ -57,10 +57,10 @@ private fun selectInSample(values: DoubleArray, place: Int, low: Int, high: Int)
 }
 
 // Up to this many values are simply sorted.
-private const val FEW = 32
+private const val MAX_SORTED = 32
 
 // From this many values on, taking a sample is worth it.
-private const val MANY = 600
+private const val MIN_SAMPLED = 600
 private const val MAX_ROUNDS = 8
 
 /**
@@ -82,7 +82,7 @@ public fun weightedPercentile(values: DoubleArray, weights: DoubleArray, count: 
 internal class WeightedPercentiles(private val values: DoubleArray, private val weights: DoubleArray, private val count: Int) {
     private var smallest = Double.POSITIVE_INFINITY
     private val scale: Double
-    private val parts = DoubleArray(if (count < FEW_WEIGHED) 1 else PARTS)
+    private val parts = DoubleArray(if (count < MAX_UNDIVIDED) 1 else PARTS)
     private val sizes = IntArray(parts.size)
     private val total: Double
 
@@ -143,9 +143,9 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
                 val value = some[i]
                 if (value < pivot) {
                     weightBelow += weightsOfSome[i]
-                    exchange(some, weightsOfSome, i++, less++)
+                    swap(some, weightsOfSome, i++, less++)
                 } else if (value > pivot) {
-                    exchange(some, weightsOfSome, i, more--)
+                    swap(some, weightsOfSome, i, more--)
                 } else {
                     weightAt += weightsOfSome[i++]
                 }
@@ -153,8 +153,8 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
             if (less > low && weightBelow >= wanted) {
                 high = less - 1
             } else if (weightBelow + weightAt >= wanted || more == high) {
-                val isJustReached = weightBelow + weightAt <= wanted + 2 * rounding
-                return if (isJustReached) (pivot + nextAbove(pivot)) / 2 else pivot
+                val isExact = weightBelow + weightAt <= wanted + 2 * rounding
+                return if (isExact) (pivot + nextAbove(pivot)) / 2 else pivot
             } else {
                 below = weightBelow + weightAt
                 low = more + 1
@@ -172,14 +172,14 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
         const val PARTS = 1024
 
         /** Up to this many values are not divided. */
-        const val FEW_WEIGHED = 64
+        const val MAX_UNDIVIDED = 64
 
         /** The relative difference of sums of the same weights in different orders is smaller than this. */
         const val ROUNDING = 1e-9
     }
 }
 
-private fun exchange(values: DoubleArray, weights: DoubleArray, one: Int, other: Int) {
+private fun swap(values: DoubleArray, weights: DoubleArray, one: Int, other: Int) {
     val value = values[one]
     values[one] = values[other]
     values[other] = value

@@ -58,7 +58,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
     /** Returns the index of the sample nearest to [position], the earlier of two that are equally near; -1 if there are no samples. */
     public fun nearest(position: Double): Int {
         if (size == 0) return -1
-        if (!isOrdered) return nearestOfAll(position)
+        if (!isOrdered) return nearestUnordered(position)
         val after = firstAtOrAfter(position)
         return when {
             after == 0 -> 0
@@ -68,7 +68,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         }
     }
 
-    private fun nearestOfAll(position: Double): Int {
+    private fun nearestUnordered(position: Double): Int {
         var nearest = 0
         for (i in 1 until size) if (abs(x[i] - position) < abs(x[nearest] - position)) nearest = i
         return nearest

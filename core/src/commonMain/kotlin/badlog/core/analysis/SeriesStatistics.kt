@@ -55,7 +55,7 @@ public fun Series.statistics(
  */
 public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): SeriesStatistics {
     val pieces = parts.map { Piece(this, it) }
-    val figures = WeighedFigures(pieces.sumOf { maxOf(0, it.stop - it.held) })
+    val weighted = WeightedValues(pieces.sumOf { maxOf(0, it.stop - it.held) })
     val isOrdered = isOrdered
     for (piece in pieces) {
         val (from, to) = piece.part
@@ -66,10 +66,10 @@ public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): Serie
                 isOrdered || x[i + 1] in from..to -> x[i + 1]
                 else -> x[i]
             }
-            figures.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= piece.begin)
+            weighted.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= piece.begin)
         }
     }
-    return figures.statistics()
+    return weighted.statistics()
 }
 
 /** The samples of [series] within [part]. */
@@ -92,7 +92,7 @@ public fun GraphSeries.statistics(from: Double = Double.NEGATIVE_INFINITY, to: D
 public fun GraphSeries.statistics(parts: List<Span>): SeriesStatistics =
     data.statistics(parts, recorded?.endInclusive?.takeIf { holds } ?: Double.NaN)
 
-private class WeighedFigures(most: Int) {
+private class WeightedValues(most: Int) {
     private val values = DoubleArray(most)
     private val weights = DoubleArray(most)
     private var size = 0
@@ -121,7 +121,7 @@ private class WeighedFigures(most: Int) {
     }
 
     fun statistics(): SeriesStatistics {
-        keepWeighty()
+        dropWeightless()
         val (mean, standardDeviation) = moments()
         val percentiles = WeightedPercentiles(values, weights, size)
         return SeriesStatistics(
@@ -163,7 +163,7 @@ private class WeighedFigures(most: Int) {
     }
 
     /** Drops values that hold for no time; if none holds for any time, all have the same weight. */
-    private fun keepWeighty() {
+    private fun dropWeightless() {
         var kept = 0
         for (i in 0 until size) {
             if (weights[i] <= 0) continue

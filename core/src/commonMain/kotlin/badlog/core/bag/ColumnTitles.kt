@@ -51,7 +51,7 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
             val waiting = names.indices.groupByTo(HashMap()) { names[it] }
             val found = titles.mapNotNull { waiting[it]?.removeFirstOrNull() }
             val isAtEnd = titles.first() == names.first() || titles.last() == names.last()
-            val isInOrder = isAtEnd && found.size * FEW >= names.size && found.zipWithNext().all { (one, next) -> one < next }
+            val isInOrder = isAtEnd && found.size * NAMES_PER_MATCH >= names.size && found.zipWithNext().all { (one, next) -> one < next }
             // A hole may leave only the start or the end of a name.
             val line = names.joinToString(",")
             val rest = titles.joinToString(",")
@@ -64,6 +64,6 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
         }
 
         /** If at least one in this many names is among the titles, in the order of line 1, the order is that of line 1. */
-        private const val FEW = 4
+        private const val NAMES_PER_MATCH = 4
     }
 }

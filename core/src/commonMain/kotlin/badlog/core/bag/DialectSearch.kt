@@ -22,7 +22,7 @@ internal object DialectSearch {
 
     /** The lines, split at [separator]. */
     private class Reading(val separator: Int, val lines: List<List<Cell>>) {
-        val width = lines.drop(1).groupingBy { it.size }.eachCount().maxByOrNull { it.value * WIDEST + it.key }?.key ?: 0
+        val width = lines.drop(1).groupingBy { it.size }.eachCount().maxByOrNull { it.value * MAX_CELLS + it.key }?.key ?: 0
         val rows = lines.drop(1).filter { it.size == width }
 
         /** The quality of this reading: in rows with a value, each value counts for it, each other text against it. */
@@ -110,7 +110,7 @@ internal object DialectSearch {
     /** Returns the separator that a line such as `sep=;` names, which Excel writes and reads; null for any other line. */
     private fun separatorIn(line: String): Int? {
         val text = line.trim().removeSurrounding("\"")
-        return text.takeIf { it.length == NAMING.length + 1 && it.startsWith(NAMING, ignoreCase = true) }?.last()?.code
+        return text.takeIf { it.length == SEPARATOR_PREFIX.length + 1 && it.startsWith(SEPARATOR_PREFIX, ignoreCase = true) }?.last()?.code
     }
 
     private fun linesOf(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): List<String> {
@@ -141,8 +141,8 @@ internal object DialectSearch {
     }
 
     private const val MARKS = ", '\u00A0"
-    private const val NAMING = "sep="
-    private const val WIDEST = 1 shl 16
+    private const val SEPARATOR_PREFIX = "sep="
+    private const val MAX_CELLS = 1 shl 16
     private val WORDS = setOf("true", "false", "nan", "inf", "-inf", "infinity", "-infinity", "null")
     private val TIMES = listOf("time", "date", "clock", "epoch", "unix")
 }

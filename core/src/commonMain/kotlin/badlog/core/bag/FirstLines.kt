@@ -79,7 +79,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         val rows = full.filter { it.numbers > 0 }.ifEmpty { full }
         val counts = rows.groupingBy { it.cells }.eachCount()
         val own = counts[lines.firstOrNull()?.cells] ?: 0
-        val best = counts.maxByOrNull { it.value * MOST_CELLS + it.key }
+        val best = counts.maxByOrNull { it.value * MAX_CELLS + it.key }
         width = when {
             best == null -> 0
             own * CLEARLY >= best.value -> lines[0].cells
@@ -93,13 +93,13 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
      * Returns whether [line], the first after the titles, holds the columns' units. A line of units has only short texts, rows with numbers
      * below it, and at least one text above a column of nothing but numbers.
      */
-    fun isOfUnits(line: Line): Boolean {
+    fun isUnitLine(line: Line): Boolean {
         val rows = lines.drop(2).filter { it.cells == line.cells }
         if (line.numbers > 0 || line.texts == 0 || rows.size < 2 || rows.any { it.numbers == 0 }) return false
         val bytes = pending.bytes
         splitter.split(bytes, line.from, line.end, RowSplitter.Quotes.STRICT)
         val filled = (0 until line.cells).filter { cellReader.read(bytes, splitter.starts[it], splitter.ends[it]) == CellKind.TEXT }
-        if (filled.any { splitter.ends[it] - splitter.starts[it] > LONGEST_UNIT }) return false
+        if (filled.any { splitter.ends[it] - splitter.starts[it] > MAX_UNIT_LENGTH }) return false
         val above = rows.map { row ->
             splitter.split(bytes, row.from, row.end, RowSplitter.Quotes.STRICT)
             filled.map { cellReader.read(bytes, splitter.starts[it], splitter.ends[it]) }
@@ -114,9 +114,9 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         /** This many rows are examined. */
         private const val ROWS = 20
         private const val MAX_BYTES = 1 shl 20
-        private const val LONGEST_UNIT = 16
+        private const val MAX_UNIT_LENGTH = 16
         private const val CLEARLY = 3
-        private const val MOST_CELLS = 1 shl 16
+        private const val MAX_CELLS = 1 shl 16
 
         /** Among random bytes, every ninth is a control character; in text with a few damaged places, fewer than one in [MIN_TEXT]. */
         private const val MIN_TEXT = 20

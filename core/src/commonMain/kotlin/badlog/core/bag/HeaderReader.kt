@@ -40,7 +40,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     val isDone: Boolean get() = stage == Stage.DONE
 
     /** Whether the bytes turned out not to be a log. */
-    var isNoLog = false
+    var isNotLog = false
         private set
 
     /** Reads one line of the header. Returns where the next begins, or [RowScanner.INCOMPLETE]. */
@@ -81,7 +81,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
         if (lineEnd > pending.start) return take(lineEnd, next, isEnd)
-        return pending.passBlankLines(lineEnd, next, problems)
+        return pending.skipBlankLines(lineEnd, next, problems)
     }
 
     private fun takeFirstLine(lineEnd: Int, next: Int): Int {
@@ -178,7 +178,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     }
 
     /** Returns the number of cells in a row; 0 if that is not clear. */
-    private fun clearWidth(names: Int): Int = firstLines.width.takeIf { it == names || firstLines.rowsOf(it) >= LEAST_ROWS } ?: 0
+    private fun clearWidth(names: Int): Int = firstLines.width.takeIf { it == names || firstLines.rowsOf(it) >= MIN_ROWS } ?: 0
 
     /** Handles a plain CSV file, or the rest of a bag if its first line cannot be read. */
     private fun takeWithoutHeader(titles: List<String>, lineEnd: Int, next: Int): Int {
@@ -208,7 +208,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
 
     /** Takes a line of units below the titles, if there is one, and the known times of day. Returns where the next line begins. */
     private fun takeUnits(width: Int, next: Int): Int {
-        val line = firstLines.lines.getOrNull(1)?.takeIf { it.from == next && it.cells == width && width > 1 && firstLines.isOfUnits(it) }
+        val line = firstLines.lines.getOrNull(1)?.takeIf { it.from == next && it.cells == width && width > 1 && firstLines.isUnitLine(it) }
         val units = line?.let { textsIn(it.from, it.end, emptyList()) }.orEmpty().map { it.trim('[', ']', '(', ')', ' ') }
         val isAxis = clocks.keys.minOrNull()
         val names = columns?.columnNames.orEmpty()
@@ -315,14 +315,14 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private fun refuse(message: String): Int {
         problems.add(ProblemKind.NOT_A_RECORDING, message, pending.line)
         stage = Stage.DONE
-        isNoLog = true
+        isNotLog = true
         return pending.end
     }
 
     companion object {
-        const val NO_LOG = "This file is not a log that badlog can read"
+        const val NOT_A_LOG = "This file is not a log that badlog can read"
 
-        private const val BINARY = "$NO_LOG: it has bytes that never occur in text."
+        private const val BINARY = "$NOT_A_LOG: it has bytes that never occur in text."
         private const val UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 
         /** The longest header line; a file without a newline in so many bytes is not a bag. */
@@ -336,7 +336,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         private val JSON_MARKS = listOf("\":\"", "\":[")
 
         /** From this many rows of one width on, their width counts, not the titles' width. */
-        private const val LEAST_ROWS = 3
+        private const val MIN_ROWS = 3
     }
 }
 

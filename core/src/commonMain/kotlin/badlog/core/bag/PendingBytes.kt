@@ -95,7 +95,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
      * Skips the blank line that ends at [end], before [next], and all blank lines after it that have arrived, as there may be a
      * billion of them. Reports them, and returns where they end.
      */
-    fun passBlankLines(end: Int, next: Int, problems: ProblemList): Int {
+    fun skipBlankLines(end: Int, next: Int, problems: ProblemList): Int {
         var at = next
         val size = next - end
         if (size == 2) {

@@ -59,6 +59,6 @@ internal class BatchReader(private val batch: RowBatch, private var at: Int) {
 
     companion object {
         /** The number of integers that concern all columns. */
-        const val FRAME = 4
+        const val COMMON_INTS = 4
     }
 }

@@ -70,7 +70,7 @@ internal class RowReader(
         val linesBefore = pending.line - 1
         pending.pass(batch)
         if (rowCount + batch.rowCount > roomyRows) makeRoom(rowCount + batch.rowCount)
-        val details = BatchReader(batch, BatchReader.FRAME)
+        val details = BatchReader(batch, BatchReader.COMMON_INTS)
         for (i in columns.indices) columns[i].append(rowCount, batch.rowCount, batch.numbers[i], details, linesBefore)
         rowCount += batch.rowCount
         return true

@@ -95,8 +95,8 @@ internal class RowSplitter {
     fun mergeTornQuotes(bytes: ByteArray, wanted: Int): Int {
         var i = 1
         while (i < count && count > wanted) {
-            val tornOff = !quoted[i] && ends[i] > starts[i] && bytes[ends[i] - 1].toInt() == QUOTE
-            val opening = if (tornOff) quotedBefore(i) else -1
+            val isSplitOff = !quoted[i] && ends[i] > starts[i] && bytes[ends[i] - 1].toInt() == QUOTE
+            val opening = if (isSplitOff) quotedBefore(i) else -1
             if (opening >= 0 && count - (i - opening) >= wanted) {
                 ends[opening] = ends[i] - 1
                 remove(opening + 1, i - opening)

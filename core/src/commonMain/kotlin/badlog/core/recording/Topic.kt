@@ -58,7 +58,7 @@ public class Topic(
             if (times != null) return false
             val withoutNumber = counts.empty.toLong() + counts.texts
             val withNumber = counts.total - withoutNumber
-            return withoutNumber > withNumber && withNumber < ALONE * counts.gaps
+            return withoutNumber > withNumber && withNumber < MAX_ISOLATED * counts.gaps
         }
 
     /** Returns this topic with some of its parts replaced. */
@@ -81,13 +81,13 @@ public class Topic(
         public const val UNITLESS: String = "ul"
 
         /** Numbers count as isolated if, on average, at most this many are between two gaps. */
-        private const val ALONE = 2L
+        private const val MAX_ISOLATED = 2L
 
         /** The types of records that are numbers. */
         private val NUMBERS = setOf("boolean", "int64", "int", "float", "double")
 
         /** Up to this many different texts are states, however often each occurs. */
-        private const val FEW_STATES = 8
+        private const val MAX_RARE_STATES = 8
 
         internal fun kindOf(counts: CellCounts): TopicKind {
             val numeric = counts.numbers + counts.notFinite + counts.truthValues
@@ -101,7 +101,7 @@ public class Topic(
 
         private fun holdsEvents(texts: TextColumn): Boolean {
             val different = texts.dictionary.size
-            return different > FEW_STATES && different * 2L > texts.size
+            return different > MAX_RARE_STATES && different * 2L > texts.size
         }
     }
 }

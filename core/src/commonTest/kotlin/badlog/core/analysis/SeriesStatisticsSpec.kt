@@ -16,7 +16,7 @@ import kotlin.math.sqrt
 import kotlin.random.Random
 
 /** The statistics in a slow and simple way: all pieces over which a value holds, in sorted order. */
-private fun sortedWay(series: Series, from: Double, to: Double, end: Double): SeriesStatistics {
+private fun statisticsBySorting(series: Series, from: Double, to: Double, end: Double): SeriesStatistics {
     val inside = (0 until series.size).filter { series.x[it] in from..to }
     val before = (0 until series.size).lastOrNull { series.x[it] < from }
         ?.takeIf { series.isOrdered && from <= to && (inside.isEmpty() || series.x[inside[0]] != from) }
@@ -163,7 +163,7 @@ class SeriesStatisticsSpec : FunSpec({
         checkAll(positions, Arb.list(VALUES, 80..80), ends, ends) { x, y, from, to ->
             for (places in listOf(x, x.sorted())) {
                 val series = Series(places.toDoubleArray(), y.take(x.size).toDoubleArray())
-                series.statistics(from, to, end = 6.0) shouldBeLike sortedWay(series, from, to, 6.0)
+                series.statistics(from, to, end = 6.0) shouldBeLike statisticsBySorting(series, from, to, 6.0)
             }
         }
     }
@@ -185,7 +185,7 @@ class SeriesStatisticsSpec : FunSpec({
         for (shape in shapes) {
             val series = Series(DoubleArray(size) { it * 0.02 }, DoubleArray(size, shape))
             val to = random.nextDouble() * 400
-            series.statistics(to = to) shouldBeLike sortedWay(series, Double.NEGATIVE_INFINITY, to, Double.NaN)
+            series.statistics(to = to) shouldBeLike statisticsBySorting(series, Double.NEGATIVE_INFINITY, to, Double.NaN)
         }
     }
 
