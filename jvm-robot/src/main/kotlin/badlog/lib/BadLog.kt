@@ -195,7 +195,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         internal fun start(session: LogSession): BadLog {
             val before = current
             if (before != null && before.state != LogState.CLOSED) {
-                StandardError.say("A new log was started while another was open; the other one was closed.")
+                StandardError.print("A new log was started while another was open; the other one was closed.")
                 before.close()
             }
             return BadLog(session).also { current = it }

@@ -47,19 +47,19 @@ internal class Counters {
     val callsIgnored = AtomicLong()
     val eventsDropped = AtomicLong()
 
-    fun rowTook(nanos: Long) {
+    fun addRowTime(nanos: Long) {
         if (nanos > slowestRow.get()) slowestRow.set(nanos)
     }
 
-    fun writeTook(nanos: Long) {
+    fun addWriteTime(nanos: Long) {
         if (nanos > SLOW_NANOS) slowWrites.incrementAndGet()
     }
 
-    fun wrote(rows: Int) {
+    fun addWrittenRows(rows: Int) {
         rowsWritten.addAndGet(rows.toLong())
     }
 
-    fun grewTo(fileLength: Long) = bytesWritten.set(fileLength)
+    fun setFileLength(fileLength: Long) = bytesWritten.set(fileLength)
 
     fun snapshot(): LogCounters = LogCounters(
         rowsWritten = rowsWritten.get(),

@@ -26,7 +26,7 @@ internal class LogFile(path: File, val output: BagOutput) {
         try {
             output.close()
         } catch (failure: IOException) {
-            faults.sayOnce("close") {
+            faults.reportOnce("close") {
                 "The log $path could not be closed: ${describe(failure)}. Its end may be missing."
             }
         }
@@ -52,7 +52,7 @@ internal class LogFile(path: File, val output: BagOutput) {
             }
 
         private fun refused(path: File, failure: Exception, faults: Faults): LogFile? {
-            faults.sayOnce("open") {
+            faults.reportOnce("open") {
                 "The log $path cannot be created: ${describe(failure)}. Nothing is logged; use a folder that " +
                     "exists and can be written to, such as /home/lvuser/logs."
             }

@@ -139,7 +139,7 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
             // For example, too little memory for a text: this row is lost, but the robot keeps running.
             isInRow = false
             sink.dropRow()
-            faults.sayOnce("row") { "A row of the log was lost: ${describe(failure)}." }
+            faults.reportOnce("row") { "A row of the log was lost: ${describe(failure)}." }
         }
     }
 
@@ -233,7 +233,7 @@ internal class CloseOnExit(private val session: LogSession) : Thread("badlog clo
     override fun run() {
         session.close()
         // A report of the fault that ends the program must still be printed.
-        StandardError.awaitSaid(SAID_MILLIS)
+        StandardError.awaitPrinted(MAX_PRINT_MILLIS)
     }
 
     fun register() = unlessExiting { Runtime.getRuntime().addShutdownHook(this) }
@@ -249,6 +249,6 @@ internal class CloseOnExit(private val session: LogSession) : Thread("badlog clo
     }
 
     private companion object {
-        const val SAID_MILLIS = 250
+        const val MAX_PRINT_MILLIS = 250
     }
 }

@@ -22,7 +22,7 @@ internal class NumberText(private val faults: Faults) {
 
     fun write(value: Double, function: Function<in Double, out String?>?, topic: Topic, row: RowWriter) {
         if (function != null) {
-            writeBy(function, value, topic, row)
+            writeWith(function, value, topic, row)
         } else if (topic.isXAxis) {
             row.microseconds(value)
         } else {
@@ -30,7 +30,7 @@ internal class NumberText(private val faults: Faults) {
         }
     }
 
-    private fun writeBy(function: Function<in Double, out String?>, value: Double, topic: Topic, row: RowWriter) {
+    private fun writeWith(function: Function<in Double, out String?>, value: Double, topic: Topic, row: RowWriter) {
         val text = try {
             function.apply(value)
         } catch (failure: Throwable) {

@@ -53,7 +53,7 @@ internal class RowSink(
         rowsWaiting++
         val isDue = flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= MAX_WAIT_NANOS
         if (isDue && !isWaitingToRetry(began)) write(began)
-        counters.rowTook(time.now - began)
+        counters.addRowTime(time.now - began)
     }
 
     /** Discards the row that was begun. */
@@ -81,7 +81,7 @@ internal class RowSink(
             timed { output.finish() }
             isDirty = true
         } catch (failure: IOException) {
-            sayFailed(failure)
+            reportFailed(failure)
         }
         for (texts in events) texts.end()
     }
@@ -97,8 +97,8 @@ internal class RowSink(
             }
             if (rowsWaiting > 0) timed { output.append(row.bytes, row.size) }
             // Writing to a deleted file succeeds silently; a file that was only moved may come back.
-            if (file.isMissing) counters.rowsMissed.addAndGet(rowsWaiting.toLong()) else counters.wrote(rowsWaiting)
-            counters.grewTo(output.length)
+            if (file.isMissing) counters.rowsMissed.addAndGet(rowsWaiting.toLong()) else counters.addWrittenRows(rowsWaiting)
+            counters.setFileLength(output.length)
             isDirty = true
             forgetRows()
             for (texts in events) texts.written()
@@ -108,7 +108,7 @@ internal class RowSink(
             forgetRows()
             for (texts in events) texts.restore()
             isFailing = true
-            sayFailed(failure)
+            reportFailed(failure)
         }
     }
 
@@ -118,11 +118,11 @@ internal class RowSink(
         try {
             write()
         } finally {
-            counters.writeTook(time.now - began)
+            counters.addWriteTime(time.now - began)
         }
     }
 
-    private fun sayFailed(failure: IOException) = faults.sayOnce("write") {
+    private fun reportFailed(failure: IOException) = faults.reportOnce("write") {
         "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; check whether " +
             "the disk is full or was removed."
     }

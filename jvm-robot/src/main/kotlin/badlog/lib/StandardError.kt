@@ -11,16 +11,16 @@ internal object StandardError : Thread("badlog messages") {
     private const val MAX_WAITING = 400
 
     private val waiting = LinkedBlockingQueue<String>(MAX_WAITING)
-    private val unsaid = AtomicInteger()
+    private val unprinted = AtomicInteger()
 
     init {
         isDaemon = true
     }
 
     /** Prints [message] soon, marked as badlog's. */
-    fun say(message: String) {
-        unsaid.incrementAndGet()
-        if (!waiting.offer(message)) unsaid.decrementAndGet()
+    fun print(message: String) {
+        unprinted.incrementAndGet()
+        if (!waiting.offer(message)) unprinted.decrementAndGet()
         if (state != State.NEW) return
         try {
             start()
@@ -32,10 +32,10 @@ internal object StandardError : Thread("badlog messages") {
     }
 
     /** Waits until all messages are printed, for at most about [millis] ms. Returns whether they are. */
-    fun awaitSaid(millis: Int): Boolean {
+    fun awaitPrinted(millis: Int): Boolean {
         var left = millis
-        while (unsaid.get() > 0 && left-- > 0) sleep(1)
-        return unsaid.get() == 0
+        while (unprinted.get() > 0 && left-- > 0) sleep(1)
+        return unprinted.get() == 0
     }
 
     override fun run() {
@@ -46,7 +46,7 @@ internal object StandardError : Thread("badlog messages") {
             } catch (_: Throwable) {
                 // The program may have set a stream of its own, which may throw anything.
             }
-            unsaid.decrementAndGet()
+            unprinted.decrementAndGet()
         }
     }
 }

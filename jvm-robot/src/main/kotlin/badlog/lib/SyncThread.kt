@@ -51,7 +51,7 @@ internal class SyncThread(
             file.output.sync()
         } catch (failure: IOException) {
             faults.counters.failedSyncs.incrementAndGet()
-            faults.sayOnce("sync") {
+            faults.reportOnce("sync") {
                 "The log ${file.path} could not be synced to the disk: ${describe(failure)}. A power cut may " +
                     "cost more than the last quarter of a second."
             }
@@ -63,7 +63,7 @@ internal class SyncThread(
         timesMissing = if (file.path.exists()) 0 else timesMissing + 1
         val isMissing = timesMissing > 1
         if (isMissing) {
-            faults.sayOnce("missing") {
+            faults.reportOnce("missing") {
                 "The log ${file.path} was deleted, or its disk was removed, while it was being written. From now on, " +
                     "data is lost; restart the robot program to start a new log."
             }

@@ -19,7 +19,7 @@ internal abstract class Topic(val description: BagTopic) {
 
     /** Whether it was reported that this topic has gaps. Reporting it twice, when two threads race, does no harm. */
     @Volatile
-    var isFaultSaid: Boolean = false
+    var isFaultReported: Boolean = false
 
     abstract fun sample()
 

@@ -17,8 +17,8 @@ class ChildRobotSpec : FunSpec({
     test("a robot has all it needs in the jars it gets, and loads no class of coroutines, WPILib or JSON") {
         inFolder { folder ->
             val classes = File(folder, "classes.txt")
-            val (exit, said) = run(childCommand(arguments(folder, 100), listOf("-Xlog:class+load:file=$classes")))
-            exit to said shouldBe (0 to "")
+            val (exit, output) = run(childCommand(arguments(folder, 100), listOf("-Xlog:class+load:file=$classes")))
+            exit to output shouldBe (0 to "")
             val loaded = classes.readLines().map { it.substringAfter("] ").trim().substringBefore(' ') }
             loaded shouldContain "badlog.lib.BadLog"
             loaded.filter { name -> FOREIGN.any { name.startsWith(it) } }.shouldBeEmpty()

@@ -28,7 +28,7 @@ class DiskTroubleSpec : FunSpec({
                     val filler = File(disk, "filler")
                     val file = File(disk, if (compress) "full.bag.gz" else "full.bag")
                     val time = TestTime()
-                    val said = standardErrorOf {
+                    val messages = standardErrorOf {
                         BadLog.init("$disk/full.bag", compress, LogSession(flushesEachRow = true, time)).use { log ->
                             createTopics()
                             log.finishInitialization()
@@ -51,8 +51,8 @@ class DiskTroubleSpec : FunSpec({
                             counters.bytesWritten shouldBe file.length()
                         }
                     }
-                    said.trim().lines().size shouldBe 1
-                    said shouldContain "No space left"
+                    messages.trim().lines().size shouldBe 1
+                    messages shouldContain "No space left"
                     val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
                     recording.problems.filter { it.severity == Severity.ERROR }.shouldBeEmpty()
                     recording.topics[0].samples.run { last() } shouldBe 2102.0

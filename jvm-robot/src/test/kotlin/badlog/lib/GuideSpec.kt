@@ -41,10 +41,10 @@ class GuideSpec : FunSpec({
         }
         frc.robot2026.Robot().robotPeriodic()
         frc.robot2027.Robot().robotPeriodic()
-        val said = Telemetry.PROPERTIES.entries.associate { (name, properties) ->
+        val telemetryProperties = Telemetry.PROPERTIES.entries.associate { (name, properties) ->
             "/$name" to properties.entries.sortedByDescending { it.key }.joinToString(", ", "{", "}") { "\"${it.key}\": ${it.value}" }
         }
-        said shouldBe DoubleTopic.PROPERTIES
+        telemetryProperties shouldBe DoubleTopic.PROPERTIES
     }
 
     test("the README's robot is a part of the guide's") {

@@ -48,14 +48,14 @@ private fun killOne(folder: File, number: Int): String? {
     val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
     val samples = recording.topics.firstOrNull()?.samples ?: DoubleArray(0)
     val whole = (0 until rows.toInt()).all { it < samples.size && samples[it] == it.toDouble() }
-    val said = File(folder, "$number.txt").readText()
+    val output = File(folder, "$number.txt").readText()
     listOf(file, path, returned).forEach(File::delete)
     // Only the row with an unfinished call of log() may be cut, and nothing before it.
     val lost = recording.problems.filter { it.severity == Severity.ERROR && (it.line ?: 0) < FIRST_ROW_LINE + rows }
-    return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) {
+    return if (rows > 0 && whole && lost.isEmpty() && output.isEmpty()) {
         null
     } else {
-        "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, said: $said"
+        "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, output: $output"
     }
 }
 

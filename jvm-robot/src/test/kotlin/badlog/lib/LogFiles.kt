@@ -17,7 +17,7 @@ internal val IF_OPEN_FILES_GO: Enabled =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows deletes and renames no file that is open")
 
 /** More than enough time for the thread that reports faults. */
-internal const val SAID_MILLIS = 60_000
+internal const val MAX_PRINT_MILLIS = 60_000
 
 /**
  * The least number of bytes that [work] allocates on this thread in some attempts. Sometimes the JVM itself allocates on a thread, when it
@@ -50,13 +50,13 @@ inline fun <T> inFolder(test: (File) -> T): T {
 /** Returns the text that [action] writes to standard error. */
 internal inline fun standardErrorOf(action: () -> Unit): String {
     val before = System.err
-    StandardError.awaitSaid(SAID_MILLIS)
+    StandardError.awaitPrinted(MAX_PRINT_MILLIS)
     val captured = ByteArrayOutputStream()
     System.setErr(PrintStream(captured, true, "UTF-8"))
     try {
         action()
     } finally {
-        StandardError.awaitSaid(SAID_MILLIS)
+        StandardError.awaitPrinted(MAX_PRINT_MILLIS)
         System.setErr(before)
     }
     return captured.toString("UTF-8")

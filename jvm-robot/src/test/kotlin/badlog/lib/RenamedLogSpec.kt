@@ -47,7 +47,7 @@ class RenamedLogSpec : FunSpec({
                 val robot = Match(folder, time, RenamesOnlyClosed()::move)
                 robot.options.isCompressed = isCompressed
                 var rows = 0L
-                val said = standardErrorOf {
+                val messages = standardErrorOf {
                     RobotLog.start(robot.options).use { log ->
                         BadLog.createTopicLong("Row", "ul", { rows })
                         log.periodic()
@@ -61,7 +61,7 @@ class RenamedLogSpec : FunSpec({
                         log.log.counters().rowsMissed shouldBe 0
                     }
                 }
-                said shouldBe ""
+                messages shouldBe ""
                 val file = folder.listFiles()!!.single()
                 val recording = if (isCompressed) recordingIn(inflated(file.readBytes())) else recordingIn(file)
                 val numbers = recording.topics.single { it.name == "Row" }.samples.map { it.toLong() }
@@ -100,7 +100,7 @@ class RenamedLogSpec : FunSpec({
         inFolder { folder ->
             val time = TestTime()
             val robot = Match(folder, time) { _, _ -> false }
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
                     log.periodic()
                     time.pass(TICK_MILLIS)
@@ -112,7 +112,7 @@ class RenamedLogSpec : FunSpec({
                     log.log.counters().rowsMissed shouldBe 0
                 }
             }
-            said shouldContain "could not be renamed to FRC_"
+            messages shouldContain "could not be renamed to FRC_"
             folder.list()!!.single() shouldStartWith "FRC_2"
         }
     }

@@ -62,7 +62,7 @@ class RobotLogSpec : FunSpec({
         inFolder { folder ->
             val logs = File(folder, "logs")
             val robot = Robot(logs)
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
                     BadLog.createTopicDouble("Own", "V", { 1.0 })
                     robot.drive(log, 300)
@@ -89,7 +89,7 @@ class RobotLogSpec : FunSpec({
                     log.log.state shouldBe LogState.LOGGING
                 }
             }
-            said shouldBe ""
+            messages shouldBe ""
             val recording = recordingIn(logs.listFiles()!!.single())
             recording.topics.map { it.name } shouldBe
                 listOf("Time", "Robot/Enabled", "Robot/Battery Voltage", "Robot/Events", "Own")

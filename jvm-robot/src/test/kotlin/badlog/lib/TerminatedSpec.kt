@@ -23,7 +23,7 @@ class TerminatedSpec : FunSpec({
                 val returned = File(folder, "returned")
                 val path = File(folder, "a.bag")
                 val command = childCommand(listOf(path.path, "100000000", "$isCompressed", returned.path))
-                val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "said")).start()
+                val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "output")).start()
                 eventually("the robot's first 500 rows") { rowsThatReturned(returned) > 500 }
                 // Later calls may come after the log was closed, while the program still runs.
                 val before = rowsThatReturned(returned)
@@ -41,7 +41,7 @@ class TerminatedSpec : FunSpec({
                 rows shouldBe rows.indices.map { it.toLong() }
                 recording.problems.filter { it.line != null }.shouldBeEmpty()
                 // The program's loop may run for a moment after its log was closed.
-                File(folder, "said").readLines().filterNot { it.endsWith("is ignored, because the log was closed.") }.shouldBeEmpty()
+                File(folder, "output").readLines().filterNot { it.endsWith("is ignored, because the log was closed.") }.shouldBeEmpty()
             }
         }
     }

@@ -26,11 +26,11 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
     private fun roots(): Map<String, Path> {
         // Two names of one folder, such as a stick's and its link, are one.
         val found = folders.mapNotNull { folder -> if (folder.isDirectory) realPath(folder) else null }.distinct()
-        val withBags = bare().filter { it !in found && hasBag(it) }
-        return (found + withBags).associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
+        val homesWithBags = realHomes().filter { it !in found && hasBag(it) }
+        return (found + homesWithBags).associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
     }
 
-    private fun bare(): List<Path> = homes.mapNotNull { home -> if (home.isDirectory) realPath(home) else null }.distinct()
+    private fun realHomes(): List<Path> = homes.mapNotNull { home -> if (home.isDirectory) realPath(home) else null }.distinct()
 
     private fun hasBag(home: Path): Boolean {
         var hasBag = false
@@ -51,12 +51,12 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
         if (address == "/") return Listing(roots().keys.toList(), emptyList())
         val folder = resolve(address.removeSuffix("/")) ?: return null
         if (attributesOf(folder)?.isDirectory != true) return null
-        val isBare = isBare(folder)
+        val showsOnlyBags = showsOnlyBags(folder)
         val folders = ArrayList<String>()
         val files = ArrayList<ListedFile>()
         forEachIn(folder) { path, attributes ->
             when {
-                isBare -> if (isBag(path, attributes)) files += ListedFile(path, attributes)
+                showsOnlyBags -> if (isBag(path, attributes)) files += ListedFile(path, attributes)
                 attributes.isDirectory -> folders += path.name
                 else -> files += ListedFile(path, attributes)
             }
@@ -68,8 +68,8 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
     fun log(address: String): ListedFile? {
         val path = resolve(address) ?: return null
         val attributes = attributesOf(path) ?: return null
-        val isSeen = if (isBare(path.parent)) isBag(path, attributes) else isLog(path, attributes)
-        return if (isSeen) ListedFile(path, attributes) else null
+        val isServed = if (showsOnlyBags(path.parent)) isBag(path, attributes) else isLog(path, attributes)
+        return if (isServed) ListedFile(path, attributes) else null
     }
 
     /** Calls [action] with each log and each folder in [folder]; with none if it cannot be read. */
@@ -99,14 +99,14 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
             }
             val attributes = attributesOf(path) ?: return null
             // A home shows only the bags directly in it, and no folder.
-            if (attributes.isDirectory && isBare(path.parent)) return null
+            if (attributes.isDirectory && showsOnlyBags(path.parent)) return null
             if (i < names.lastIndex && !attributes.isDirectory) return null
         }
         return path
     }
 
-    // Unless the home is itself a folder of logs.
-    private fun isBare(folder: Path) = folder in bare() && folders.none { it.isDirectory && realPath(it) == folder }
+    // A home that is itself a folder of logs shows everything.
+    private fun showsOnlyBags(folder: Path) = folder in realHomes() && folders.none { it.isDirectory && realPath(it) == folder }
 
     private companion object {
         val BAG = Regex("""(?is).+\.(bag|badbag)(\.gz)?""")

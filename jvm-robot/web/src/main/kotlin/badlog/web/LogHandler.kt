@@ -16,10 +16,10 @@ internal class LogHandler(
     private val page: ServedPage,
     private val downloads: Downloads,
 ) : HttpHandler {
-    private val mayGoOn = { whyClosed() == null }
+    private val mayGoOn = { refusal() == null }
 
     // On the field, there is no exception.
-    private val mayFollow = { whyClosed() != Refusal.FIELD }
+    private val mayFollow = { refusal() != Refusal.FIELD }
 
     override fun handle(exchange: HttpExchange) {
         try {
@@ -42,24 +42,24 @@ internal class LogHandler(
         }
         val hosts = exchange.requestHeaders["Host"].orEmpty()
         val address = exchange.requestURI.rawPath.orEmpty()
-        val closed = whyClosed()
+        val refusal = refusal()
         when {
             hosts.size != 1 || !isOwnHost(hosts[0]) -> refuse(exchange, Refusal.HOST)
 
             exchange.requestMethod != "GET" -> refuse(exchange, Refusal.METHOD)
 
-            closed == Refusal.FIELD -> refuse(exchange, closed)
+            refusal == Refusal.FIELD -> refuse(exchange, refusal)
 
             address.endsWith("/") && exchange.requestURI.rawQuery == "format=json" ->
-                if (closed == null) list(exchange, address) else refuse(exchange, closed)
+                if (refusal == null) list(exchange, address) else refuse(exchange, refusal)
 
-            address == "/" -> if (closed == null) sendPage(exchange) else refuse(exchange, closed)
+            address == "/" -> if (refusal == null) sendPage(exchange) else refuse(exchange, refusal)
 
-            else -> sendLog(exchange, address, closed)
+            else -> sendLog(exchange, address, refusal)
         }
     }
 
-    private fun whyClosed(): Refusal? = when {
+    private fun refusal(): Refusal? = when {
         options.isAlwaysOpen -> null
         options.isFieldAttached.asBoolean -> Refusal.FIELD
         options.isEnabled.asBoolean -> Refusal.ENABLED
@@ -86,13 +86,13 @@ internal class LogHandler(
         }
     }
 
-    private fun sendLog(exchange: HttpExchange, address: String, closed: Refusal?) {
+    private fun sendLog(exchange: HttpExchange, address: String, refusal: Refusal?) {
         val log = folders.log(address) ?: return refuse(exchange, Refusal.MISSING)
         exchange.responseHeaders["Accept-Ranges"] = "bytes"
         val range = rangeOf(exchange, log)
-        val isFollowed = closed != null && isEnd(log, range)
+        val isFollowed = refusal != null && isEnd(log, range)
         when {
-            closed != null && !isFollowed -> refuse(exchange, if (isRunning(log) && (range?.from ?: 0) > 0) Refusal.BEHIND else closed)
+            refusal != null && !isFollowed -> refuse(exchange, if (isRunning(log) && (range?.from ?: 0) > 0) Refusal.BEHIND else refusal)
 
             range == null && isKnown(exchange, log.tag) -> Unit
 

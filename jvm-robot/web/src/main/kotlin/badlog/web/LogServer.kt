@@ -39,11 +39,11 @@ public class LogServer private constructor(private val port: Int, private val op
             Class.forName("com.sun.net.httpserver.HttpServer")
             listen()
         } catch (_: ClassNotFoundException) {
-            say("it needs the module jdk.httpserver, which this Java lacks. Fetch the logs with badlog fetch instead")
+            report("it needs the module jdk.httpserver, which this Java lacks. Fetch the logs with badlog fetch instead")
         } catch (failure: IOException) {
-            say("port $port cannot be opened (${failure.message}). Use another one from 5800 to 5810 that nothing else uses")
+            report("port $port cannot be opened (${failure.message}). Use another one from 5800 to 5810 that nothing else uses")
         } catch (failure: Throwable) {
-            say("$failure. Fetch the logs with badlog fetch instead")
+            report("$failure. Fetch the logs with badlog fetch instead")
         }
     }
 
@@ -66,7 +66,7 @@ public class LogServer private constructor(private val port: Int, private val op
         server = opened
     }
 
-    private fun say(what: String) = System.err.println("badlog: The logs are not shown in browsers: $what.")
+    private fun report(what: String) = System.err.println("badlog: The logs are not shown in browsers: $what.")
 
     public companion object {
         // Two for downloads, the others for short answers.

@@ -260,22 +260,22 @@ class LogServerSpec : FunSpec({
 
     test("a port in use is one message that says what to do, and the program goes on") {
         ServerSocket(0).use { taken ->
-            val (exit, said) = saidBy("${taken.localPort}")
+            val (exit, output) = outputOf("${taken.localPort}")
             exit shouldBe 0
-            said.trim().lines().size shouldBe 1
-            said shouldStartWith "badlog: The logs are not shown in browsers: port ${taken.localPort} cannot be opened (Address already in use)."
+            output.trim().lines().size shouldBe 1
+            output shouldStartWith "badlog: The logs are not shown in browsers: port ${taken.localPort} cannot be opened (Address already in use)."
         }
     }
 
     test("a Java without the server's module is one message that says what to do") {
-        val (exit, said) = saidBy("0", "--limit-modules", "java.base,java.logging")
+        val (exit, output) = outputOf("0", "--limit-modules", "java.base,java.logging")
         exit shouldBe 0
-        said shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
+        output shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
             "Fetch the logs with badlog fetch instead.\n"
     }
 
     test("it ends with the program") {
-        saidBy("0") shouldBe (0 to "")
+        outputOf("0") shouldBe (0 to "")
     }
 
     test("a robot gets the server, its page and Kotlin's library, and no more") {
@@ -292,10 +292,10 @@ private fun paced(clock: Clock) = LogServerOptions().also {
 }
 
 /** Runs a robot's program that serves on [port], and ends once the port is opened or refused. Returns its exit code and its output. */
-private fun saidBy(port: String, vararg options: String): Pair<Int, String> {
+private fun outputOf(port: String, vararg options: String): Pair<Int, String> {
     val java = File(System.getProperty("java.home"), "bin/java").path
     val classpath = System.getProperty("badlog.shipped") + File.pathSeparator + System.getProperty("badlog.robots")
     val process = ProcessBuilder(java, *options, "-cp", classpath, "badlog.robots.ServingRobot", port).redirectErrorStream(true).start()
-    val said = process.inputStream.readBytes().decodeToString()
-    return process.waitFor() to said
+    val output = process.inputStream.readBytes().decodeToString()
+    return process.waitFor() to output
 }
