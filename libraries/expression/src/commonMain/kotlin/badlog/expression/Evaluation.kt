@@ -90,12 +90,12 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
     private fun argumentsOf(call: Node.Call): List<Value> {
         val values = call.arguments.map(::valueOf)
         val first = values.firstOrNull() as? Column
-        if (!call.function.needsSteps || first == null || isOfRows(first)) return values
+        if (!call.function.needsSteps || first == null || hasEachRow(first)) return values
         return listOf(first.refined(STEP * second, first.end(range))) + values.drop(1)
     }
 
     /** Returns whether [column] has a sample in each row of the log. */
-    private fun isOfRows(column: Column): Boolean {
+    private fun hasEachRow(column: Column): Boolean {
         val rows = signals.rows ?: return false
         return column.x === rows || column.x.contentEquals(stretches?.steady(rows) ?: rows)
     }

@@ -83,19 +83,19 @@ sealed class Question : ParsedQuestion {
             val keyFrom = by + BY.length
             val key = text.substring(keyFrom).trim()
             if (key.equals("topic", ignoreCase = true)) return byTopic(text, body, keyFrom, vocabulary)
-            val asked = Expression.parse(CHANGED + text.substring(keyFrom) + ")", vocabulary)
-            if (asked is ExpressionError) {
-                fun placed(at: Int) = (at - CHANGED.length + keyFrom).coerceIn(keyFrom, text.length)
-                return ExpressionError(text, placed(asked.from), placed(asked.until), asked.kind, asked.message)
+            val changes = Expression.parse(CHANGED + text.substring(keyFrom) + ")", vocabulary)
+            if (changes is ExpressionError) {
+                fun positionInText(at: Int) = (at - CHANGED.length + keyFrom).coerceIn(keyFrom, text.length)
+                return ExpressionError(text, positionInText(changes.from), positionInText(changes.until), changes.kind, changes.message)
             }
-            val signal = vocabulary.signals.find { it.name == (asked as Expression).topics.firstOrNull() }
+            val signal = vocabulary.signals.find { it.name == (changes as Expression).topics.firstOrNull() }
             // “time” is not a topic, and a number, too.
             if (signal == null || signal.kind == SignalKind.NUMBER) {
                 val message = "“${signal?.name ?: key}” is a number; “by” needs a signal with states, or “topic”."
                 return ExpressionError(text, keyFrom, text.length, ExpressionErrorKind.TYPE, message)
             }
             val whole = body.trim().lowercase()
-            if (whole !in BARE) {
+            if (whole !in FUNCTIONS_OF_STATE) {
                 val parsed = Expression.parse(body, vocabulary)
                 if (parsed is ExpressionError) return ExpressionError(text, parsed.from, parsed.until, parsed.kind, parsed.message)
                 if ((parsed as Expression).type.isOverTime) {
@@ -153,14 +153,14 @@ sealed class Question : ParsedQuestion {
 
         private const val BY = " by "
         private const val CHANGED = "changed("
-        private val BARE = setOf("total", "count")
+        private val FUNCTIONS_OF_STATE = setOf("total", "count")
         private val PATTERN = Regex("\"([^\"]*\\*[^\"]*)\"")
         private const val NO_PATTERN = "“by topic” needs a name with * in double quotes, as in max(\"PDP/Current *\") by topic."
 
         /** Returns [body] restricted to the time when [condition] holds. */
         private fun within(body: String, condition: String, vocabulary: Vocabulary): String {
             val whole = body.trim().lowercase()
-            if (whole in BARE) return "$whole($condition)"
+            if (whole in FUNCTIONS_OF_STATE) return "$whole($condition)"
             val parsed = Expression.parse(body, vocabulary) as Expression
             val places = ArrayList<Node>()
             fun collect(node: Node) {

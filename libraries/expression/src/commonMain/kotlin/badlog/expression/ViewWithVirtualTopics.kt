@@ -33,8 +33,8 @@ class ViewWithVirtualTopics internal constructor(val view: LogView, val topics: 
 fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics =
     VirtualTopicsDraft(this, definitions, names).run {
         do {
-            val isMore = step()
-        } while (isMore)
+            val hasMore = step()
+        } while (hasMore)
         extended
     }
 
@@ -45,20 +45,20 @@ fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogVie
 class VirtualTopicsDraft(private val view: LogView, definitions: List<String>, names: Signals) {
     private val defined = DefinedTopics(names, definitions)
     private val added = ArrayList<Topic>()
-    private var made = if (defined.topics.isEmpty()) ViewWithVirtualTopics(view, emptyList(), defined.errors) else null
+    private var result = if (defined.topics.isEmpty()) ViewWithVirtualTopics(view, emptyList(), defined.errors) else null
 
     /** The finished share of the work, from 0 to 1. */
     val share: Double get() = added.size / (defined.topics.size + 1.0)
 
     /** The view, once [step] has returned false. */
-    val extended: ViewWithVirtualTopics get() = checkNotNull(made)
+    val extended: ViewWithVirtualTopics get() = checkNotNull(result)
 
     /** Does the next part of the work. Returns whether there was one. */
     fun step(): Boolean {
-        if (made != null) return false
+        if (result != null) return false
         val next = defined.topics.getOrNull(added.size)
         if (next == null) {
-            made = ViewWithVirtualTopics(view.withTopics(view.recording.topics + added), defined.topics, defined.errors)
+            result = ViewWithVirtualTopics(view.withTopics(view.recording.topics + added), defined.topics, defined.errors)
         } else {
             added += calculatedTopic(next, defined.signals.series(next.name), view.xAxis, defined.signals.stretches)
         }

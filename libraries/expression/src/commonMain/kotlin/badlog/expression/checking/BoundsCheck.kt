@@ -37,7 +37,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
         val argument = call.arguments[0]
         return when {
             call.function == Function.MISSING && argument is Node.Topic -> ofTopic(argument.signal.name)?.hasGaps != false
-            call.function !in KEEPING || argument.type.kind != Kind.CONDITION -> true
+            call.function !in RANGE_PRESERVING || argument.type.kind != Kind.CONDITION -> true
             else -> mayHold(argument)
         }
     }
@@ -101,7 +101,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
         if (topic != null && !topic.hasGaps && call.function == Function.MIN) return Bounds(topic.low, topic.low)
         if (topic != null && !topic.hasGaps && call.function == Function.MAX) return Bounds(topic.high, topic.high)
         if (call.function == Function.ABS) return of(call.arguments[0]).let { Bounds(0.0, maxOf(abs(it.low), abs(it.high))) }
-        if (call.function in KEEPING) return of(call.arguments[0])
+        if (call.function in RANGE_PRESERVING) return of(call.arguments[0])
         if (call.function !in COUNTING || call.arguments[0].type.kind != Kind.CONDITION) return Bounds.ALL
         return if (mayHold(call.arguments[0])) Bounds.ALL else Bounds(0.0, 0.0)
     }
@@ -111,7 +111,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
 
     private companion object {
         /** The functions with results within the values of their first operand. */
-        val KEEPING = setOf(
+        val RANGE_PRESERVING = setOf(
             Function.MIN, Function.MAX, Function.FIRST, Function.LAST, Function.WINDOW_MIN, Function.WINDOW_MAX, Function.PREVIOUS,
             Function.HOLD, Function.SHIFT_TIME, Function.ANY,
         )

@@ -100,8 +100,8 @@ internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
     /** The stretches of a clock that was set back; null if there is none. */
     val stretches: Stretches? = values.firstNotNullOfOrNull { (it as? Column)?.stretches }
 
-    private val alike = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
-    private val columns = alike.filterIsInstance<Column>()
+    private val onCommonClock = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
+    private val columns = onCommonClock.filterIsInstance<Column>()
     private val moments = columns.filter { it.isMomentary }
 
     /** Whether their combination exists only at moments. */
@@ -114,7 +114,7 @@ internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
     }
 
     /** The values, in order. */
-    val operands: List<Operand> = alike.map {
+    val operands: List<Operand> = onCommonClock.map {
         when (it) {
             is Scalar -> Operand(null, it.value)
             is Column -> Operand(if (isSame(it.x, x!!)) it.y else held(it, x, absent), 0.0)

@@ -110,10 +110,10 @@ internal fun Column.heldFor(length: Double, end: Double): Column {
  */
 internal fun Column.refined(step: Double, end: Double): Column {
     if (size == 0 || isMomentary) return this
-    val apart = maxOf(step, (end - x[0]) / MOST_STEPS)
+    val interval = maxOf(step, (end - x[0]) / MAX_STEPS)
     fun stepsAfter(index: Int): Int {
         val width = (if (index + 1 < size) minOf(x[index + 1], end) else end) - x[index]
-        return if (width > apart * LONG) (width / apart - HALF).toInt() else 0
+        return if (width > interval * LONG) (width / interval - HALF).toInt() else 0
     }
     var count = size
     for (i in 0 until size) count += stepsAfter(i)
@@ -123,7 +123,7 @@ internal fun Column.refined(step: Double, end: Double): Column {
     var next = 0
     for (i in 0 until size) {
         for (k in 0..stepsAfter(i)) {
-            times[next] = x[i] + k * apart
+            times[next] = x[i] + k * interval
             samples[next++] = y[i]
         }
     }
@@ -153,7 +153,7 @@ private fun Column.inRows(rows: DoubleArray, rest: Double): Column {
     return Column(rows, samples, texts, stretches = stretches)
 }
 
-private const val MOST_STEPS = 200_000
+private const val MAX_STEPS = 200_000
 
 // Allows for jitter in the times of rows.
 private const val LONG = 1.5

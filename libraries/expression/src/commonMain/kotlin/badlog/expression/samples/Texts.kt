@@ -30,7 +30,7 @@ internal fun matches(text: String, pattern: String): Boolean {
         if (patternAt < pattern.length && pattern[patternAt] == '*') {
             star = patternAt++
             starText = at
-        } else if (patternAt < pattern.length && isLike(text[at], pattern[patternAt])) {
+        } else if (patternAt < pattern.length && matchesCharacter(text[at], pattern[patternAt])) {
             at++
             patternAt++
         } else if (star >= 0) {
@@ -45,7 +45,7 @@ internal fun matches(text: String, pattern: String): Boolean {
     return patternAt == pattern.length
 }
 
-private fun isLike(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)
+private fun matchesCharacter(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)
 
 /** Returns the first number after [mark] in each text; a gap where there is none. */
 internal fun numbers(column: Column, mark: String): Column {

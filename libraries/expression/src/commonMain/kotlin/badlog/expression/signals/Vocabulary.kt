@@ -60,7 +60,7 @@ class Vocabulary(
     } ?: 0
 
     /** Returns the one of [meanings] that equals [name], regardless of case, if the recording lacks it; otherwise null. */
-    internal fun lacking(name: String): String? =
+    internal fun missingMeaning(name: String): String? =
         meanings.find { it.equals(name, ignoreCase = true) }?.takeIf { meaning -> signals.none { it.name == meaning } }
 
     /** Returns the signal with the name most similar to [name]; null if none is similar. */

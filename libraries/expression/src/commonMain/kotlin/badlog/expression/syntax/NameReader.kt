@@ -33,7 +33,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             return Meaning.Call(word)
         }
         byWords(from, length)?.let { return it }
-        failLonger(from, length)
+        failUnlessComplete(from, length)
         if (length > 0) {
             scanner.at = from + length
             return Meaning.Topic(topic(text.substring(from, scanner.at), from, scanner.at))
@@ -55,7 +55,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     }
 
     /** Fails if a name at [from] seems to be longer than the one of [length] there: `battery` is not all of `battery voltge`. */
-    private fun failLonger(from: Int, length: Int) {
+    private fun failUnlessComplete(from: Int, length: Int) {
         val until = nameEnd(from)
         var next = from + length
         while (next < until && text[next] == ' ') next++
@@ -97,7 +97,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             from,
             until,
             ExpressionErrorKind.UNKNOWN_TOPIC,
-            "${notA(name)}.$nearest To divide, put spaces around the slash: $divided.",
+            "${unknownNameText(name)}.$nearest To divide, put spaces around the slash: $divided.",
         )
     }
 
@@ -129,8 +129,8 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             }
 
             isCalled(from + word.length) -> {
-                val nearest = CALLED_ELSEWHERE[key] ?: Function.entries.minBy { editDistance(key, it.title, NEVER) }.title
-                val isNear = key in CALLED_ELSEWHERE || editDistance(key, nearest, NEVER) <= maxOf(1, key.length / 3)
+                val nearest = NAMES_IN_OTHER_TOOLS[key] ?: Function.entries.minBy { editDistance(key, it.title, NO_LIMIT) }.title
+                val isNear = key in NAMES_IN_OTHER_TOOLS || editDistance(key, nearest, NO_LIMIT) <= maxOf(1, key.length / 3)
                 val suggestion = if (isNear) "; did you mean $nearest?" else "."
                 fail(from, from + word.length, "There is no function “$word”$suggestion")
             }
@@ -163,7 +163,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         return maxOf(until, from + 1)
     }
 
-    private fun severalText(signal: String, topics: List<String>): String {
+    private fun ambiguityText(signal: String, topics: List<String>): String {
         // Cut to whole words, as a person would write the pattern.
         val start = topics.reduce { one, other -> one.commonPrefixWith(other) }.dropLastWhile(::isWordCharacter)
         val rest = topics.map { it.substring(start.length) }
@@ -173,16 +173,16 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     }
 
     private fun failUnknownTopic(name: String, from: Int, until: Int): Nothing {
-        vocabulary.lacking(name)?.let {
+        vocabulary.missingMeaning(name)?.let {
             val message = "The log has no topic for the signal “$it”; name yours in badlog-signals.toml."
             throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, message)
         }
         vocabulary.several.entries.find { it.key.equals(name, ignoreCase = true) }?.let { (signal, topics) ->
-            throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, severalText(signal, topics))
+            throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, ambiguityText(signal, topics))
         }
         val near = near(name)
         val suggestion = if (near.isEmpty()) "" else " Did you mean ${near.joinToString(" or ")}?"
-        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${notA(name)}.$suggestion")
+        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${unknownNameText(name)}.$suggestion")
     }
 
     /** Returns names that [name] may have been meant to be, for a message. */
@@ -192,15 +192,15 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     )
 
     /** Returns the beginning of a sentence that says that [name] means nothing here. */
-    fun notA(name: String): String =
+    fun unknownNameText(name: String): String =
         "“$name” is not a ${vocabulary.thing}${if (vocabulary.meanings.isEmpty()) "" else " or signal"} of this log"
 
     private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
 
     private companion object {
         const val MAX_NAMED = 3
-        const val NEVER = 1000
-        val CALLED_ELSEWHERE =
+        const val NO_LIMIT = 1000
+        val NAMES_IN_OTHER_TOOLS =
             mapOf("sum" to "integral", "avg" to "mean", "average" to "mean", "std" to "stddev", "diff" to "delta", "length" to "duration")
         val INFIX_WORDS = setOf("and", "or", "for", "when", "within", "contains", "matches")
     }
