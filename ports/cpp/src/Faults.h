@@ -46,8 +46,8 @@ public:
     /** Handles a value that was published to a name but is ignored. */
     void PublishIgnored(std::string_view name) noexcept;
     /** Reports a message, unless its subject, one of the log's own few, was reported before. */
-    void SayOnce(std::string_view about, std::string_view message) noexcept;
-    /** Whether SayOnce would report something. */
+    void ReportOnce(std::string_view about, std::string_view message) noexcept;
+    /** Whether ReportOnce would report something. */
     bool IsNew(std::string_view about) noexcept;
     /** Keeps a text for the next row that has room. */
     void Note(std::string_view text) noexcept;
@@ -55,12 +55,12 @@ public:
 private:
     using Names = std::set<std::string, std::less<>>;
 
-    void Say(std::string_view message) noexcept;
+    void Report(std::string_view message) noexcept;
     bool IsCountedNew(Names& before, std::string_view about) noexcept;
 
     std::mutex m_mutex;
     // Three sets, because a program's names must not clash with each other or with the log's own subjects.
-    Names m_said;
+    Names m_reported;
     Names m_ignoredCalls;
     Names m_ignoredNames;
 };

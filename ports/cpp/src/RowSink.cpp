@@ -45,7 +45,7 @@ void RowSink::DropRow() {
     m_faults.counters.rowsMissed++;
     // This includes the events of buffered rows: an event in two rows is better than in none.
     for (auto* texts : m_events) texts->Restore();
-    m_faults.SayOnce("row", "A row of the log was lost: there is not memory enough for its texts.");
+    m_faults.ReportOnce("row", "A row of the log was lost: there is not memory enough for its texts.");
 }
 
 void RowSink::Flush() {
@@ -99,7 +99,7 @@ void RowSink::Failed(std::error_code failure) {
     if (!m_faults.IsNew("write")) return;
     Guarded(
         [&] {
-            m_faults.SayOnce(
+            m_faults.ReportOnce(
                 "write", "The log " + m_file.Path() + " cannot be written: " + failure.message() +
                              ". Rows are lost until it can; check whether the disk is full or was removed.");
         },

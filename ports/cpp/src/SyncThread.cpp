@@ -59,7 +59,7 @@ void SyncThread::Sync() {
     const auto failure = m_file.Sync();
     if (!failure) return;
     m_faults.counters.failedSyncs++;
-    m_faults.SayOnce(
+    m_faults.ReportOnce(
         "sync", "The log " + m_file.Path() + " could not be synced to the disk: " + failure.message() +
                     ". A power cut may cost more than the last quarter of a second.");
 }
@@ -69,7 +69,7 @@ void SyncThread::LookForFile() {
     m_timesMissing = m_file.Exists() ? 0 : m_timesMissing + 1;
     const bool isMissing = m_timesMissing > 1;
     if (isMissing) {
-        m_faults.SayOnce(
+        m_faults.ReportOnce(
             "missing", "The log " + m_file.Path() +
                            " was deleted, or its disk was removed, while it was being written. From now on, data is lost; "
                            "restart the robot program to start a new log.");
@@ -80,7 +80,7 @@ void SyncThread::LookForFile() {
 
 void CloseFile(LogFile& file, Faults& faults) {
     if (const auto failure = file.Close()) {
-        faults.SayOnce(
+        faults.ReportOnce(
             "close", "The log " + file.Path() + " could not be closed: " + failure.message() + ". Its end may be missing.");
     }
 }

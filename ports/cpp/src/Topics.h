@@ -43,7 +43,7 @@ public:
     virtual EventTexts* Texts() { return nullptr; }
 
     /** Whether it was reported that this topic has gaps. */
-    std::atomic<bool> isFaultSaid{false};
+    std::atomic<bool> isFaultReported{false};
 
 private:
     TopicDescription m_description;

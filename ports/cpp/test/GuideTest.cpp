@@ -33,10 +33,10 @@ TEST_CASE("the guide's reader says what is in a bag") {
     std::string program = "reader";
     std::string path = BADLOG_ROOT "/core/conformance/cut-row.bag";
     char* arguments[] = {program.data(), path.data()};
-    std::ostringstream said;
-    auto* const before = std::cout.rdbuf(said.rdbuf());
+    std::ostringstream output;
+    auto* const before = std::cout.rdbuf(output.rdbuf());
     CHECK(RunGuideReader(2, arguments) == 0);
     std::cout.rdbuf(before);
-    CHECK(said.str().find(" numbers in s\n") != std::string::npos);
-    CHECK(said.str().find("A row is cut off after") != std::string::npos);
+    CHECK(output.str().find(" numbers in s\n") != std::string::npos);
+    CHECK(output.str().find("A row is cut off after") != std::string::npos);
 }

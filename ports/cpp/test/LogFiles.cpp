@@ -28,7 +28,7 @@ using badlog::TextOf;
 
 namespace {
 
-constexpr int SAID_MILLISECONDS = 60'000;
+constexpr int MAX_PRINT_MILLISECONDS = 60'000;
 
 bool SendStandardErrorTo(const std::filesystem::path& path) {
 #if defined(_WIN32)
@@ -86,16 +86,16 @@ std::string Logged(const std::function<void()>& create, const std::function<void
 
 std::string StandardErrorOf(const std::function<void()>& action) {
     const Folder folder;
-    badlog::AwaitSaid(SAID_MILLISECONDS);
+    badlog::AwaitPrinted(MAX_PRINT_MILLISECONDS);
     std::fflush(stderr);
     const int before = dup(fileno(stderr));
-    if (!SendStandardErrorTo(SystemPath(folder / "said"))) std::abort();
+    if (!SendStandardErrorTo(SystemPath(folder / "messages"))) std::abort();
     action();
-    badlog::AwaitSaid(SAID_MILLISECONDS);
+    badlog::AwaitPrinted(MAX_PRINT_MILLISECONDS);
     std::fflush(stderr);
     dup2(before, fileno(stderr));
     close(before);
-    return Read(folder / "said");
+    return Read(folder / "messages");
 }
 
 void Row(const badlog::BadLog& log) {

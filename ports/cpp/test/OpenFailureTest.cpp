@@ -112,9 +112,9 @@ TEST_CASE("a folder in the place of a log is named") {
     const Folder folder;
     const auto path = folder / "logs";
     std::filesystem::create_directory(badlog::SystemPath(path));
-    const auto said = RefusalOf(path);
-    CHECK(said.find("cannot be created: it is a folder. Nothing is logged; name a file in it, such as ") != std::string::npos);
-    CHECK(said.find("robot.bag.\n") != std::string::npos);
+    const auto messages = RefusalOf(path);
+    CHECK(messages.find("cannot be created: it is a folder. Nothing is logged; name a file in it, such as ") != std::string::npos);
+    CHECK(messages.find("robot.bag.\n") != std::string::npos);
 }
 
 TEST_CASE("a read-only disk is named, and the folder that is missing there") {
