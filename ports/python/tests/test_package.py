@@ -47,8 +47,8 @@ def test_the_wheel_holds_the_package_and_says_that_it_is_typed(tmp_path: Path) -
 def test_a_robot_loads_no_table_library() -> None:
     program = "import sys, badlog.robot; print([name for name in ('numpy', 'pyarrow', 'pandas', 'polars') if name in sys.modules])"
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
-    said = subprocess.run([sys.executable, "-c", program], env=environment, check=True, capture_output=True, text=True).stdout
-    assert said == "[]\n"
+    output = subprocess.run([sys.executable, "-c", program], env=environment, check=True, capture_output=True, text=True).stdout
+    assert output == "[]\n"
 
 
 def _copy(source: Path, target: Path) -> None:

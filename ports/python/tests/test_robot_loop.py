@@ -54,10 +54,10 @@ def test_a_callable_that_raises_or_gives_none_leaves_a_gap_and_is_said_once(path
     assert rows_in(path)[0].startswith(',,,1180591620717411303424,"The topic ""Raises"" raised ZeroDivisionError: division by zero')
     assert rows_in(path)[1] == ",,,1180591620717411303424,second"
     assert log.counters().cells_missed == 6
-    assert _standard_error.await_said(60)
-    said = capfd.readouterr().err
-    assert said.count("Raises") == said.count("None") - said.count("gave None") == 1
-    assert said.startswith('badlog: The topic "Raises" raised ZeroDivisionError')
+    assert _standard_error.await_printed(60)
+    messages = capfd.readouterr().err
+    assert messages.count("Raises") == messages.count("None") - messages.count("gave None") == 1
+    assert messages.startswith('badlog: The topic "Raises" raised ZeroDivisionError')
 
 
 def test_calls_that_come_too_early_or_too_late_are_ignored_and_counted(path: Path) -> None:
@@ -147,7 +147,7 @@ def test_a_log_that_cannot_be_created_says_so_and_the_robot_goes_on(tmp_path: Pa
     assert log.state is LogState.FAILING
     assert log.counters().rows_missed == 1
     log.close()
-    assert _standard_error.await_said(60)
+    assert _standard_error.await_printed(60)
     assert "cannot be created" in capfd.readouterr().err
 
 

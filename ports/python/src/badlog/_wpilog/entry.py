@@ -64,8 +64,8 @@ class Entry:
         own = _last(members, "attrs")
         items = None if own is None else own.items
         if items is None:
-            said = _property(members, "badlog")
-            items = None if said is None else [said] if said.items is None else said.items
+            value = _property(members, "badlog")
+            items = None if value is None else [value] if value.items is None else value.items
         if items is not None:
             return tuple(item.text for item in items if item.text is not None)
         if self.name == _MESSAGES or _CONSOLE in self.name:

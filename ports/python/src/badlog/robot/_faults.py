@@ -47,7 +47,7 @@ class Faults:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._counts = dict.fromkeys(LogCounters.__dataclass_fields__, 0)
-        self._said: set[str] = set()
+        self._reported: set[str] = set()
         # Separate, because a program's names must not clash with the log's own subjects.
         self._ignored: dict[str, set[str]] = {"call": set(), "name": set()}
         self.room: EventTexts | None = None
@@ -77,7 +77,7 @@ class Faults:
         """Handles a fault of that topic: its cell stays empty in this row."""
         self.count("cells_missed")
         if self._is_new(f"topic {topic}"):
-            self.say(f'The topic "{topic}" {what}, so its cell is empty. Further gaps of this topic are only counted.')
+            self.report(f'The topic "{topic}" {what}, so its cell is empty. Further gaps of this topic are only counted.')
 
     def call_ignored(self, call: str, why: str) -> None:
         self._count_ignored("call", call, why)
@@ -93,15 +93,15 @@ class Faults:
             if is_new:
                 before.add(about)
         if is_new:
-            self.say(why)
+            self.report(why)
 
-    def say_once(self, about: str, message: Callable[[], str]) -> None:
+    def report_once(self, about: str, message: Callable[[], str]) -> None:
         """Reports the message, unless its subject was reported before."""
         if self._is_new(about):
-            self.say(message())
+            self.report(message())
 
-    def say(self, message: str) -> None:
-        _standard_error.say(message)
+    def report(self, message: str) -> None:
+        _standard_error.print_soon(message)
         self.note(message)
 
     def note(self, text: str) -> None:
@@ -111,9 +111,9 @@ class Faults:
 
     def _is_new(self, about: str) -> bool:
         with self._lock:
-            if about in self._said:
+            if about in self._reported:
                 return False
-            self._said.add(about)
+            self._reported.add(about)
             return True
 
 

@@ -149,7 +149,7 @@ class LogSession:
             # For example, too little memory for a text: this row is lost, but the robot keeps running.
             sink.drop_row()
             reason = describe(failure)
-            self.faults.say_once("row", lambda: f"A row of the log was lost: {reason}.")
+            self.faults.report_once("row", lambda: f"A row of the log was lost: {reason}.")
         finally:
             self._is_in_row = False
 
@@ -209,7 +209,7 @@ class LogSession:
         self._names.add(name)
         odd = next((char for char in name if char not in " _/" and not is_letter_or_digit(char)), None)
         if odd is not None:
-            _standard_error.say(f"The name \"{name}\" has the character '{odd}'; letters, digits, spaces, _ and / are safer.")
+            _standard_error.print_soon(f"The name \"{name}\" has the character '{odd}'; letters, digits, spaces, _ and / are safer.")
 
     def _ignored(self, call: str) -> None:
         if self._phase is LogState.CLOSED:
@@ -226,7 +226,7 @@ class LogSession:
             thread.start()
         except RuntimeError as failure:
             reason = describe(failure)
-            self.faults.say_once("thread", lambda: f"The log {file.path} is not synced: {reason}.")
+            self.faults.report_once("thread", lambda: f"The log {file.path} is not synced: {reason}.")
         else:
             self._sync_thread = thread
 

@@ -30,7 +30,7 @@ class LogFile:
             return cls(path, GzipFile(path) if is_compressed else AppendFile(path))
         except (OSError, ValueError) as failure:
             reason = describe(failure)
-            faults.say_once(
+            faults.report_once(
                 "open",
                 lambda: f"The log {path} cannot be created: {reason}. Nothing is logged; use a folder that exists and can be written "
                 "to, such as /home/lvuser/logs.",
@@ -43,7 +43,7 @@ class LogFile:
             self.output.close()
         except OSError as failure:
             reason = describe(failure)
-            faults.say_once("close", lambda: f"The log {self.path} could not be closed: {reason}. Its end may be missing.")
+            faults.report_once("close", lambda: f"The log {self.path} could not be closed: {reason}. Its end may be missing.")
 
 
 class RowSink:
@@ -113,7 +113,7 @@ class RowSink:
             self._file.output.finish()
             self.is_dirty = True
         except OSError as failure:
-            self._say_failed(failure)
+            self._report_failed(failure)
         for texts in self._events:
             texts.end()
 
@@ -135,7 +135,7 @@ class RowSink:
             for texts in self._events:
                 texts.restore()
             self.is_failing = True
-            self._say_failed(failure)
+            self._report_failed(failure)
             return
         # Writing to a deleted file succeeds silently; a file that was only moved may come back.
         self._faults.count("rows_missed" if self._file.is_missing else "rows_written", rows)
@@ -157,9 +157,9 @@ class RowSink:
             # Even if it fails, because a failing disk is often slow.
             self._faults.write_took(time.monotonic_ns() - began)
 
-    def _say_failed(self, failure: OSError) -> None:
+    def _report_failed(self, failure: OSError) -> None:
         reason = describe(failure)
-        self._faults.say_once(
+        self._faults.report_once(
             "write",
             lambda: f"The log {self._file.path} cannot be written: {reason}. Rows are lost until it can; check whether the disk is full "
             "or was removed.",

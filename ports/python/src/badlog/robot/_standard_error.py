@@ -19,7 +19,7 @@ _lock = threading.Lock()
 _is_started = False
 
 
-def say(message: str) -> None:
+def print_soon(message: str) -> None:
     """Writes the message soon, marked as badlog's. Messages that arrive while too many are waiting are dropped. Never
     raises.
     """
@@ -32,16 +32,16 @@ def say(message: str) -> None:
         if _is_started:
             return
         try:
-            threading.Thread(target=_say_all, name="badlog messages", daemon=True).start()
+            threading.Thread(target=_print_all, name="badlog messages", daemon=True).start()
             _is_started = True
             # If the fault ends the program, the message must still be printed.
-            atexit.register(await_said, _EXIT_SECONDS)
+            atexit.register(await_printed, _EXIT_SECONDS)
         except RuntimeError:
             # The system has no thread for this, or the program is ending; the next message tries again.
             return
 
 
-def await_said(seconds: float) -> bool:
+def await_printed(seconds: float) -> bool:
     """Waits until all messages are written, but no longer than that; returns whether they are."""
     end = time.monotonic() + seconds
     while _waiting.unfinished_tasks > 0:
@@ -51,7 +51,7 @@ def await_said(seconds: float) -> bool:
     return True
 
 
-def _say_all() -> None:
+def _print_all() -> None:
     while True:
         message = _waiting.get()
         try:

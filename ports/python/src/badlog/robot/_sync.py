@@ -56,7 +56,7 @@ class SyncThread(threading.Thread):
         except OSError as failure:
             reason = describe(failure)
             self._faults.count("failed_syncs")
-            self._faults.say_once(
+            self._faults.report_once(
                 "sync",
                 lambda: f"The log {self._file.path} could not be synced to the disk: {reason}. A power cut may cost more than the last "
                 "quarter of a second.",
@@ -67,7 +67,7 @@ class SyncThread(threading.Thread):
         self._times_missing = 0 if self._file.path.exists() else self._times_missing + 1
         is_missing = self._times_missing > 1
         if is_missing:
-            self._faults.say_once(
+            self._faults.report_once(
                 "missing",
                 lambda: f"The log {self._file.path} was deleted, or its disk was removed, while it was being written. From now on, "
                 "data is lost; restart the robot program to start a new log.",

@@ -89,7 +89,7 @@ class BadLog:
         with cls._starting:
             before = BadLog._current
             if before is not None and before.state is not LogState.CLOSED:
-                _standard_error.say("A new log was started while another was open; the other one was closed.")
+                _standard_error.print_soon("A new log was started while another was open; the other one was closed.")
                 before.close()
             BadLog._current = log
         session.open(Path(f"{os.fspath(path)}.gz" if compress else path), compress)
