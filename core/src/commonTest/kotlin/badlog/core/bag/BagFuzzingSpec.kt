@@ -46,7 +46,7 @@ class BagFuzzingSpec : FunSpec({
         }
     }
 
-    test("a file cut at any byte keeps every row that was whole before the cut") {
+    test("a file cut at any byte keeps every whole row before the cut") {
         val bytes = VARIED_BAG.encodeToByteArray()
         val rowEnds = VARIED_ROWS.indices.map { row ->
             (VARIED_HEADER + VARIED_ROWS.take(row + 1).joinToString("")).encodeToByteArray().size

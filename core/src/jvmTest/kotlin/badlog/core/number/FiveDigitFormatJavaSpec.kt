@@ -114,7 +114,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for what a robot logs").config(enabledOrReasonIf = { IF_REFERENCE }) {
+    test("equals Java for a robot's usual values").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(5)
         repeat(100 * PropertyTesting.defaultIterationCount) {
             val volts = random.nextDouble(-13.0, 13.0)
@@ -128,7 +128,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for values with a text of their own").config(enabledOrReasonIf = { IF_REFERENCE }) {
+    test("equals Java for NaN, infinities and zeros").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val values = listOf(
             0.0,
             -0.0,
