@@ -22,7 +22,7 @@ private val IF_FULL =
 
 class DiskTroubleSpec : FunSpec({
     for (compress in listOf(false, true)) {
-        test("while the disk is full, rows are lost and nothing else" + if (compress) ", compressed" else "")
+        test("a full disk loses rows and nothing else" + if (compress) ", compressed" else "")
             .config(enabledOrReasonIf = { ifMount() }) {
                 onSmallDisk { disk ->
                     val filler = File(disk, "filler")
@@ -107,7 +107,7 @@ class DiskTroubleSpec : FunSpec({
         }
     }
 
-    test("a disk that was full from the start gets the header once it can").config(enabledOrReasonIf = { ifMount() }) {
+    test("a disk that was full from the start gets the header once it has space").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             val filler = File(disk, "filler")
             fill(filler)
@@ -159,7 +159,7 @@ class DiskTroubleSpec : FunSpec({
         } shouldContain "/dev/full"
     }
 
-    test("a folder that is deleted, or pulled out, while logging is noticed").config(enabledOrReasonIf = { IF_OPEN_FILES_GO }) {
+    test("deleting or removing the folder while logging is noticed").config(enabledOrReasonIf = { IF_OPEN_FILES_GO }) {
         val trouble = mapOf<String, (File) -> Unit>(
             "deleted" to { it.deleteRecursively() },
             "renamed" to { it.renameTo(File(it.parentFile, "gone")) },
@@ -190,7 +190,7 @@ class DiskTroubleSpec : FunSpec({
         }
     }
 
-    test("a disk that is unmounted while logging is noticed").config(enabledOrReasonIf = { ifMount() }) {
+    test("unmounting the disk while logging is noticed").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             val time = TestTime()
             standardErrorOf {

@@ -22,7 +22,7 @@ private const val FIRST_ROW_LINE = 3
 
 @Tags("InCheck")
 class KilledSpec : FunSpec({
-    test("when $KILLS robots are killed in mid-loop, every row whose log() returned is in the file") {
+    test("after killing $KILLS robots within their loops, each file has every row for which log() returned") {
         inFolder { folder ->
             val pool = Executors.newFixedThreadPool(2)
             val kills = List(KILLS) { number -> pool.submit<String?> { killOne(folder, number) } }

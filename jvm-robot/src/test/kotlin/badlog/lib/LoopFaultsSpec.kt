@@ -34,7 +34,7 @@ class LoopFaultsSpec : FunSpec({
     }
 
     for ((mode, otherwise) in mapOf(DataInferMode.DEFAULT to "-1.0", DataInferMode.LAST to "enabled")) {
-        test("without an event log, a subscriber with the attribute log and mode $mode takes what went wrong") {
+        test("without an event log, a subscriber with the attribute log and mode $mode takes the faults") {
             inFolder { folder ->
                 standardErrorOf {
                     val file = logged(folder, {
@@ -53,7 +53,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("names that a program makes up leave room for the log's own messages") {
+    test("names that a program invents leave room for the log's own messages") {
         val faults = Faults(Counters())
         standardErrorOf {
             for (i in 1..200) faults.publishIgnored("name $i") { "name $i" }
@@ -63,7 +63,7 @@ class LoopFaultsSpec : FunSpec({
         }.lines().count { it.isNotEmpty() } shouldBe 201
     }
 
-    test("publishing what cannot be published is ignored, counted, and reported once for each name") {
+    test("invalid publishing is ignored, counted, and reported once for each name") {
         inFolder { folder ->
             val messages = standardErrorOf {
                 val file = logged(folder, {
@@ -88,7 +88,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a formatter that throws or gives null leaves a gap") {
+    test("a formatter that throws or returns null leaves a gap") {
         inFolder { folder ->
             val messages = standardErrorOf {
                 val file = logged(folder, {
@@ -113,7 +113,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a standard error that nobody reads neither stops the loop nor fills the memory") {
+    test("a standard error without a reader neither stops the loop nor fills the memory") {
         val before = System.err
         val pipe = HeldDevice()
         val full = object : OutputStream() {
@@ -244,7 +244,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a thread that is interrupted goes on logging") {
+    test("an interrupted thread continues to log") {
         inFolder { folder ->
             val file = logged(folder, { BadLog.createTopic("A", "ul", { 1.0 }) }) { log ->
                 Thread.currentThread().interrupt()

@@ -41,7 +41,7 @@ class RenamedLogSpec : FunSpec({
     for (isCompressed in listOf(false, true)) {
         val kind = if (isCompressed) "gzipped" else "plain"
 
-        test("where an open file cannot be renamed, a $kind log gets its match's name, and no row is lost") {
+        test("if open files cannot be renamed, a $kind log still gets its match's name, and no row is lost") {
             inFolder { folder ->
                 val time = TestTime()
                 val robot = Match(folder, time, RenamesOnlyClosed()::move)
@@ -72,7 +72,7 @@ class RenamedLogSpec : FunSpec({
         }
     }
 
-    test("rows are written while the system takes its time to rename the log") {
+    test("rows are written while the system renames the log slowly") {
         inFolder { folder ->
             val time = TestTime()
             val disk = HeldDevice()
@@ -96,7 +96,7 @@ class RenamedLogSpec : FunSpec({
         }
     }
 
-    test("a log that cannot be renamed at all keeps its name and its rows, and has the match") {
+    test("a log that cannot be renamed keeps its name and rows, and notes the match") {
         inFolder { folder ->
             val time = TestTime()
             val robot = Match(folder, time) { _, _ -> false }
@@ -117,7 +117,7 @@ class RenamedLogSpec : FunSpec({
         }
     }
 
-    test("a row goes on behind the last one in a file that was reopened, and one that was closed stays closed") {
+    test("a reopened file continues after its last row, and a closed one stays closed") {
         inFolder { folder ->
             val system = RenamesOnlyClosed()
             val file = AppendFile(File(folder, "a"), system::move)

@@ -130,7 +130,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("what is known when the header is written is in it; being enabled or waiting long is a reason to write it, too") {
+    test("the header has everything known by then; it is written once the robot is enabled or after a wait") {
         inFolder { folder ->
             for (begin in listOf<Robot.() -> Unit>({ enabled = true }, { options.headerTimeout = 1.0 })) {
                 val robot = Robot(File(folder, "logs")).apply {
@@ -181,7 +181,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("nothing is logged to a disk that is almost full, at the start and later") {
+    test("nothing is logged to an almost full disk, at the start or later") {
         inFolder { folder ->
             val robot = Robot(folder).apply {
                 enabled = true
@@ -212,7 +212,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a log that is closed before it has begun leaves no file") {
+    test("a log closed before it begins leaves no file") {
         inFolder { folder ->
             var log: RobotLog? = null
             val robot = Robot(folder).apply { enabled = true }
@@ -236,7 +236,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a robot that nobody needs logs after a minute") {
+    test("an idle robot begins to log after a minute") {
         inFolder { folder ->
             val robot = Robot(folder)
             RobotLog.start(robot.options).use { log ->
@@ -248,7 +248,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a robot's loop goes on while its disk does not say how much space it has") {
+    test("a slow query for free space does not delay the loop") {
         inFolder { folder ->
             val disk = HeldDevice()
             val robot = Robot(folder).apply { enabled = true }
@@ -271,7 +271,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a folder that is gone is not full") {
+    test("a missing folder is not full") {
         LogFolder(File("none"), File::getUsableSpace).isFull shouldBe false
     }
 
@@ -294,7 +294,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("the folder is the one wanted, a stick's, the robot's, or beside the program") {
+    test("the folder is the wanted one, a stick's, the robot's, or beside the program") {
         inFolder { folder ->
             val stick = File(folder, "u").apply { mkdir() }
             val home = File(folder, "home").apply { mkdir() }

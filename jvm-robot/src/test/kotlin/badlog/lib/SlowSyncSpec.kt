@@ -49,7 +49,7 @@ class SlowSyncSpec : FunSpec({
         log.counters()
     }
 
-    test("a disk that does not end a sync delays neither a row nor the end") {
+    test("an endless sync delays neither a row nor the end") {
         val disk = HeldDevice()
         val output = SlowOutput(sync = disk::hold)
         val counters = logTo(output, TestTime()) { log ->
@@ -92,7 +92,7 @@ class SlowSyncSpec : FunSpec({
         counters.slowestRowNanos shouldBe 5_000_000
     }
 
-    test("after a failed write, the disk is left alone for a quarter of a second") {
+    test("after a failed write, the next one waits a quarter of a second") {
         val time = TestTime()
         var isFull = false
         val output = SlowOutput(append = { if (isFull) throw IOException("full") })

@@ -18,7 +18,7 @@ class TerminatedSpec : FunSpec({
     for (isCompressed in listOf(false, true)) {
         val kind = if (isCompressed) "gzipped" else "plain"
 
-        test("a robot that is asked to end leaves a $kind log with every row and its end").config(enabled = HAS_SIGNALS) {
+        test("a robot ended by a signal leaves a $kind log with every row and its end").config(enabled = HAS_SIGNALS) {
             inFolder { folder ->
                 val returned = File(folder, "returned")
                 val path = File(folder, "a.bag")

@@ -39,7 +39,7 @@ class HostileRequestSpec : FunSpec({
         test(server)
     }
 
-    test("nothing outside of the log folders, hidden, behind a link, or not called like a log is answered, however it is asked for") {
+    test("files that are not in log folders, hidden, behind a link, or without a log's ending are never served") {
         withSecrets { server ->
             val above = server.logs.parent
             val attempts = listOf(
@@ -70,7 +70,7 @@ class HostileRequestSpec : FunSpec({
         }
     }
 
-    test("a page of another site that points its name here reads nothing (DNS rebinding)") {
+    test("another site that points its name here reads nothing (DNS rebinding)") {
         withSecrets { server ->
             val foreign = listOf(
                 "evil.example", "evil.example:5806", "robot.local.evil.example", "10.10.14.2.evil.example", "roborio-1014-frc.evil.example", "roborio-evil.example",

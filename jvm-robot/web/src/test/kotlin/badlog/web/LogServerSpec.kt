@@ -28,7 +28,7 @@ private val BYTES = ByteArray(100_000) { (it * 31 + it / 251).toByte() }
 
 @Tags("InCheck")
 class LogServerSpec : FunSpec({
-    test("/ is the page, which may ask this server and no other, and is not sent again to who has it") {
+    test("/ is the page, which may contact only this server, and is not sent twice") {
         withServer { server ->
             val page = server.get("/")
             page.status shouldBe 200
@@ -42,7 +42,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a listing names folders and logs, with sizes and times of change, as WPILib's server does") {
+    test("a listing has folders and logs with sizes and times, in the form of WPILib's server") {
         withServer { server ->
             server.logs.resolve("b.wpilog").writeBytes(BYTES)
             server.logs.resolve("a.bag").writeText("bag")
@@ -65,7 +65,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("two folders of one name have two names, one folder of two names has one, and missing ones are left out").config(
+    test("folders get distinct names, a folder with two paths gets one, and missing ones are skipped").config(
         enabledOrReasonIf = { IF_UNIX },
     ) {
         val above = Files.createTempDirectory("badlog-web")
@@ -79,7 +79,7 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
-    test("of a home, only the bags directly in it are seen, and without any it is no folder") {
+    test("a home shows only the bags directly in it, and is not listed without any") {
         val above = Files.createTempDirectory("badlog-web")
         val home = above.resolve("lvuser")
         val logs = home.resolve("log").createDirectories()
@@ -101,7 +101,7 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
-    test("a folder that is made after the start, or on a stick that is plugged in later, is seen, and the others keep their addresses") {
+    test("a folder that appears after the start is served, and the others keep their addresses") {
         val above = Files.createTempDirectory("badlog-web")
         val stick = above.resolve("stick/logs")
         val own = above.resolve("own/logs")
@@ -118,7 +118,7 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
-    test("a part of a log is sent as it was asked for") {
+    test("a requested part of a log is sent") {
         withServer { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
             fun range(value: String) = server.get("/logs/a.bag", "Range: $value")
@@ -140,7 +140,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("an unchanged log is not sent again, and a part of a changed one is not added to the old one") {
+    test("an unchanged log is not sent again, and parts of a changed log are not mixed") {
         withServer { server ->
             val log = server.logs.resolve("a.bag").apply { writeText("first") }
             val tag = server.get("/logs/a.bag").headers["etag"]
@@ -159,7 +159,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a log that becomes shorter while it is sent ends the connection, and nobody waits for the rest") {
+    test("a log that becomes shorter while it is sent ends the connection") {
         val clock = TestClock()
         withServer(paced(clock)) { server ->
             val log = server.logs.resolve("a.bag").apply { writeBytes(BYTES) }
@@ -175,7 +175,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("two downloads run at a time, at one pace together; a third one is shown that it waits, and gets its turn") {
+    test("two downloads share one pace; a third one is told to wait, and gets its turn") {
         val clock = TestClock()
         withServer(paced(clock)) { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
@@ -200,7 +200,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("on the field nothing is answered; while the robot is enabled elsewhere, only the end of the log that is being written") {
+    test("on the field nothing is served; while enabled elsewhere, only the end of the running log") {
         val options = LogServerOptions()
         withServer(options) { server ->
             val old = server.logs.resolve("old.bag").apply { writeBytes(BYTES) }
@@ -258,7 +258,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a port in use is one message that says what to do, and the program goes on") {
+    test("a port in use gives one message with advice, and the program continues") {
         ServerSocket(0).use { taken ->
             val (exit, output) = outputOf("${taken.localPort}")
             exit shouldBe 0
@@ -267,18 +267,18 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a Java without the server's module is one message that says what to do") {
+    test("a Java without the server's module gives one message with advice") {
         val (exit, output) = outputOf("0", "--limit-modules", "java.base,java.logging")
         exit shouldBe 0
         output shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
             "Fetch the logs with badlog fetch instead.\n"
     }
 
-    test("it ends with the program") {
+    test("the server ends with the program") {
         outputOf("0") shouldBe (0 to "")
     }
 
-    test("a robot gets the server, its page and Kotlin's library, and no more") {
+    test("a robot gets only the server, its page and Kotlin's library") {
         val jars = System.getProperty("badlog.shipped").split(File.pathSeparator).map(::File).filter { it.exists() }
         jars.map { it.name.substringBeforeLast('-') } shouldContainExactly listOf("web", "kotlin-stdlib", "annotations")
         jars[0].length() shouldBeLessThan 600_000
