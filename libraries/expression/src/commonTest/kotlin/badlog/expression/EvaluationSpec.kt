@@ -13,7 +13,7 @@ import kotlin.math.abs
 import kotlin.random.Random
 
 class EvaluationSpec : FunSpec({
-    test("random expressions over random samples give what the slow evaluator gives, at the same times") {
+    test("random expressions give the slow evaluator's results, at the same times") {
         var roundings = 0
         repeat(ROUNDS) { seed ->
             val random = Random(seed)
@@ -31,7 +31,7 @@ class EvaluationSpec : FunSpec({
         roundings shouldBeLessThanOrEqual MOST_ROUNDINGS
     }
 
-    test("random expressions are written so that they are read back as the same") {
+    test("printed random expressions are read back unchanged") {
         repeat(ROUNDS) { seed ->
             val random = Random(seed)
             val vocabulary = randomSignals(random).vocabulary

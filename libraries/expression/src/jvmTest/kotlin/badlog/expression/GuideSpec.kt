@@ -23,7 +23,7 @@ private fun printed(occurrence: Occurrence) = "at ${readable(occurrence.span.fro
 
 /** With the environment variable `BADLOG_WRITE_GUIDE` the guide is rewritten. */
 class GuideSpec : FunSpec({
-    test("each example in docs/expressions.md gives what is written below it") {
+    test("each example in docs/expressions.md gives the output below it") {
         var signals: Signals = readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS).let { recording ->
             val modes = ModeTopics(FlagTopic("System/Enabled", FlagReading.Truth), FlagTopic("System/Autonomous", FlagReading.Truth))
             LogViewSignals(LogView.of(recording).identified(null, modes))
