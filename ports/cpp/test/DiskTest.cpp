@@ -56,7 +56,7 @@ TEST_CASE("events that no row could take before the end are counted" * doctest::
     CHECK(messages.find("No space left") != std::string::npos);
 }
 
-TEST_CASE("while a file may not grow, rows are lost and nothing else, and no row is torn") {
+TEST_CASE("a file that may not grow loses rows and nothing else, and tears no row") {
     const Folder folder;
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
@@ -93,7 +93,7 @@ TEST_CASE("while a file may not grow, rows are lost and nothing else, and no row
     CHECK(RowsIn(folder / "a.bag").back().find("rows before this one could not be written") != std::string::npos);
 }
 
-TEST_CASE("a file that is deleted while it is written is noticed, whether syncing is on or off") {
+TEST_CASE("deleting a file while it is written is noticed, with syncing on or off") {
     for (const bool isSyncing : {true, false}) {
         const Folder folder;
         const auto messages = StandardErrorOf([&] {

@@ -63,7 +63,7 @@ bool IsText(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("whatever names, values, texts and events are, lines and cells are in order, and all is UTF-8") {
+TEST_CASE("any names, values, texts and events give well-formed lines and cells in UTF-8") {
     std::mt19937 random{20261122};
     for (int round = 0; round < 500; round++) {
         std::string bag;

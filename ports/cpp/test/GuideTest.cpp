@@ -13,7 +13,7 @@
 int RunGuideRobot();
 int RunGuideReader(int, char** arguments);
 
-TEST_CASE("the guide's robot logs, at each start into a new file") {
+TEST_CASE("the guide's robot logs to a new file at each start") {
     const auto before = std::filesystem::current_path();
     const Folder folder;
     std::filesystem::current_path(badlog::SystemPath(folder / "."));
@@ -29,7 +29,7 @@ TEST_CASE("the guide's robot logs, at each start into a new file") {
     CHECK(Read(folder / "guide/robot_2.bag") == Read(folder / "guide/robot.bag"));
 }
 
-TEST_CASE("the guide's reader says what is in a bag") {
+TEST_CASE("the guide's reader prints the content of a bag") {
     std::string program = "reader";
     std::string path = BADLOG_ROOT "/core/conformance/cut-row.bag";
     char* arguments[] = {program.data(), path.data()};

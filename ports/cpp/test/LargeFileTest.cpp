@@ -64,7 +64,7 @@ bool IsDated2050(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a file is cut and written on above 2 GiB") {
+TEST_CASE("a file is cut and continued above 2 GiB") {
     const Folder folder;
     const auto path = folder / "large";
     const int file = badlog::OpenNew(path);
@@ -80,7 +80,7 @@ TEST_CASE("a file is cut and written on above 2 GiB") {
     CHECK(ReadFrom(path, TWO_GIB + 7) == "whole");
 }
 
-TEST_CASE("a log goes on above 2 GiB, is not taken for deleted, and is not replaced by the next one") {
+TEST_CASE("a log continues above 2 GiB, does not count as deleted, and is not replaced by the next one") {
     const Folder folder;
     const auto path = folder / "a.bag";
     const auto log = BadLog::Init(path);

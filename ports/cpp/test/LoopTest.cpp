@@ -71,7 +71,7 @@ TEST_CASE("each kind of topic is written as in Java") {
         "100.020000,100.02,1234567890123,true," + text + ",0.5,\n");
 }
 
-TEST_CASE("what a line of titles cannot hold is replaced in both header lines") {
+TEST_CASE("characters that titles cannot hold are replaced in both header lines") {
     for (const std::string name : {"a\nb", "a\rb", "\xED\xA0\x80", "a\xFFz"}) {
         std::string bag;
         StandardErrorOf([&] {
@@ -82,7 +82,7 @@ TEST_CASE("what a line of titles cannot hold is replaced in both header lines") 
     }
 }
 
-TEST_CASE("a text is UTF-8 whatever its bytes were, and whitespace of any kind at its ends is kept") {
+TEST_CASE("a text becomes UTF-8 from any bytes, and keeps outer whitespace") {
     const auto bag = Logged(
         [&] {
             BadLog::CreateTopicStr("A", "ul", [] { return std::string{"a\0b\xC3(\xF0\x9F\xA4", 8}; });
@@ -97,7 +97,7 @@ TEST_CASE("a row of one empty text is not a blank line") {
     CHECK(Rows(Logged([] { BadLog::CreateTopicStr("A", "ul", [] { return ""; }); }, [](BadLog& log) { Row(log); })) == Lines{"\"\""});
 }
 
-TEST_CASE("an update consumes published data, of which the last counts") {
+TEST_CASE("an update consumes published data, and the last value counts") {
     const auto bag = Logged(
         [] {
             BadLog::CreateTopicSubscriber("Default", "ul", DataInferMode::DEFAULT);
@@ -118,7 +118,7 @@ TEST_CASE("an update consumes published data, of which the last counts") {
     CHECK(Rows(bag) == Lines{"-1.0,-1.0", "2.0000,2.0000", "2.0000,2.0000", "-1.0,2.0000", "text,2.0000"});
 }
 
-TEST_CASE("a supplier that throws or gives nothing leaves a gap, is counted, reported once, and noted as an event in the log") {
+TEST_CASE("a supplier that throws or returns nothing leaves a gap, is counted, reported once, and noted as an event in the log") {
     std::string bag;
     const auto messages = StandardErrorOf([&] {
         bag = Logged(
@@ -216,7 +216,7 @@ TEST_CASE("a supplier may publish, log and update") {
     CHECK(Rows(bag) == Lines{"2.0000,1.0000"});
 }
 
-TEST_CASE("mistakes in the setup are reported, and logging goes on") {
+TEST_CASE("mistakes in the setup are reported, and logging continues") {
     const Folder folder;
     const auto messages = StandardErrorOf([&] {
         const auto first = BadLog::Init(folder / "first.bag");

@@ -58,7 +58,7 @@ std::string Mutant(const std::vector<std::string>& corpus, std::mt19937& random)
 
 }  // namespace
 
-TEST_CASE("whatever the bytes are, they are read, and each topic has a cell for each row") {
+TEST_CASE("any bytes are read, and each topic has a cell for each row") {
     const auto corpus = Corpus();
     std::mt19937 random{20261122};
     for (int i = 0; i < MUTANTS; i++) {

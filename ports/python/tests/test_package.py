@@ -13,14 +13,14 @@ import pytest
 ROOT = Path(__file__).parents[1]
 
 
-def test_mypy_finds_nothing() -> None:
+def test_mypy_finds_no_errors() -> None:
     for library in ("mypy", "numpy"):
         pytest.importorskip(library)
     checked = subprocess.run([sys.executable, "-m", "mypy"], cwd=ROOT, capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
-def test_the_wheel_holds_the_package_and_says_that_it_is_typed(tmp_path: Path) -> None:
+def test_the_wheel_contains_the_package_and_is_marked_as_typed(tmp_path: Path) -> None:
     for library in ("build", "setuptools"):
         pytest.importorskip(library)
     sources = tmp_path / "sources"
