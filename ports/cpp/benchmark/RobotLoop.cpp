@@ -91,7 +91,7 @@ double Badlog() {
 }
 
 #if defined(BADLOG_WPILIB)
-/** Measures WPILib's log as teams use it: an entry for each number, and one append each; the log writes in its own thread. */
+/** Measures WPILib's log as teams use it. It has an entry for each number, and one append each; the log writes in its own thread. */
 double WpilibDataLog() {
     Signals signals;
     wpi::log::DataLogBackgroundWriter log{Folder().string(), "badlog-benchmark.wpilog"};

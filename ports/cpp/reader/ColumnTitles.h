@@ -24,8 +24,8 @@ struct ColumnTitles {
     static ColumnTitles Doubtful(const Names& titles) { return {titles, std::vector<bool>(titles.size(), true)}; }
 
     /**
-     * Returns the titles for these names on line 1, these titles on line 2, and rows of `width` cells, or 0 if that is not
-     * known. Line 1 wins if it has that many names.
+     * Returns the titles for these names on line 1, these titles on line 2, and rows of `width` cells. A `width` of 0 is
+     * not known. Line 1 wins if it has that many names.
      */
     static ColumnTitles Of(const Names& names, const Names& titles, size_t width);
 };

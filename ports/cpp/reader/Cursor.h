@@ -9,8 +9,8 @@
 namespace badlog::reader {
 
 /**
- * Returns where the line ends: at its LF or CR, or at a NUL, where the original bytes are lost; otherwise
- * `until`.
+ * Returns the end of the line: its LF or CR, or a NUL, where the original bytes are lost. Returns `until`
+ * if there is none.
  */
 size_t LineEndIn(std::string_view data, size_t start, size_t until);
 

@@ -26,7 +26,7 @@ bool IsControl(char byte) {
     return static_cast<unsigned char>(byte) < ' ' && byte != '\t';
 }
 
-/** Returns whether a line is a piece of the line of JSON: it has the characters between a key and its value, which no title has. */
+/** Returns whether a line is a piece of the line of JSON. It then has the characters between a key and its value, which no title has. */
 bool IsRestOfJson(std::string_view line) {
     return line.find("\":\"") != std::string_view::npos || line.find("\":[") != std::string_view::npos;
 }

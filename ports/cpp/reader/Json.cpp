@@ -15,7 +15,9 @@ bool IsDigit(char byte) {
     return byte >= '0' && byte <= '9';
 }
 
-/** Returns whether a word is a JSON number: no sign but a minus, no leading zero, digits on both sides of the point. */
+/**
+ * Returns whether a word is a JSON number. It has no sign but a minus, no leading zero, and digits on both sides of the point.
+ */
 bool IsNumber(std::string_view word) {
     if (!word.empty() && word.front() == '-') word.remove_prefix(1);
     if (word.empty() || !IsDigit(word[0]) || (word.size() > 1 && word[0] == '0' && IsDigit(word[1]))) return false;

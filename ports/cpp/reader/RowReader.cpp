@@ -18,7 +18,7 @@ bool IsDigit(char byte) {
     return byte >= '0' && byte <= '9';
 }
 
-/** Returns whether it is a number directly followed by letters: damage left only the x and the end of this row. */
+/** Returns whether it is a number directly followed by letters. Then damage left only the x and the end of this row. */
 bool IsEndOfRow(std::string_view piece) {
     size_t at = 0;
     while (at < piece.size() && IsDigit(piece[at])) at++;
@@ -143,7 +143,7 @@ bool RowReader::ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen) {
     return fits;
 }
 
-/** Joins a text cell that a raw newline has split: the pieces belong together if they then have the right number of cells. */
+/** Joins a text cell that a raw newline has split. The pieces belong together if they then have the right number of cells. */
 RowReader::Next RowReader::JoinedLines(size_t start, size_t newline, size_t secondLine) {
     const auto data = m_cursor.data;
     auto at = secondLine;
@@ -192,7 +192,7 @@ bool RowReader::IsTextTornAt(size_t newline, size_t following) const {
     return false;
 }
 
-/** Handles a piece of the last topic's text, split off by a raw newline: a line of one text, where a number should be. */
+/** Handles a piece of the last topic's text that a raw newline split off. It is a line of one text, where a number should be. */
 bool RowReader::ContinuesText(size_t start, size_t end) {
     const auto piece = m_cursor.Piece(start, end);
     const bool isPiece = m_wanted > 1 && !m_columns.front().HasText() && piece.find(',') == std::string_view::npos &&
@@ -225,7 +225,7 @@ size_t RowReader::TakeUneven(size_t start, size_t end, size_t following) {
 }
 
 /**
- * Reads a row without a newline, at the end of the file or before a hole; `isCut` says whether a missing newline means that bytes are
+ * Reads a row without a newline, at the end of the file or before a hole. `isCut` says whether a missing newline means that bytes are
  * missing.
  */
 size_t RowReader::Tail(size_t start, size_t until, bool isCut) {

@@ -10,7 +10,7 @@ namespace badlog::reader {
 enum class Quotes {
     /** RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one. */
     STRICT,
-    /** A quote opens at a cell's start and closes only before a comma or the end: the original never doubled quotes. */
+    /** A quote opens at a cell's start and closes only before a comma or the end. The original never doubled quotes. */
     LENIENT,
     /** A quote is a character like any other. */
     LITERAL,
@@ -38,7 +38,7 @@ public:
     size_t Split(std::string_view data, size_t start, size_t until, Quotes quotes);
 
     /**
-     * Joins cells that were split at a quote and a comma inside one text, as in `"he said "a", ok"`: a cell that ends in a
+     * Joins cells that were split at a quote and a comma inside one text. In `"he said "a", ok"`, a cell that ends in a
      * quote without having begun with one belongs to the quoted cell before it. Stops at `wanted` cells; returns the number
      * of cells.
      */

@@ -13,10 +13,13 @@ std::string Decode(std::string_view bytes);
 /** Returns the first bytes of a text, for a message; a shortened text ends in an ellipsis. */
 std::string Excerpt(std::string_view bytes, size_t most);
 
-/** Appends a character; half of a surrogate pair, which JSON can name, as the three bytes that UTF-8 would have for it. */
+/**
+ * Appends a character. Half of a surrogate pair, which JSON can name, becomes the three bytes that UTF-8 would have for
+ * it.
+ */
 void AppendCharacter(std::string& text, uint32_t code);
 
-/** Returns whether it is a letter or a digit of any script; a character of two UTF-16 units counts as neither. */
+/** Returns whether it is a letter or a digit of any script. A character of two UTF-16 units counts as neither. */
 bool IsLetterOrDigit(uint32_t code);
 
 /** Returns a text with one part replaced by another wherever it occurs. */

@@ -9,8 +9,8 @@
 namespace badlog {
 
 /**
- * Events that wait for a row, and those in rows that are not written yet: they wait again if their rows cannot be written. Any
- * thread may add events; everything else needs the log's lock.
+ * Events that wait for a row, and events in rows that are not written yet. If writing fails, the latter wait again. Any thread
+ * may add events; everything else needs the log's lock.
  */
 class EventTexts {
 public:

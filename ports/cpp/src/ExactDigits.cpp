@@ -71,7 +71,7 @@ RoundedDigits RoundGenerated(int64_t generated) {
 }
 
 /**
- * Rounds units times 2^-1074, less than 2^20 units: Java's margin is so wide there that its digits have to be generated one
+ * Rounds units times 2^-1074, less than 2^20 units. Java's margin is so wide there that its digits have to be generated one
  * by one.
  */
 RoundedDigits RoundFewBits(int64_t units) {

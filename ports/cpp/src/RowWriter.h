@@ -8,8 +8,8 @@
 namespace badlog {
 
 /**
- * Writes the lines of a bag into its buffer, cell by cell: texts in UTF-8 with quotes according to RFC 4180, and one newline
- * after each row. Once the buffer has grown to the longest row, nothing is allocated.
+ * Writes the lines of a bag into its buffer, cell by cell. Texts are in UTF-8 with quotes according to RFC 4180, and each
+ * row ends in one newline. Once the buffer has grown to the longest row, nothing is allocated.
  */
 class RowWriter {
 public:

@@ -13,7 +13,7 @@
 namespace badlog {
 
 /**
- * Writes the waiting rows and syncs the file to the disk, four times a second, so that a loss of power costs no more than that
+ * Writes the waiting rows and syncs the file to the disk, four times a second. So a loss of power costs no more than that
  * time. It holds no lock while it waits for a sync. It also notices if the file was deleted. At the end, it closes the file.
  */
 class SyncThread : public std::enable_shared_from_this<SyncThread> {

@@ -15,7 +15,7 @@ _LISTED = 10
 
 
 def line_end_in(data: bytes, start: int, until: int) -> int:
-    """Where the line ends: at its LF or CR, or at a NUL, where the original bytes are lost; otherwise `until`."""
+    """The end of the line: its LF or CR, or a NUL, where the original bytes are lost. It is `until` if there is none."""
     end = _LINE_END.search(data, start, until)
     return until if end is None else end.start()
 

@@ -72,7 +72,7 @@ def _until_fault(inflater: zlib._Decompress, piece: bytes) -> bytes:
 
 
 def _body_after(data: bytes, start: int) -> int | None:
-    """The start of a member's deflated bytes, after its header (RFC 1952) at `start`; None if there is no whole header."""
+    """The start of a member's deflated bytes, after its header (RFC 1952) at `start`. None without a whole header."""
     if data[start : start + 3] != b"\x1f\x8b\x08" or len(data) < start + 10:
         return None
     flags = data[start + 3]

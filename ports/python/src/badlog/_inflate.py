@@ -26,7 +26,7 @@ class Inflated:
 
 
 def inflated(data: bytes, most: int = _MAX_BYTES) -> Inflated:
-    """The content of the file with the bytes `data`, up to about `most` bytes; `data` itself if it is not compressed."""
+    """The content of the file with the bytes `data`, up to about `most` bytes. It is `data` itself if that is not compressed."""
     if _gzip.is_gzip(data):
         whole, is_cut = _gzip.inflate(data, most)
     elif data.startswith(_XZ):

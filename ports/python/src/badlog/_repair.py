@@ -148,7 +148,7 @@ class RowRepair:
         return fits
 
     def _joined_lines(self, start: int, newline: int, second_line: int) -> int | None:
-        """Joins a text cell that a raw newline has split: the pieces belong together if they then have the right number of cells."""
+        """Joins a text cell that a raw newline has split. The pieces belong together if they then have the right number of cells."""
         cursor = self._cursor
         data = cursor.data
         splitter = self._splitter
@@ -184,7 +184,7 @@ class RowRepair:
         return None
 
     def _continues_text(self, start: int, end: int, row: int) -> bool:
-        """Handles a piece of the last topic's text, split off by a raw newline: a line of one text, where a number should be."""
+        """Handles a piece of the last topic's text that a raw newline split off. It is a line of one text, where a number should be."""
         piece = self._cursor.data[start:end]
         is_piece = (
             self._wanted > 1

@@ -80,7 +80,7 @@ class RowReader:
         return self._cursor.end
 
     def _plain_until(self, start: int) -> int:
-        """The end of the last line from `start` on before a byte that no plain row has; `start` if there is none."""
+        """The end of the last line from `start` on before a byte that no plain row has, or `start`."""
         data = self._cursor.data
         odd = self._next_odd
         if odd["nul"] < start:
@@ -187,7 +187,7 @@ def _or_end(place: int, data: bytes) -> int:
 
 
 def _whole_lines(data: bytes, start: int, until: int, most: int) -> int:
-    """The end of the last of the lines that have up to `most` bytes together, or of the first line if that is longer."""
+    """The end of the last line that is within `most` bytes, or of the first line if that is longer."""
     if until - start <= most:
         return until
     end = data.rfind(b"\n", start, start + most) + 1

@@ -14,7 +14,7 @@ class Quotes(Enum):
     STRICT = 0
     """RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one."""
     LENIENT = 1
-    """A quote opens at a cell's start and closes only before a comma or the end: the original never doubled quotes."""
+    """A quote opens at a cell's start and closes only before a comma or the end. The original never doubled quotes."""
     LITERAL = 2
     """A quote is a character like any other."""
 
@@ -48,7 +48,7 @@ class RowSplitter:
         return self._split_on(data, start, until)
 
     def extend(self, data: bytes, until: int) -> int:
-        """Continues a row that ended in an open quote, as if `split` had read all of it; returns the number of cells."""
+        """Continues a row that ended in an open quote, as if `split` had read all of it. Returns the number of cells."""
         self.is_open = False
         self.quoted.pop()
         end = self._close_cell(data, self.starts.pop(), self.ends.pop(), until)

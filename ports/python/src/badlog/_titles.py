@@ -31,7 +31,7 @@ class ColumnTitles:
 
     @classmethod
     def of(cls, names: list[str], titles: list[str], width: int) -> ColumnTitles:
-        """The titles for `names` on line 1, `titles` on line 2, and rows of `width` cells, or 0 if that is not known.
+        """The titles for `names` on line 1, `titles` on line 2, and rows of `width` cells. A `width` of 0 is not known.
 
         Line 1 wins if it has that many names.
         """

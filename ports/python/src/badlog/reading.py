@@ -30,7 +30,7 @@ Source = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview, IO[bytes]]
 
 
 def read(source: Source, max_rows: int = MAX_ROWS) -> Recording:
-    """Reads a bag, a CSV file, a WPILOG or a log of the Driver Station, which may be compressed with gzip, or with xz as a `.wpilogxz`.
+    """Reads a bag, a CSV file, a WPILOG or a log of the Driver Station. It may be compressed with gzip, or with xz as a `.wpilogxz`.
 
     The content decides the format, never the name. A `.dslog` is read together with the `.dsevents` of its name beside it.
 

@@ -133,7 +133,7 @@ class Topic:
 
     @property
     def times(self) -> Numbers | None:
-        """When each sample was taken, in s, ascending, perhaps repeating; None if sample `i` belongs to row `i` of the recording.
+        """The time of each sample, in s, ascending, perhaps repeating. None if sample `i` belongs to row `i` of the recording.
 
         Like `samples`, an array of NumPy or an `array('d')`; topics that were logged together share it. See `Recording.x_of`.
         """
@@ -141,7 +141,7 @@ class Topic:
 
     @property
     def samples(self) -> Numbers:
-        """One number for each row or time, NaN where there is none; a read-only array of NumPy, or an `array('d')` without NumPy."""
+        """One number for each row or time, NaN where there is none. A read-only array of NumPy, or an `array('d')` without NumPy."""
         return self._samples.whole()
 
     @property
@@ -207,7 +207,7 @@ class Recording:
         self.topics = topics
         """The topics, in the order in which they are shown."""
         self.row_count = row_count
-        """The number of samples of each topic; 0 in a log without rows, in which each topic has `times` of its own."""
+        """The number of samples of each topic. It is 0 in a log without rows, in which each topic has `times` of its own."""
         self.problems = problems
         """The problems of the file."""
         self.path = path
@@ -266,7 +266,7 @@ class Recording:
         return axis if has_numbers and axis is not None and axis.counts.total > axis.counts.texts + axis.counts.empty else None
 
     def x_of(self, name: str) -> Numbers:
-        """The x of each sample of the topic `name`: its own times in s, or the rows' times, otherwise the rows' indices.
+        """The x of each sample of the topic `name`. It is its own times in s, or the rows' times, otherwise the rows' indices.
 
         Raises:
             KeyError: There is no such topic.
@@ -279,7 +279,7 @@ class Recording:
 
     @property
     def events(self) -> list[Event]:
-        """The texts of all topics that are events or have the attribute `log`, in the order of the rows, or of their times."""
+        """The texts of all topics that are events or have the attribute `log`. They are in the order of the rows, or of their times."""
         axis = self.x_axis
         x = None if axis is None else axis.samples
         found: list[tuple[float, Event]] = []

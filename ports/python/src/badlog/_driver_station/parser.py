@@ -1,4 +1,4 @@
-"""Makes a recording from the bytes of a `.dslog`, of a `.dsevents`, or of both in this order, by the rules of `docs/driver-station.md`.
+"""Makes a recording from a `.dslog`, a `.dsevents`, or both in this order, by the rules of `docs/driver-station.md`.
 
 Never raises because of the bytes.
 """
@@ -24,7 +24,7 @@ _SAMPLES = 12
 
 
 def parse(data: bytes, max_rows: int, with_numpy: bool) -> Recording:
-    """The recording of one or two files that hold `data`, inflated; at most `max_rows` rows of a dozen samples are read."""
+    """The recording of one or two files with `data`, inflated. At most `max_rows` rows of a dozen samples are read."""
     return _StationParser(data, max_rows // _SAMPLES, with_numpy).recording()
 
 

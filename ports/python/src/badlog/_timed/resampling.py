@@ -42,7 +42,7 @@ def times_of(topic: Topic) -> list[float]:
 
 
 def resampled(recording: Recording, rows: list[float]) -> Recording:
-    """The recording with a row for each of `rows`: each topic has its last value at or before that time, and nothing before its first sample.
+    """The recording with a row for each of `rows`. Each topic has its last value at or before that time, and nothing before its first sample.
 
     If the log was made from a bag, a topic that was sparse there has each value only in the first row that is not before it.
     """
@@ -86,7 +86,7 @@ def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
 
 
 def _was_sparse(topic: Topic) -> bool:
-    """Whether badlog made the log from a bag in which the topic was sparse, so that rows do not repeat its last value."""
+    """Whether badlog made the log from a bag in which the topic was sparse. Rows then do not repeat its last value."""
     roles = [value.text for name, value in read_object(topic.metadata) or [] if name == "badlog"]
     return roles[-1:] == ["sparse"]
 

@@ -97,8 +97,9 @@ class Vectors(Protocol):
         """The indices of the NaNs that are not gaps."""
 
     def order(self, times: Numbers, first: float, last: float) -> tuple[Numbers, Places | None, int]:
-        """The times from `first` to `last` and those below 0, ascending; for each the index it had, or None if all are where they were;
-        and how many followed a later one. Those below 0 become `first`."""
+        """The times from `first` to `last` and those below 0, ascending. Also their former indices, or None if none moved; and the
+        number that followed a later one. Those below 0 become `first`.
+        """
 
 
 def uses_numpy() -> bool:

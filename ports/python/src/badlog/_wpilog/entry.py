@@ -50,9 +50,7 @@ class Entry:
 
     @property
     def unit(self) -> str:
-        """The unit in its metadata, from the places where loggers put it: beside their own remarks, or in a NetworkTables topic's
-        properties.
-        """
+        """The unit in its metadata. Loggers put it beside their own remarks, or in a NetworkTables topic's properties. """
         members = read_object(self.metadata) or []
         unit = _last(members, "unit") or _property(members, "unit")
         return UNITLESS if unit is None or unit.text is None else unit.text

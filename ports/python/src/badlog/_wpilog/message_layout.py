@@ -1,6 +1,4 @@
-"""The form in which a message of Protocol Buffers is shown: its values, with nested messages' values at their places, and its
-lists.
-"""
+"""The form in which a message of Protocol Buffers is shown. It has values, with nested messages' values at their places, and lists."""
 
 from __future__ import annotations
 

@@ -64,8 +64,9 @@ class MessageTypes:
                 self._add_enumeration(descriptor, field, folder)
 
     def layout_of(self, name: str) -> tuple[MessageLayout, int] | None:
-        """The layout of the message `name`, and the number of the record from which on it is known; None if a descriptor is missing, or there are
-        too many values."""
+        """The layout of the message `name`, and the number of the record from which on it is known. None if a descriptor is missing, or there are
+        too many values.
+        """
         building = _Building(self._messages, self._enumerations)
         layout = building.layout(name, frozenset([name]))
         return None if layout is None else (layout, building.since)

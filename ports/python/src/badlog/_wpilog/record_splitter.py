@@ -108,7 +108,7 @@ class RecordSplitter:
             at = following
 
     def _pass_fitting(self, at: int) -> int:
-        """Passes on the record at `at`, which has a fitting head, and those after it, up to one that is odd in any way.
+        """Passes on the record at `at`, which has a fitting head, and those after it, up to an odd one.
 
         Returns where the odd one begins; `_head` is then its head. Nearly all records of a log are handled here.
         """
@@ -130,7 +130,7 @@ class RecordSplitter:
         return end
 
     def _read_doubtful(self, at: int, next_look: int) -> int:
-        """Reads a record that fits, but is larger than usual, or followed by something that does not fit: its own size may be wrong."""
+        """Reads a record that fits, but is larger than usual, or followed by something that does not fit. Its own size may be wrong."""
         data = self._data
         head = self._head
         end = at + head.length

@@ -29,7 +29,7 @@ class StructSchemas:
             self._fields[name] = (fields, since)
 
     def layout_of(self, name: str) -> tuple[ValueLayout, int] | None:
-        """The layout of struct `name`, and the number of the record from which on it is known; None if a schema is missing, invalid, or too large."""
+        """The layout of struct `name`, and the number of the record from which on it is known. None if a schema is missing, invalid, or too large."""
         return self._layout_of(name, 0)
 
     def _layout_of(self, name: str, depth: int) -> tuple[ValueLayout, int] | None:

@@ -35,8 +35,7 @@ class TimeHistogram:
         self._first: dict[float, float] = {}
 
     def add(self, micros: float) -> bool:
-        """Counts a record at `micros`, from 0 on. Returns False if it must be dropped: its time is impossible, or too many times are far apart.
-        """
+        """Counts a record at `micros`, from 0 on. Returns False if it must be dropped: its time is impossible, or too many times are far apart."""
         if micros >= NEVER:
             return False
         return self.add_many(math.floor(micros / WIDTH) * WIDTH, micros, 1)

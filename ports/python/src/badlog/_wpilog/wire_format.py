@@ -40,7 +40,7 @@ def fields_in(data: bytes, start: int, until: int) -> Iterator[WireField | None]
 
 
 def packed_in(data: bytes, wire: int, start: int, until: int) -> Iterator[WireField | None]:
-    """The numbers of a packed list with the encoding `wire`; the last one is None if the bytes are not such
+    """The numbers of a packed list with the encoding `wire`. The last one is None if the bytes are not such
     a list.
     """
     at = start

@@ -1,4 +1,4 @@
-"""Events that wait for a row, and those in rows that are not written yet: they wait again if their rows cannot be written."""
+"""Events that wait for a row, and events in rows that are not written yet. If writing fails, the latter wait again."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Handles the faults in a robot's loop: each is counted every time, reported once, and noted as an event in the log."""
+"""Handles the faults in a robot's loop. Each is counted every time, reported once, and noted as an event in the log."""
 
 from __future__ import annotations
 

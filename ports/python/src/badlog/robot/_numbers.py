@@ -93,7 +93,7 @@ def _scaled(reach: int, unit: int, power: int) -> int:
 
 
 def _rounded_of_few_bits(units: int) -> tuple[int, int]:
-    """Subnormal values of so few bits that the margin reaches into the five digits: they are generated one by one, as Java does."""
+    """Subnormal values of so few bits that the margin reaches into the five digits. They are generated one by one, as in Java."""
     scaled = units * _UNIT + units * _UNIT_REST // _UNIT_REST_SCALE
     margin = _UNIT // 4 if units & (units - 1) == 0 else _UNIT // 2
     place = 10**18

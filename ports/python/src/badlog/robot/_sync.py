@@ -1,4 +1,4 @@
-"""Syncs the file to the disk, four times a second, so that a loss of power costs no more than that time."""
+"""Syncs the file to the disk, four times a second. So a loss of power costs no more than that time."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ public class InvalidNameException : RuntimeException() {
 }
 
 /**
- * Thrown during setup by a call that is too early or too late: a topic is created before [BadLog.init] or after
+ * Thrown during setup by a call that is too early or too late. Either a topic is created before [BadLog.init] or after
  * [BadLog.finishInitialization], or the latter is called twice. Never thrown by the functions that a robot calls in its loop.
  */
 public class InvalidModeException internal constructor(message: String?) : RuntimeException(message) {

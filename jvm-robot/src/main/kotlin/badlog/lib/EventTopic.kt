@@ -25,10 +25,7 @@ internal interface EventSink {
     val texts: EventTexts
 }
 
-/**
- * Events that wait for a row, and those of rows that are not written yet: if writing fails, they wait again.
- * Thread-safe.
- */
+/** Events that wait for a row, and events in rows that are not written yet. If writing fails, the latter wait again. Thread-safe.  */
 internal class EventTexts(private val dropped: AtomicLong) {
     private val waiting = StringBuilder()
     private val taken = StringBuilder()

@@ -5,7 +5,7 @@ import java.time.Instant
 import java.util.function.Supplier
 
 /**
- * Handles files on its own thread, so that a robot's loop does not wait: opens and renames the log, frees space, and stops the log when
+ * Handles files on its own thread, so that a robot's loop does not wait. It opens and renames the log, frees space, and stops the log when
  * there is none.
  */
 internal class LogKeeper(private val session: LogSession, private val options: RobotLogOptions) : Thread("badlog keeper") {

@@ -57,7 +57,7 @@ private fun ifStrace(): Enabled = when {
     else -> Enabled.enabled
 }
 
-/** The name and the major version of each class in a jar or a folder, except those for later releases of Java only. */
+/** Returns the name and the major version of each class in a jar or a folder. Skips classes for later releases of Java only. */
 private fun classFilesIn(place: File): List<Pair<String, Int>> = if (place.isDirectory) {
     place.walk().filter { it.extension == "class" }.map { it.path to majorVersionOf(it.readBytes()) }.toList()
 } else {

@@ -10,7 +10,7 @@ import java.io.File
 /** The interval of the thread that handles the log's files. */
 private const val TICK_MILLIS = 100L
 
-/** A system that does not rename open files, such as Windows: the first attempt for a file fails, the next one, after closing, succeeds. */
+/** A system that does not rename open files, such as Windows. The first attempt for a file fails; the next one, after closing, succeeds. */
 private class RenamesOnlyClosed {
     private val tried = HashSet<File>()
 

@@ -124,8 +124,8 @@ public class PixelColumns(public val count: Int) {
 }
 
 /**
- * Finds the smallest and the largest finite value of any range of an array, in a time that hardly depends on the range's length. Each level
- * holds both values for blocks of [BLOCK] entries of the level below. The pyramid takes a sixteenth of the array's memory.
+ * Finds the smallest and the largest finite value of any range of an array. The time hardly depends on the range's length. Each level holds
+ * both values for blocks of [BLOCK] entries of the level below. The pyramid takes a sixteenth of the array's memory.
  */
 internal class MinMaxPyramid(private val values: DoubleArray) {
     private val mins = ArrayList<DoubleArray>()

@@ -25,12 +25,12 @@ public class GraphSeries internal constructor(
     /** Its samples, computed on first use. */
     public val data: Series by lazy(compute)
 
-    /** Whether a sample's value holds until the next one: true for a topic with times of its own, which is logged when it changes. */
+    /** Whether a sample's value holds until the next one. True for a topic with times of its own, which is logged when it changes. */
     public val holds: Boolean get() = topic.times != null && !isDerived
 
     /**
-     * The part of x in which its recording has samples, of this line or of others: where values hold, the last one holds until its end.
-     * Null if there are none.
+     * The part of x in which its recording has samples, of this line or of others. Where values hold, the last one holds until the end of
+     * this part. Null if there are no samples.
      */
     public val recorded: ClosedFloatingPointRange<Double>? get() = range()
 

@@ -220,5 +220,5 @@ private const val MAX_ROWS = 1e8
 /** Times are rounded to this fraction of a unit of x. */
 private const val ROUNDING_SCALE = 1e9
 
-/** A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s. */
+/** A sample up to this much later than a row is in that row. Times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s. */
 private const val MAX_LATENESS = 1 / ROUNDING_SCALE

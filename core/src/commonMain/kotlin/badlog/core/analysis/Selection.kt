@@ -5,8 +5,8 @@ import kotlin.math.ln
 import kotlin.math.sqrt
 
 /**
- * Partially sorts [values] from index [from] until [until]: the number that sorting would bring to index [place] is then
- * there, with no larger one before it and no smaller one after it. None of the values may be NaN.
+ * Partially sorts [values] from index [from] until [until], so that [place] has the same number as after sorting. No larger number is
+ * before it, and no smaller one after it. None of the values may be NaN.
  *
  * Selection by Floyd and Rivest ("Algorithm 489", 1975): the pivot comes from a sample around the place, so that a few
  * rounds nearly always suffice. If they do not, the rest is sorted.

@@ -55,7 +55,10 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         return low
     }
 
-    /** Returns the index of the sample nearest to [position], the earlier of two that are equally near; -1 if there are no samples. */
+    /**
+     * Returns the index of the sample nearest to [position], or the earlier of two that are equally near. Returns -1 if there are no
+     * samples.
+     */
     public fun nearest(position: Double): Int {
         if (size == 0) return -1
         if (!isOrdered) return nearestUnordered(position)

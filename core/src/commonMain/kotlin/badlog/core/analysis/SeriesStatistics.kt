@@ -48,7 +48,7 @@ public fun Series.statistics(
 ): SeriesStatistics = statistics(listOf(Span(from, to)), end)
 
 /**
- * Returns the statistics of several [parts] together, such as the times in which a robot was enabled, without anything between them.
+ * Returns the statistics of several [parts] together, without anything between them. An example is the time in which a robot was enabled.
  *
  * @param parts in the order of x; they do not touch.
  * @param end see the statistics of a single part.

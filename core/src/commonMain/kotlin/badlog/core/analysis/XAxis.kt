@@ -27,7 +27,7 @@ public class XAxis private constructor(
     /** Whether x is only the number of the row. */
     public val isIndex: Boolean get() = topic == null && name == INDEX
 
-    /** All arrays of x in the recording: [positions] if there are rows, and an ascending array for each clock of its topics. */
+    /** All arrays of x in the recording. They are [positions] if there are rows, and an ascending array for each clock of its topics. */
     public val clocks: List<DoubleArray>
         get() = if (positions.isEmpty() && ownTimes.isNotEmpty()) ownTimes else listOf(positions) + ownTimes
 

@@ -12,8 +12,8 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
 
     companion object {
         /**
-         * Returns the titles for [names] on line 1, [titles] on line 2, and rows of [width] cells; 0 if that is not known. Line 1
-         * wins if it has that many names.
+         * Returns the titles for [names] on line 1, [titles] on line 2, and rows of [width] cells. A [width] of 0 is not known. Line 1 wins
+         * if it has that many names.
          */
         fun of(names: List<String>, titles: List<String>, width: Int): ColumnTitles = when {
             width == 0 || (titles.size == width && names.size != width) || names.sorted() == titles.sorted() -> ColumnTitles(titles)
@@ -63,7 +63,7 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
             return doubtful(first + left + last)
         }
 
-        /** If at least one in this many names is among the titles, in the order of line 1, the order is that of line 1. */
+        /** Line 1's order counts if at least one in this many names is among the titles, in that order. */
         private const val NAMES_PER_MATCH = 4
     }
 }

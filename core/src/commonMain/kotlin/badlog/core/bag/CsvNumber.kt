@@ -1,7 +1,7 @@
 package badlog.core.bag
 
 /**
- * A number as a person or a spreadsheet writes it: digits with marks between them, such as `1.234,5`, `12 345` or `0,02`.
+ * A number in the form of a person or a spreadsheet. It has digits with marks between them, such as `1.234,5`, `12 345` or `0,02`.
  *
  * @param parts the digits between the marks.
  * @param marks the marks, each a point, a comma, a space or an apostrophe.

@@ -7,7 +7,7 @@ import badlog.core.text.QUOTE
 import badlog.core.text.TAB
 import badlog.core.text.microsOfIsoTime
 
-/** Finds the [CsvDialect] of a file by counting the cells of its first lines: one line alone may be read in several ways. */
+/** Finds the [CsvDialect] of a file by counting the cells of its first lines. One line alone may be read in several ways. */
 internal object DialectSearch {
     /** This many bytes are examined. */
     const val BYTES = 1 shl 16
@@ -33,7 +33,7 @@ internal object DialectSearch {
         private fun scoreOf(row: List<Cell>) = row.count { it.isValue } - row.count { !it.isValue && !it.isEmpty }
     }
 
-    /** Returns the dialect of the file that begins with the bytes from [from] until [until]; [isEnd] if those are the whole file. */
+    /** Returns the dialect of a file that begins with the bytes from [from] until [until]. [isEnd] says whether they are the whole file. */
     fun of(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): CsvDialect {
         val all = linesOf(bytes, from, until, isEnd)
         val named = all.firstOrNull()?.let(::separatorIn)

@@ -4,7 +4,7 @@ import badlog.core.text.CR
 import badlog.core.text.LF
 import badlog.core.text.TAB
 
-/** The first lines from the titles on: the rows that follow show whether a line of titles is damaged or merely unusual. */
+/** The first lines of a file from the titles on. The rows show whether a line of titles is damaged or merely unusual. */
 internal class FirstLines(private val pending: PendingBytes, private val cellReader: CellReader) {
     /**
      * A line without its end.

@@ -92,8 +92,8 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
     }
 
     /**
-     * Skips the blank line that ends at [end], before [next], and all blank lines after it that have arrived, as there may be a
-     * billion of them. Reports them, and returns where they end.
+     * Skips the blank line that ends at [end], before [next], and all blank lines after it that have arrived. Reports them, and returns
+     * where they end. There may be a billion of them.
      */
     fun skipBlankLines(end: Int, next: Int, problems: ProblemList): Int {
         var at = next
@@ -120,7 +120,8 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
 }
 
 /**
- * Returns where the line that contains [from] ends: at its LF or CR, or at a NUL, where the original content is lost; otherwise [until].
+ * Returns the end of the line that contains [from]: its LF or CR, or a NUL, where the original content is lost. Returns [until] if there is
+ * none.
  */
 internal fun lineEndIn(bytes: ByteArray, from: Int, until: Int): Int {
     var at = from

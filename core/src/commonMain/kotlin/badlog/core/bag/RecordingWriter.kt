@@ -87,8 +87,8 @@ public class RecordingWriter(private val recording: Recording, private val forma
 
     public companion object {
         /**
-         * Returns the number of cells of [topic] that hold `NaN` but are written empty, because it also has empty cells, and both are the
-         * same sample.
+         * Returns the number of cells of [topic] that hold `NaN` but are written empty. That happens if the topic also has empty cells,
+         * because both are the same sample.
          */
         public fun emptiedNaNs(topic: Topic): Int = if (gapsAreNaN(topic)) 0 else writtenNaNs(topic)
 
@@ -103,8 +103,8 @@ public class RecordingWriter(private val recording: Recording, private val forma
 }
 
 /**
- * Returns line 1 for writing [recording] as a bag: its own, if that describes exactly these topics and values; otherwise a
- * new one that does, with the unknown keys of its own.
+ * Returns line 1 for writing [recording] as a bag. It is the recording's own line if that describes exactly these topics and values,
+ * otherwise a new one with the unknown keys of the own line.
  */
 internal fun headerLineOf(recording: Recording): String {
     val line = recording.headerLine

@@ -5,8 +5,8 @@ import badlog.core.text.LF
 import badlog.core.text.TextDecoder
 
 /**
- * Reads some of a bag's rows independently of those before them, as one of several parsers that work on a file in
- * parallel. Reusable, but not by several threads at a time.
+ * Reads some of a bag's rows independently of those before them, so that several parsers can share a file. Reusable, but not by several
+ * threads at a time.
  *
  * @param readsDecimalComma see [BagParser.readsDecimalComma].
  * @param keepSamples as for the [BagParser].

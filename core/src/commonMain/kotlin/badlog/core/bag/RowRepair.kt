@@ -88,7 +88,10 @@ internal class RowRepair(
         }
     }
 
-    /** Returns where the next row begins, if this one has a quoted cell with newlines inside, as RFC 4180 allows; otherwise [NO_MATCH]. */
+    /**
+     * Reads a row with newlines inside a quoted cell, as RFC 4180 allows. Returns where the next row begins, or [NO_MATCH] if it is not
+     * one.
+     */
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
         var holdsRows = false
@@ -147,7 +150,7 @@ internal class RowRepair(
         return fits
     }
 
-    /** Joins a text cell that a raw newline has split: the pieces belong together if they then have the right number of cells. */
+    /** Joins a text cell that a raw newline has split. The pieces belong together if they then have the right number of cells. */
     private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
         var start = next
         // Without quotes, counting commas gives the number of cells, so nothing has to be split repeatedly.
@@ -183,7 +186,7 @@ internal class RowRepair(
         return NO_MATCH
     }
 
-    /** Handles a piece of the last topic's text, split off by a raw newline: a line that is one text, where a number should be. */
+    /** Handles a piece of the last topic's text that a raw newline split off. It is a line of one text, where a number should be. */
     private fun continuesText(bytes: ByteArray, from: Int, end: Int, row: Int): Boolean {
         val isPiece = cells.columns > 1 && columns[0].firstText == null &&
             (from until end).none { bytes[it].toInt() == COMMA } &&
@@ -196,7 +199,9 @@ internal class RowRepair(
         return isPiece
     }
 
-    /** Returns whether the bytes are a number directly followed by letters: a row that damage reduced to its x and its end.  */
+    /**
+     * Returns whether the bytes are a number directly followed by letters. Such a line is a row that damage reduced to its x and its end.
+     */
     private fun isEndOfRow(bytes: ByteArray, from: Int, end: Int): Boolean {
         var at = from
         while (at < end && bytes[at] in ZERO..NINE) at++

@@ -31,7 +31,7 @@ internal class RowSplitter {
         /** RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one. */
         STRICT,
 
-        /** A quote opens at a cell's start and closes only before a comma or the end: the original badlog never doubled them. */
+        /** A quote opens at a cell's start and closes only before a comma or the end. The original badlog never doubled quotes. */
         LENIENT,
 
         /** A quote is a character like any other. */
@@ -87,8 +87,8 @@ internal class RowSplitter {
     }
 
     /**
-     * Joins cells that were split at a quote and a comma inside one text, as in `"he said "a", ok"`: a cell that ends
-     * in a quote without having begun with one belongs to the quoted cell before it. Stops at [wanted] cells.
+     * Joins cells that were split at a quote and a comma inside one text. In `"he said "a", ok"`, a cell that ends in a quote without
+     * having begun with one belongs to the quoted cell before it. Stops at [wanted] cells.
      *
      * @return the number of cells that are left.
      */

@@ -36,7 +36,7 @@ public interface LogParser {
     public var maxRows: Int
 
     /**
-     * Whether the rest of the file will not be read, so that it need not be passed: there are more rows than [maxRows], or the following
+     * Whether the rest of the file will not be read, and need not be passed. Either there are more rows than [maxRows], or the following
      * bytes are not rows.
      */
     public val isFull: Boolean

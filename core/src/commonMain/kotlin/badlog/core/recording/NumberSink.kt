@@ -1,8 +1,8 @@
 package badlog.core.recording
 
 /**
- * Receives the numbers of one topic while its file is read, in place of the recording: the topic then has no samples, but is
- * complete otherwise.
+ * Receives the numbers of one topic in place of the recording, while the file is read. The topic then has no samples, but is complete
+ * otherwise.
  */
 public fun interface NumberSink {
     /** Receives the [number] of the next row, or NaN for a cell without one; [row] counts from 0. */

@@ -1,7 +1,7 @@
 package badlog.core.recording
 
 /**
- * Splits a name into its folder and its base name at the last `/`: `Drivetrain/Wheels/A Position` is `A Position` in the folder
+ * Splits a name into its folder and its base name at the last `/`. `Drivetrain/Wheels/A Position` is `A Position` in the folder
  * `Drivetrain/Wheels`. A leading `/` does not make a folder.
  */
 public object PathName {

@@ -36,7 +36,7 @@ public enum class Severity {
 }
 
 /**
- * The part of a file that was lost to a [Problem]: it was in the file, but is in no row of the recording. Data that never reached the file
+ * The part of a file that was lost to a [Problem]. It was in the file, but is in no row of the recording. Data that never reached the file
  * is not counted, because it is not known.
  *
  * @property rows the number of dropped rows.

@@ -39,7 +39,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A text cell that was split by a raw newline was put together again. */
     LINES_JOINED(Severity.WARNING),
 
-    /** Quotes inside a cell were not escaped; the row was read the way that gives it the right number of cells. */
+    /** Quotes inside a cell were not escaped. The row was read in the way that gives the right number of cells. */
     QUOTES_REPAIRED(Severity.WARNING),
 
     /** The file has more rows than the maximum; the rest was not read. */
@@ -63,7 +63,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Text is not UTF-8 and was read as Windows-1252. */
     NOT_UTF8(Severity.WARNING),
 
-    /** A CSV file separates its cells, writes its numbers or describes its columns in an unusual way, and was read that way. */
+    /** A CSV file has unusual separators, numbers or column descriptions, and was read accordingly. */
     CSV_DIALECT(Severity.NOTE),
 
     /** Numbers with a decimal comma were read as if it were a point. */

@@ -1,7 +1,7 @@
 package badlog.core.recording
 
 /**
- * A stream of samples with a name, a unit and attributes: one for each row of its recording, or at times of its own.
+ * A stream of samples with a name, a unit and attributes. It has a sample for each row of its recording, or samples at times of its own.
  *
  * @property name the full name, unique in its recording; `/` makes folders, see [PathName].
  * @property unit the unit as the file gives it; `ul` and the empty text mean none.

@@ -22,7 +22,7 @@ public fun wallTimeText(micros: Double): String? {
 }
 
 /**
- * Returns the time that [text] gives in ISO 8601, in whole µs since 1970; null if it is not such a time. [text] needs at least date, hour
+ * Returns the time that [text] gives in ISO 8601, in whole µs since 1970. Null if it is not such a time. [text] needs at least date, hour
  * and minute. With an offset, the result is in UTC, otherwise on the clock that wrote it.
  */
 internal fun microsOfIsoTime(text: String): Double? {

@@ -9,7 +9,7 @@ internal class LimitedRun(val code: Int, val text: String) {
         /** The time limit of an emulated program: one that hangs must not delay all others. */
         const val LIMIT_MINUTES = 2L
 
-        /** Runs [command] in [folder], with [environment] added to this one's and [input] as its standard input; it is ended after [minutes]. */
+        /** Runs [command] in [folder], with [environment] added to this one's, and [input] as standard input. Ends it after [minutes]. */
         fun of(
             command: List<String>,
             environment: Map<String, String> = emptyMap(),

@@ -57,7 +57,7 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
     private companion object {
         const val LIMIT = 2
 
-        /** A part is sent in 16 ms: often enough for a smooth download, and seldom enough to leave a processor alone. */
+        /** A part of this size takes 16 ms. That is short enough for a smooth download, and long enough to spare the processor. */
         const val BUFFER_BYTES = 16 * 1024
 
         const val PATIENCE_NANOS = 10_000_000_000L

@@ -46,7 +46,7 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
         return free
     }
 
-    /** Returns the content of the folder at [address], which begins and ends with `/`; null if there is no such folder. */
+    /** Returns the content of the folder at [address], which begins and ends with `/`. Null if it does not exist. */
     fun list(address: String): Listing? {
         if (address == "/") return Listing(roots().keys.toList(), emptyList())
         val folder = resolve(address.removeSuffix("/")) ?: return null
@@ -141,7 +141,8 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
 }
 
 /**
- * The folders to which badlog and WPILib log: on a USB stick or its link, in the home of a roboRIO or a Systemcore, and in a simulation.
+ * The folders to which badlog and WPILib log. They are on a USB stick or its link, in the home of a roboRIO or a Systemcore, and in a
+ * simulation.
  */
 internal val USUAL_FOLDERS =
     listOf("/U/logs", "/V/logs", "/u/logs", "/home/lvuser/logs", "/home/systemcore/logs", "/home/lvuser/log", "logs").map(::File)

@@ -163,7 +163,10 @@ internal class LogHandler(
         const val NOT_MODIFIED = 304
         const val NO_BODY = -1L
 
-        /** The part of a running log's end that may be read while the robot is enabled: half a minute of fifty numbers in each loop. */
+        /**
+         * The part of a running log's end that may be read while the robot is enabled. It holds half a minute of fifty numbers in each
+         * loop.
+         */
         const val TAIL_BYTES = 1024 * 1024
 
         /** A log is running if its last write is more recent than this. */

@@ -8,8 +8,8 @@ import java.util.concurrent.ThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * Shows the robot's logs in any browser in the robot's network: `http://10.TE.AM.2:5806/` lists them, newest first, and opens them, on a
- * phone, too. It only reads, and only logs.
+ * Shows the robot's logs in any browser in the robot's network, even on a phone. `http://10.TE.AM.2:5806/` lists them, newest first, and
+ * opens them. It only reads, and only logs.
  *
  * It is slow on purpose, to keep the robot's loop fast: two downloads at a time, and 1 MB/s for all of them together. While the robot is
  * enabled or connected to the field, it answers with a sentence that says so; only the last megabyte of the log that is being written can

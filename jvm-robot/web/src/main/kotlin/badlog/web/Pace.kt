@@ -2,7 +2,7 @@ package badlog.web
 
 import java.util.concurrent.TimeUnit
 
-/** Limits all downloads together to [bytesPerSecond], so that the rest is left to the robot's loop, its disk and the field's radio. */
+/** Limits all downloads together to [bytesPerSecond]. The rest is left to the robot's loop, its disk and the field's radio. */
 internal class Pace(private val bytesPerSecond: Long, private val clock: Clock) {
     private var next = clock.nanos()
 

@@ -37,11 +37,11 @@ class Answer internal constructor(
     /** Whether the expression holds. */
     val matches: Boolean get() = outcome == Outcome.HOLDS
 
-    /** The time to look at first: the start of the first span, or otherwise the time of the first quantity; NaN if neither exists. */
+    /** The time to look at first: the start of the first span, or otherwise the time of the first quantity. NaN if neither exists. */
     val time: Double
         get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 
-    /** Returns the answer in one line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
+    /** Returns the answer in one line. Examples are `yes, min(Battery Voltage) = 6.7 V at 93.74 s` and `yes, from 92 s to 97.2 s`. */
     override fun toString(): String {
         val parts = ArrayList<String>()
         when (outcome) {

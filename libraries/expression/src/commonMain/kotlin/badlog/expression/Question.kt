@@ -178,7 +178,7 @@ sealed class Question : ParsedQuestion {
             }
         }
 
-        /** Returns the answers of [parts] as one answer: the number of each part that has one, or of each part that holds. */
+        /** Returns the answers of [parts] as one answer. It has the number of each part that has one, or of each part that holds. */
         private fun grouped(parts: List<Pair<String, Expression>>, signals: Signals): Answer {
             val answers = parts.map { (group, expression) -> group to expression.answer(signals) }
             val outcomes = answers.map { it.second.outcome }

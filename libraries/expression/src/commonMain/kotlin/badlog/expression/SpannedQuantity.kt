@@ -11,7 +11,7 @@ import badlog.expression.samples.Column
  */
 internal class SpannedQuantity(private val quantity: Quantity, private val samples: Column, private val smallest: Boolean?) {
     /**
-     * Returns the most significant value in each of [spans]; null for a span without a sample, and for all spans if they are not in the
+     * Returns the most significant value in each of [spans]. Null for a span without a sample, and for all spans if they are not in the
      * order of time.
      */
     fun over(spans: List<Span>): List<Quantity?> {

@@ -1,6 +1,6 @@
 package badlog.expression
 
-/** The course of time after a clock was set back: it only advances, by a [tick] where the logged time [x] went back. */
+/** The course of time after a clock was set back. It only advances, by a [tick] where the logged time [x] went back. */
 internal class SlowCourse(val x: List<Double>, tick: Double) {
     /** The rows, stretch by stretch. */
     private val stretches: List<List<Double>> = x.indices.filter { it == 0 || x[it] < x[it - 1] }.let { begins ->

@@ -31,7 +31,7 @@ internal class SlowTime(private val signals: Signals, private val noise: Noise) 
         return if (value.isMomentary) time else minOf(rows.getOrNull(index + 1)?.time ?: end(value), end(value))
     }
 
-    /** Returns the times at which a condition holds: from each first true row to the next that is not, or the end. */
+    /** Returns the times at which a condition holds. Each lasts from a first true row to the next that is not, or the end. */
     fun spans(value: SlowValue): List<Pair<Double, Double>> {
         if (value.isMomentary) return value.rows!!.filter { it.value == true }.map { it.time to it.time }
         val rows = value.rows!!.filter { it.time <= end(value) }

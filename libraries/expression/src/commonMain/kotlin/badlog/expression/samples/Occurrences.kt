@@ -55,7 +55,7 @@ private fun Column.occurrences(end: Double): List<Span> {
 private inline fun Column.moments(times: List<Double>, value: (Int) -> Double): Column =
     Column(times.toDoubleArray(), DoubleArray(times.size) { value(it) }, null, isMomentary = true, stretches)
 
-/** Returns a condition that is true in the [part] of each time that this condition holds; unknown if this is never known. */
+/** Returns a condition that is true in the [part] of each time that this one holds. It is unknown if this one is never known. */
 private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
     val start = stretches?.begin ?: range?.from ?: return unknown(range)
     if (!isMomentary && y.all { it.isNaN() }) return Column(doubleArrayOf(start), doubleArrayOf(Double.NaN), stretches = stretches)

@@ -89,9 +89,7 @@ internal fun Column.shifted(time: Double): Column = Column(DoubleArray(size) { x
 /** Returns whether each sample is a gap or not finite. */
 internal fun Column.missing(): Column = with(DoubleArray(size) { if (y[it].isFinite()) 0.0 else 1.0 })
 
-/**
- * Returns a condition that is true wherever this condition holds for [length] or longer without a break; the last sample holds until [end].
- */
+/** Returns a condition that is true wherever this one holds for [length] or longer without a break. The last sample holds until [end]. */
 internal fun Column.heldFor(length: Double, end: Double): Column {
     val states = y.copyOf()
     var begin = 0

@@ -80,7 +80,9 @@ internal fun Column.percentile(percent: Double, range: Span?): Scalar {
     return Scalar(weightedPercentile(values, weights, count, percent / 100))
 }
 
-/** Returns the value below which [percent] % of the samples lie, interpolated linearly between neighbors (type 7 of Hyndman and Fan). */
+/**
+ * Returns the value below which [percent] % of the samples lie. It is interpolated linearly between neighbors (type 7 of Hyndman and Fan).
+ */
 internal fun Column.samplePercentile(percent: Double): Scalar {
     val values = DoubleArray(size)
     var count = 0

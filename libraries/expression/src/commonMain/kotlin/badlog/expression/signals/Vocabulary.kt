@@ -45,15 +45,15 @@ class Vocabulary(
     internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)
 
     /**
-     * Returns the signals that have the words of [name] and no others at the end of their paths, in any order and however they are joined:
-     * `voltage of the battery` for `/SystemStats/BatteryVoltage`.
+     * Returns the signals that have exactly the words of [name] at the end of their paths. The words may be in any order and joined in any
+     * way: `voltage of the battery` for `/SystemStats/BatteryVoltage`.
      */
     internal fun withWordsOf(name: String): List<Signal> {
         val wanted = wordsOf(name)
         return if (wanted.size < 2) emptyList() else byWords[wanted].orEmpty()
     }
 
-    /** Returns the length of the longest name at [from] in [text] that ends at a word boundary; 0 if there is none. */
+    /** Returns the length of the longest name at [from] in [text] that ends at a word boundary. Returns 0 if there is none. */
     internal fun longestAt(text: String, from: Int, ignoreCase: Boolean): Int = entries.lengths.firstOrNull { length ->
         val until = from + length
         until <= text.length && isWordEnd(text, until) && entries.find(text.substring(from, until), ignoreCase).isNotEmpty()
@@ -70,7 +70,7 @@ class Vocabulary(
     internal fun nearestTopic(name: String): Signal? = nearestOf(signals.filter { it.name !in meanings }, name)
 
     /**
-     * Returns the one of [meanings] in this recording that [name] may stand for: it is similar, or all of its words are in [name]. Null if
+     * Returns the one of [meanings] in this recording that [name] may stand for. It is similar, or all of its words are in [name]. Null if
      * there is none.
      */
     internal fun nearestMeaning(name: String): Signal? {
@@ -135,8 +135,8 @@ internal fun isWordEnd(text: String, at: Int): Boolean =
 internal fun isWordCharacter(character: Char): Boolean = isLetterOrDigit(character) || character == '_'
 
 /**
- * Returns the one of [signals] with the name most similar to [name], either as written or by its words in any order. Null if none is
- * similar.
+ * Returns the one of [signals] with the name most similar to [name]. Names are compared as written, and by their words in any order. Null
+ * if none is similar.
  */
 private fun nearestOf(signals: List<Signal>, name: String): Signal? {
     val shown = name.take(MAX_COMPARED)

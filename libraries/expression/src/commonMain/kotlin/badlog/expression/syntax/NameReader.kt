@@ -54,7 +54,9 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         return Meaning.Topic(Node.Topic(from, until, found))
     }
 
-    /** Fails if a name at [from] seems to be longer than the one of [length] there: `battery` is not all of `battery voltge`. */
+    /**
+     * Fails if a name at [from] seems to be longer than the one of [length] there. For example, `battery` is not all of `battery voltge`.
+     */
     private fun failUnlessComplete(from: Int, length: Int) {
         val until = nameEnd(from)
         var next = from + length
@@ -145,7 +147,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         }
     }
 
-    /** Returns where an intended name seems to end: names have spaces and slashes, but operators written as words are not part of them. */
+    /** Returns where an intended name seems to end. Names have spaces and slashes, but no operators that are written as words. */
     private fun nameEnd(from: Int): Int {
         var until = from
         while (until < text.length) {

@@ -65,7 +65,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         }
     }
 
-    /** Text written as a path, such as `Arm/Angle`, is not treated as a division if it is not a topic's name. */
+    /** Fails if the division is written like a path, such as `Arm/Angle`, and is not a topic's name. */
     private fun requireNoPath(slash: Int) {
         val isPath = plainNameUntil == slash && slash + 1 < text.length && (isLetter(text[slash + 1]) || text[slash + 1] == '_')
         if (isPath && !names.isCallAt(slash + 1)) names.failPath(plainNameFrom)
@@ -97,7 +97,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         return number() as? Node.Time ?: fail(from, scanner.at, message)
     }
 
-    /** Reads what follows the word “within” at [wordFrom], as in `a within 1 s after b`, which is `a and after(b, 1 s)`. */
+    /** Reads the text after the word “within” at [wordFrom]. For example, `a within 1 s after b` is `a and after(b, 1 s)`. */
     private fun readNearness(left: Node, wordFrom: Int, nesting: Int): Node {
         val time = readTime(wordFrom)
         scanner.skipSpace()
