@@ -13,7 +13,7 @@
 namespace badlog::reader {
 namespace {
 
-constexpr size_t FEW = 4;  // if one title in this many is in line 1's order, line 1's order counts
+constexpr size_t NAMES_PER_MATCH = 4;  // if one title in this many is in line 1's order, line 1's order counts
 
 std::string Joined(const Names& names) {
     std::string line;
@@ -78,7 +78,7 @@ ColumnTitles OfNames(const Names& names, const Names& titles) {
     // A hole may leave only the beginning or the end of a name.
     const auto line = Joined(names);
     const auto rest = Joined(titles);
-    if ((isAtEnd && found.size() * FEW >= names.size() && ascends) || line.compare(0, rest.size(), rest) == 0 || EndsWith(line, rest)) {
+    if ((isAtEnd && found.size() * NAMES_PER_MATCH >= names.size() && ascends) || line.compare(0, rest.size(), rest) == 0 || EndsWith(line, rest)) {
         return ColumnTitles::Certain(names);
     }
     // Line 2 had its own order, which is known from both ends of the line inwards.

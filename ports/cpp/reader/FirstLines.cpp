@@ -13,7 +13,7 @@ namespace {
 constexpr size_t ROWS = 20;  // the number of rows that are examined
 constexpr size_t MAX_BYTES = 1 << 20;
 constexpr size_t CLEARLY = 3;
-constexpr size_t LEAST_ROWS = 3;  // this many rows of one width count more than the titles
+constexpr size_t MIN_ROWS = 3;  // this many rows of one width count more than the titles
 
 // Among random bytes, every ninth is a control character; in a text with a few damaged places, fewer than one in this many.
 constexpr size_t MIN_TEXT = 20;
@@ -89,7 +89,7 @@ void FirstLines::FindWidth() {
 
 size_t FirstLines::ClearWidth(size_t names) const {
     const auto ofWidth = std::count_if(lines.begin() + (lines.empty() ? 0 : 1), lines.end(), [&](const Line& line) { return line.cells == width; });
-    return width == names || static_cast<size_t>(ofWidth) >= LEAST_ROWS ? width : 0;
+    return width == names || static_cast<size_t>(ofWidth) >= MIN_ROWS ? width : 0;
 }
 
 size_t FirstLines::RestOfTitles(size_t following, size_t cells) const {

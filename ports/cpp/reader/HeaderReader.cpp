@@ -15,7 +15,7 @@ constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 constexpr const char* UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8.";
 
 std::string Binary() {
-    return std::string{NO_LOG} + ": it has bytes that never occur in text.";
+    return std::string{NOT_A_LOG} + ": it has bytes that never occur in text.";
 }
 
 bool StartsWith(std::string_view text, std::string_view start) {
@@ -245,7 +245,7 @@ void HeaderReader::ReportEncoding() {
 size_t HeaderReader::Refuse(std::string message) {
     m_problems.Add("NOT_A_RECORDING", std::move(message), m_cursor.line);
     isDone = true;
-    isNoLog = true;
+    isNotLog = true;
     return m_cursor.End();
 }
 

@@ -13,7 +13,7 @@
 
 namespace badlog::reader {
 
-constexpr std::string_view NO_LOG = "This file is neither a bag nor a CSV file";
+constexpr std::string_view NOT_A_LOG = "This file is neither a bag nor a CSV file";
 
 /** Reads the lines before the rows: the line of JSON, if there is one, and the line of column titles. */
 class HeaderReader {
@@ -28,7 +28,7 @@ public:
     std::optional<HeaderColumns> columns;
     bool isDone = false;
     /** Whether the bytes turned out not to be a log. */
-    bool isNoLog = false;
+    bool isNotLog = false;
 
     const BagHeader* Header() const { return header ? &*header : nullptr; }
 

@@ -142,7 +142,7 @@ def test_the_samples_of_the_project_open() -> None:
 
 @pytest.mark.skipif(not reading._has_arrow(), reason="pyarrow or numpy is not installed")
 def test_arrow_and_python_read_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("badlog._rows._LEAST_ARROW_BYTES", 200)
+    monkeypatch.setattr("badlog._rows._MIN_ARROW_BYTES", 200)
     random_source = random.Random(1)
     cells = [b"1.25", b"-0", b"", b"null", b"NULL", b"nan", b"-nan", b"inf", b"1e400", b"true", b"False", b" 7 ", b"text", b'"1,5"', b'"a, ""b"""']
     cells += [b"\xe9", b"+5", b"5.", b".5", b"1_0", b"0x10", b"\t", b"nan(1)", b'""', b"1e-400", b"#N/A", b"n/a", b"1d", b"\xc3\xa9"]

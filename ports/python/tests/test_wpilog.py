@@ -213,7 +213,7 @@ def test_large_schemas_and_messages_of_many_fields_take_no_memory(with_numpy: bo
 
 @both_ways
 def test_the_values_of_small_messages_are_bounded(with_numpy: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("badlog._wpilog.blocks._LEAST_MESSAGE_VALUES", 5000)
+    monkeypatch.setattr("badlog._wpilog.blocks._MIN_MESSAGE_VALUES", 5000)
     wide = proto(4, proto(1, b"Wide") + b"".join(field(f"v{i}", i + 1, 1) for i in range(1000)))
     log = WpilogWriter().start(1, "/.schema/proto:a", "proto:FileDescriptorProto").start(2, "wide", "proto:Wide").record(1, 1, wide)
     for i in range(100):

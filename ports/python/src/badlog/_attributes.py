@@ -16,11 +16,11 @@ _DERIVATIONS = {"delta": "Delta", "differentiate": "Derivative", "integrate": "I
 
 # Positions are wild if they are a hundred times as far from the others as those are from one another. At most one in a hundred is
 # wild.
-_FAR = 100.0
-_FEW = 100
-_FEWEST = 100
-_PART = 20
-_LOOKED_AT = 2000
+_OUTLIER_DISTANCE = 100.0
+_POSITIONS_PER_OUTLIER = 100
+_MIN_POSITIONS = 100
+_POSITIONS_PER_IGNORED = 20
+_MAX_EXAMINED = 2000
 
 
 def attribute_problems(recording: Recording) -> list[Problem]:
@@ -168,15 +168,15 @@ def _base_name(name: str) -> str:
 
 def _wild_among(positions: list[float]) -> int:
     """The number of positions so far away that the others would be too small to see on an axis."""
-    step = max(1, len(positions) // _LOOKED_AT)
+    step = max(1, len(positions) // _MAX_EXAMINED)
     some = sorted(position for position in positions[::step] if math.isfinite(position))
-    if len(some) < _FEWEST:
+    if len(some) < _MIN_POSITIONS:
         return 0
-    cut = len(some) // _PART
+    cut = len(some) // _POSITIONS_PER_IGNORED
     first = some[cut]
     last = some[len(some) - 1 - cut]
-    reach = (last - first) * _FAR
+    reach = (last - first) * _OUTLIER_DISTANCE
     if not 0 < reach < math.inf:
         return 0
     wild = sum(math.isfinite(position) and not first - reach <= position <= last + reach for position in positions)
-    return wild if wild <= len(positions) // _FEW else 0
+    return wild if wild <= len(positions) // _POSITIONS_PER_OUTLIER else 0

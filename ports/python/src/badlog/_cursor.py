@@ -11,7 +11,7 @@ _LINE_FEEDS = re.compile(rb"\n*")
 _CRLFS = re.compile(rb"(?:\r\n)*")
 _LF = 10
 _CR = 13
-_LISTED = 10
+_MAX_LISTED = 10
 
 
 def line_end_in(data: bytes, start: int, until: int) -> int:
@@ -68,9 +68,9 @@ class Cursor:
             at = match.end()
         count = (at - end) // size
         blank = "A blank line was skipped."
-        for i in range(1 if self.is_after_hole else 0, min(count, _LISTED)):
+        for i in range(1 if self.is_after_hole else 0, min(count, _MAX_LISTED)):
             problems.add(ProblemKind.BLANK_LINE, blank, self.line + i)
-        if count > _LISTED:
-            problems.add(ProblemKind.BLANK_LINE, blank, self.line + _LISTED, count=count - _LISTED)
+        if count > _MAX_LISTED:
+            problems.add(ProblemKind.BLANK_LINE, blank, self.line + _MAX_LISTED, count=count - _MAX_LISTED)
         self.line += count
         return at

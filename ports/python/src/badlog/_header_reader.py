@@ -13,16 +13,16 @@ from badlog._text import BLANKS, decode
 from badlog._titles import ColumnTitles, HeaderColumns
 from badlog.problem import ProblemKind, ProblemList
 
-NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG, nor a .dslog or .dsevents of the Driver Station"
+NOT_A_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG, nor a .dslog or .dsevents of the Driver Station"
 
-_BINARY = f"{NO_LOG}: it has bytes that never occur in text."
+_BINARY = f"{NOT_A_LOG}: it has bytes that never occur in text."
 _UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 _GZIP = "The file is compressed with gzip twice; inflate it once."
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 _MAX_LINE_BYTES = 1 << 24  # a file without a newline before that is not a bag
 _MAX_COLUMNS = 1 << 16  # each column costs memory before it has a row
-_LEAST_ROWS = 3  # this many rows of one width count more than the titles
+_MIN_ROWS = 3  # this many rows of one width count more than the titles
 
 # The characters between a key of JSON and its value, which no title has.
 _JSON_MARK = re.compile(rb'":["\[]')
@@ -46,7 +46,7 @@ class HeaderReader:
         self.columns: HeaderColumns | None = None
         """The columns; None if the line of titles is missing."""
         self.is_done = False
-        self.is_no_log = False
+        self.is_not_log = False
         """Whether the bytes turned out not to be a log."""
 
     def read(self) -> int:
@@ -259,14 +259,14 @@ class HeaderReader:
     def _refuse(self, message: str) -> int:
         self._problems.add(ProblemKind.NOT_A_RECORDING, message, self._cursor.line)
         self.is_done = True
-        self.is_no_log = True
+        self.is_not_log = True
         return self._cursor.end
 
 
 def _clear_width(first_lines: FirstLines, names: int) -> int:
     """The number of cells of a row; 0 if that is not clear."""
     width = first_lines.width
-    return width if width == names or first_lines.rows_of(width) >= _LEAST_ROWS else 0
+    return width if width == names or first_lines.rows_of(width) >= _MIN_ROWS else 0
 
 
 def _rest_of_titles(first_lines: FirstLines, following: int, width: int) -> int:

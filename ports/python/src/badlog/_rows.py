@@ -18,7 +18,7 @@ _PLAIN_BYTES = 1 << 18
 _ARROW_BYTES = 1 << 25
 
 # Below this size, Arrow takes longer to start than to read.
-_LEAST_ARROW_BYTES = 1 << 16
+_MIN_ARROW_BYTES = 1 << 16
 
 _LONE_CR = re.compile(rb"\r(?!\n)")
 # A quoted cell of one line after its first quote, by RFC 4180.
@@ -113,7 +113,7 @@ class RowReader:
         at = start
         while at < until and self.row_count < self._max_rows:
             arrow = self._arrow
-            if arrow is not None and at >= self._arrow_from and until - at >= _LEAST_ARROW_BYTES:
+            if arrow is not None and at >= self._arrow_from and until - at >= _MIN_ARROW_BYTES:
                 end = _whole_lines(data, at, until, _ARROW_BYTES)
                 rows = data.count(b"\n", at, end)
                 if self.row_count + rows <= self._max_rows:

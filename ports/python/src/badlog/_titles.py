@@ -11,7 +11,7 @@ from badlog._text import is_letter_or_digit
 from badlog.problem import ProblemKind, ProblemList
 
 # If one title in this many is in line 1's order, line 1's order counts.
-_FEW = 4
+_NAMES_PER_MATCH = 4
 
 
 @dataclass
@@ -74,7 +74,7 @@ class ColumnTitles:
         # A hole may leave only the beginning or the end of a name.
         line = ",".join(names)
         rest = ",".join(titles)
-        if (is_at_end and len(found) * _FEW >= len(names) and ascends) or line.startswith(rest) or line.endswith(rest):
+        if (is_at_end and len(found) * _NAMES_PER_MATCH >= len(names) and ascends) or line.startswith(rest) or line.endswith(rest):
             return cls.certain(names)
         # Line 2 had its own order, which is known from both ends of the line inwards.
         left = _Waiting(names)

@@ -127,7 +127,7 @@ class Problem:
 class ProblemList:
     """Collects problems in bounded memory: of each kind and topic the first ten are kept, the others counted."""
 
-    _LISTED = 10
+    _MAX_LISTED = 10
 
     def __init__(self) -> None:
         self._problems: list[Problem] = []
@@ -138,7 +138,7 @@ class ProblemList:
         key = (kind, topic)
         times = self._seen.get(key, 0) + 1
         self._seen[key] = times
-        if times <= self._LISTED:
+        if times <= self._MAX_LISTED:
             self._problems.append(Problem(kind, message, line, topic, count))
         else:
             first = self._overflow.get(key) or Problem(kind, message, line, topic, 0)

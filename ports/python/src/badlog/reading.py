@@ -24,7 +24,7 @@ MAX_ROWS = 50_000_000
 """The default for the maximum number of rows, or records, that are read from one log."""
 
 # In smaller files of records, NumPy costs more than it saves.
-_LEAST_NUMPY_BYTES = 1 << 20
+_MIN_NUMPY_BYTES = 1 << 20
 
 Source = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview, IO[bytes]]
 
@@ -86,7 +86,7 @@ def _recording_of(file: bytes, path: Path | None, max_rows: int) -> Recording:
     data = content.data
     missing = [] if content.problem is None else [content.problem]
     if _wpilog_parser.is_wpilog(data):
-        recording = _wpilog_parser.parse(data, max_rows, len(data) >= _LEAST_NUMPY_BYTES and uses_numpy())
+        recording = _wpilog_parser.parse(data, max_rows, len(data) >= _MIN_NUMPY_BYTES and uses_numpy())
     elif is_driver_station(data):
         second = None if path is None else second_file_of(path)
         if second is not None:

@@ -21,7 +21,7 @@ __all__ = ["CellCounts", "Event", "Recording", "RecordingFormat", "Topic", "Topi
 UNITLESS = "ul"
 
 # Up to this many different texts are states, however often each occurs.
-_FEW_STATES = 8
+_MAX_RARE_STATES = 8
 
 
 class RecordingFormat(str, Enum):
@@ -180,7 +180,7 @@ class Topic:
 
 
 def _tells_events(different: int, texts: int) -> bool:
-    return different > _FEW_STATES and different * 2 > texts
+    return different > _MAX_RARE_STATES and different * 2 > texts
 
 
 class Recording:

@@ -12,9 +12,9 @@ MORE, NONE = 0, -1
 """The results of `Frames.size_at` without a frame: the file ends inside it, or none begins there."""
 
 # The headers of the two files of a pair have the same time, to this many seconds.
-_SAME = 2.0
+_MAX_DIFFERENCE = 2.0
 # This many frames in a row are not a coincidence.
-_ROW = 3
+_CERTAIN_FRAMES = 3
 
 
 class Frames(Protocol):
@@ -89,7 +89,7 @@ class FrameSplitter:
             return False
         self._near = self._headers_after(self._at) if before is None and frames.may_end else []
         seconds = seconds_at(self._data, self._at + 4)
-        self._same = [place for place in self._near if abs(seconds_at(self._data, place + 4) - seconds) < _SAME]
+        self._same = [place for place in self._near if abs(seconds_at(self._data, place + 4) - seconds) < _MAX_DIFFERENCE]
         self._frames = frames
         self._at += HEADER_SIZE
         return True
@@ -127,7 +127,7 @@ class FrameSplitter:
 
     def _search(self, frames: Frames) -> bool:
         place = self._at
-        for found in range(_ROW):
+        for found in range(_CERTAIN_FRAMES):
             if found > 0 and (place == self._end or _has(self._same, place)):
                 break
             size = frames.size_at(place)

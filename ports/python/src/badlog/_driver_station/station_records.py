@@ -22,7 +22,7 @@ _MAX_POWER = 4096
 _NO_TRIP = 255
 # 20 V: no robot has a battery of more. Without the robot's answer, the Driver Station writes 255.996 V or another large number.
 _MAX_VOLTS = 20 * 256
-_MOST_IN_RUN = 1 << 14
+_MAX_IN_RUN = 1 << 14
 
 # The bits of the status, which are inverted.
 _MODES = 7
@@ -104,7 +104,7 @@ class StationRecords:
         wanted = 1
         while wanted > 0:
             # The number read at a time grows while the records are alike.
-            wanted = min(wanted * 2, (until - at) // size - count, most - count, _MOST_IN_RUN)
+            wanted = min(wanted * 2, (until - at) // size - count, most - count, _MAX_IN_RUN)
             alike = self._alike(at + count * size, at, size, wanted)
             count += alike
             if alike < wanted:

@@ -39,7 +39,7 @@ class Decoded:
 
 
 # A message of a few bytes may have a thousand values by default, so their number needs its own bound.
-_LEAST_MESSAGE_VALUES = 1 << 25
+_MIN_MESSAGE_VALUES = 1 << 25
 
 
 class ColumnRoom:
@@ -47,7 +47,7 @@ class ColumnRoom:
 
     def __init__(self, size: int) -> None:
         self._made = 0
-        self._values_left = max(_LEAST_MESSAGE_VALUES, size)
+        self._values_left = max(_MIN_MESSAGE_VALUES, size)
 
     def has(self, count: int) -> bool:
         """Whether `count` more columns are allowed."""

@@ -12,7 +12,7 @@ from badlog._wpilog.time_histogram import NEVER, TimeHistogram
 from badlog.problem import ProblemList
 
 # The start of an entry with more records than this was lost; fewer may be damage.
-_STRANGERS = 1
+_MAX_STRAY_RECORDS = 1
 _MAX_UNKNOWN = 1000
 
 
@@ -57,7 +57,7 @@ class Entries:
         """Whether more records of `id`, which is not an entry's id, are to be expected, because there were so
         many.
         """
-        return self.unknown_counts.get(id, 0) > _STRANGERS
+        return self.unknown_counts.get(id, 0) > _MAX_STRAY_RECORDS
 
     def record(self, head: RecordHead, start: int, until: int) -> None:
         """Receives the record that begins at `start` and ends at `until`."""

@@ -23,7 +23,7 @@ _STRUCT_SCHEMA = ".schema/struct:"
 # The text that badlog's own writer puts in the header, which is not worth showing.
 _OWN_HEADER = '{"writer":"badlog"}'
 # The maximum number of entries listed in a message.
-_NAMED = 8
+_MAX_NAMED = 8
 
 
 def is_wpilog(data: bytes) -> bool:
@@ -125,7 +125,7 @@ class _WpilogParser:
         problems = self._problems
         if entries.unknown_count > 0:
             ids = list(entries.unknown_counts)
-            numbers = ", ".join(map(str, ids[:_NAMED])) + (", …" if len(ids) > _NAMED else "")
+            numbers = ", ".join(map(str, ids[:_MAX_NAMED])) + (", …" if len(ids) > _MAX_NAMED else "")
             is_one = entries.unknown_count == 1
             records = "1 record belongs" if is_one else f"{entries.unknown_count} records belong"
             owners = f"an entry (number {numbers})" if len(ids) == 1 else f"entries (numbers {numbers})"

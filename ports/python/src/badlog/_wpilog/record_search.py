@@ -17,17 +17,17 @@ NOWHERE = -1
 """The result of `find` if records continue nowhere."""
 
 # This many fitting records in a row are not a coincidence; fewer are enough at the end of the file, or if they are very large.
-_ENOUGH = 10
-_LEAST_AT_END = 3
-_LEAST_FAR = 5
+_MIN_FITTING = 10
+_MIN_AT_END = 3
+_MIN_FAR = 5
 # The number of them that must have types of a fixed size if the place may be inside a record.
-_SURE = 2
+_MIN_FIXED_SIZE = 2
 # The number of odd ones that may be among them, in addition to one for each fitting one.
-_MOST_ODD = 2
+_MAX_ODD = 2
 _GOES_ON = 4
 _PATIENCE = 100
 # The maximum number of bytes to look ahead.
-_FARTHEST = 1 << 20
+_MAX_LOOKAHEAD = 1 << 20
 # One minute: the maximum distance between the times of consecutive records.
 NEAR_MICROS = 6e7
 _TIGHT_MICROS = 1e5
@@ -108,25 +108,25 @@ class RecordSearch:
         last = math.nan
         first_step = math.nan
         longest_step = _TIGHT_MICROS
-        least = _ENOUGH
-        while fitting < _ENOUGH:
+        least = _MIN_FITTING
+        while fitting < _MIN_FITTING:
             if at == self._end:
-                least = _LEAST_AT_END
+                least = _MIN_AT_END
                 break
-            if at - start > _FARTHEST:
-                least = _LEAST_FAR
+            if at - start > _MAX_LOOKAHEAD:
+                least = _MIN_FAR
                 break
             look = self.look(head, at, last)
             if look == NONE:
                 return False
-            if is_inside and fitting < _SURE and (look == ODD or (look == FITTING and not (head.id == 0 or head.has_one_size))):
+            if is_inside and fitting < _MIN_FIXED_SIZE and (look == ODD or (look == FITTING and not (head.id == 0 or head.has_one_size))):
                 return False
-            if look == MORE or head.length > _FARTHEST or head.length > self._end - at:
-                least = _LEAST_FAR
+            if look == MORE or head.length > _MAX_LOOKAHEAD or head.length > self._end - at:
+                least = _MIN_FAR
                 break
             if look == ODD:
                 odd += 1
-                if fitting == 0 or odd > _MOST_ODD + fitting:
+                if fitting == 0 or odd > _MAX_ODD + fitting:
                     return False
             else:
                 # The lost part may have been minutes long, but no log continues hours later.
@@ -152,7 +152,7 @@ class RecordSearch:
         for _ in range(_GOES_ON):
             if at == self._end:
                 return True
-            if self.look(head, at, last) != FITTING or head.length > _FARTHEST or head.length > self._end - at:
+            if self.look(head, at, last) != FITTING or head.length > _MAX_LOOKAHEAD or head.length > self._end - at:
                 return False
             if head.id != 0:
                 last = head.micros
@@ -169,7 +169,7 @@ class RecordSearch:
         while fitting + odd < _PATIENCE:
             if at == self._end:
                 return True
-            if at - start > _FARTHEST:
+            if at - start > _MAX_LOOKAHEAD:
                 break
             look = self.look(head, at, last)
             if look == NONE:

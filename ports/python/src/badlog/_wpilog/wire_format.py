@@ -9,7 +9,7 @@ VARINT, FIXED_64, SIZED, FIXED_32 = 0, 1, 2, 5
 """The encodings of a field."""
 
 _MASK_64 = (1 << 64) - 1
-_LONGEST_VARINT = 10
+_MAX_VARINT_SIZE = 10
 
 
 class WireField(NamedTuple):
@@ -69,7 +69,7 @@ def _varint(data: bytes, at: int, until: int) -> tuple[int, int]:
     """A number of up to 64 bits, and its end: -1 if it has none."""
     number = 0
     shift = 0
-    for place in range(at, min(until, at + _LONGEST_VARINT)):
+    for place in range(at, min(until, at + _MAX_VARINT_SIZE)):
         byte = data[place]
         number |= (byte & 0x7F) << shift
         if byte < 0x80:
