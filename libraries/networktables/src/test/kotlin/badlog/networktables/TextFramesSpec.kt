@@ -26,7 +26,7 @@ class TextFramesSpec : FunSpec({
             try {
                 messagesIn("[$text")
             } catch (_: UnreadableFrameException) {
-                // As it should be.
+                // The expected outcome.
             }
         }
     }

@@ -1,9 +1,9 @@
 package badlog.networktables.record
 
 /**
- * Returns the server of a robot, and with [isOfAll] also those that a robot of 2027 and its Driver Station have.
+ * Returns a robot's server and, if [isOfAll], the other servers of a 2027 robot and its Driver Station.
  *
- * @param find returns where the robot's server answers now, or null if it does not; see [RecordedServer.find].
+ * @param find returns the current address of the robot's server, or null if it does not answer; see [RecordedServer.find].
  */
 fun robotServers(isOfAll: Boolean, find: () -> ServerAddress?): List<RecordedServer> {
     val place = LastPlace(find)
@@ -18,7 +18,7 @@ fun robotServers(isOfAll: Boolean, find: () -> ServerAddress?): List<RecordedSer
     return listOf(robot, systemcore, station)
 }
 
-/** Where the robot answered last: its other server is there, too. */
+/** The address at which the robot last answered. Its other server has the same host. */
 private class LastPlace(private val search: () -> ServerAddress?) {
     @Volatile
     var found: ServerAddress? = null

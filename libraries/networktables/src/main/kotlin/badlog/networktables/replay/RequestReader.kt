@@ -10,7 +10,7 @@ import kotlinx.serialization.json.booleanOrNull
 import kotlinx.serialization.json.doubleOrNull
 import kotlinx.serialization.json.longOrNull
 
-/** Reads a client's text frames. Anything not understood is passed to [ignore], as part of a sentence, and skipped. */
+/** Reads a client's text frames. Unknown content is skipped and passed to [ignore], as part of a sentence. */
 internal class RequestReader(private val ignore: (String) -> Unit) {
     fun read(text: String): List<Request> {
         val messages = try {

@@ -12,7 +12,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
-/** A recorder at work, and what it says. Its time is that of [clock]; null for this computer's, as servers of WPILib have it. */
+/** A running recorder and its messages. It uses [clock], or this computer's clock if that is null, as WPILib's servers do. */
 internal class Running(val folder: Path, servers: List<RecordedServer>, options: RecordOptions, clock: StillClock?) :
     RecordListener,
     AutoCloseable {
@@ -45,8 +45,8 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
     }
 
     /**
-     * Waits until the only log on the disk [isSo], and lets the time of [clock] pass meanwhile, for the recorder writes now and then: so
-     * slowly that no server counts as silent.
+     * Waits until the only log on the disk [isSo]. It advances [clock] meanwhile, because the recorder flushes periodically, but slowly
+     * enough that no server counts as silent.
      */
     fun awaitOnDisk(clock: StillClock, isSo: (RecordLog) -> Boolean) = eventually("what was sent to be on the disk") {
         clock.advance(1_000)
@@ -56,7 +56,7 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
     override fun close() = recorder.close()
 }
 
-/** Records [servers], which have one clock, while [action] runs. */
+/** Records [servers], which share one clock, while [action] runs. */
 internal fun recording(
     vararg servers: FakeServer,
     isPerEnable: Boolean = false,

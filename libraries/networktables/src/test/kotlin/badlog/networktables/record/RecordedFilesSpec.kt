@@ -12,7 +12,7 @@ import java.nio.ByteOrder
 import kotlin.io.path.exists
 import kotlin.io.path.name
 
-/** Which files a recording makes, of which servers. */
+/** Tests of the number and content of recorded files. */
 @Tags("InCheck")
 class RecordedFilesSpec : FunSpec({
     test("each time enabled gets a log, which begins with what holds, and has the name of its match") {

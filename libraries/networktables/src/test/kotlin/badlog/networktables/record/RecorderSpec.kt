@@ -50,7 +50,7 @@ class RecorderSpec : FunSpec({
                     topics shouldBe 6
                     gaps shouldBe 0
                 }
-                // Our own reader decodes it.
+                // badlog's own reader decodes the log.
                 val recording = readRecording(running.files.single().path, LOG_FORMATS)
                 recording.problems.map { it.message } shouldBe listOf("Two topics are named “NT:/Count”; the second is shown as “NT:/Count (2)”.")
                 recording.topics.single { it.name == "NT:/Pose/x" }.size shouldBe 1
@@ -168,7 +168,7 @@ class RecorderSpec : FunSpec({
                 for (micros in listOf(3000, 2000, 4000, 1000)) server.number(1, 0.0, now + micros)
                 eventually("the values to be written") { running.recorder.progress.values == 4L }
                 val log = running.logs().single()
-                // Our reader sorts them.
+                // badlog's reader sorts the samples.
                 log.entry("NT:/A").times() shouldBe listOf(1000, 2000, 3000, 4000).map { (now + it) / 1e6 }
                 running.files.single().late shouldBe 2
                 log.entry("messages").texts().filter { "earlier" in it }.size shouldBe 2

@@ -13,7 +13,7 @@ import io.kotest.property.arbitrary.long
 import io.kotest.property.checkAll
 import org.msgpack.core.MessageBufferPacker
 
-/** Takes down what a frame has, where every topic is of [type]. */
+/** Collects the content of a frame; every topic has [type]. */
 private class Found(private val type: TopicType?) : ValueSink {
     val values = ArrayList<Triple<Long, Long, List<Byte>>>()
     val times = ArrayList<Pair<Long, Long>>()
@@ -109,7 +109,7 @@ class ValueFrameSpec : FunSpec({
             found(type, bytes)
             countValues(bytes)
         }
-        // So that more of it is understood.
+        // So that more of each frame is valid.
         checkAll(Arb.byteArray(Arb.int(0..60), Arb.byte()), Arb.enum<TopicType>()) { bytes, type ->
             val broken = found(type, frameOf(1, type.code, 2) {}, bytes)
             (broken.values.size + broken.ignored.size >= 1) shouldBe true

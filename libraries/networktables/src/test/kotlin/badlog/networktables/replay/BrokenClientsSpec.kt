@@ -10,8 +10,7 @@ import java.util.Random
 import java.util.concurrent.TimeUnit
 
 /**
- * A connection whose handshake is done by hand, so that anything can be sent afterwards, and nothing be read. Its protocol is the one
- * whose clients are not ended for their silence.
+ * A connection with a hand-written handshake, so that a test can send anything and read nothing. Clients of its protocol may stay silent.
  */
 private fun rawClient(port: Int): Socket {
     val socket = Socket("127.0.0.1", port).apply { receiveBufferSize = 4096 }
@@ -31,7 +30,7 @@ private fun textFrame(text: String): ByteArray {
     return byteArrayOf(0x81.toByte(), 0xfe.toByte(), (bytes.size shr 8).toByte(), bytes.size.toByte(), 0, 0, 0, 0) + bytes
 }
 
-/** Ten topics of 100,000 rows, each of which counts as 20 ms. */
+/** Ten topics of 100,000 rows, 20 ms per row. */
 private val LONG_VIEW by lazy {
     val bag = StringBuilder("Time," + (1..10).joinToString(",") { "Topic $it" } + "\n")
     for (row in 0 until 100_000) bag.append(row).append(",$row".repeat(10)).append('\n')
@@ -91,7 +90,7 @@ class BrokenClientsSpec : FunSpec({
     fun handshake(vararg more: String) = "GET /nt/raw HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n" +
         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n" + more.joinToString("") { "$it\r\n" } + "\r\n"
 
-    /** What the server answers to [request] before it ends the connection. */
+    /** Returns the server's answer to [request] until it ends the connection. */
     fun answerTo(server: ReplayServer, request: String): String = Socket("127.0.0.1", server.port).use { socket ->
         socket.soTimeout = 60_000
         socket.getOutputStream().write(request.toByteArray())
@@ -190,7 +189,7 @@ class BrokenClientsSpec : FunSpec({
                     client.subscribe("/Topic 3", options = """{"all":true}""")
                     client.settle()
                     server.start()
-                    // Ten rows each time, of which the system keeps less than all for somebody who does not read.
+                    // Ten rows each time, more than the system buffers for a client that does not read.
                     repeat(6000) { replay.tick() }
                     eventually("all values") {
                         server.tick()

@@ -136,7 +136,7 @@ class ReplayServerSpec : FunSpec({
                 client.subscribe("/badlog/Log", options = """{"all":true}""", id = 2)
                 client.settle()
                 replay.server.start()
-                // Each of four laps begins with what holds there.
+                // Each of four laps begins with the values at its start.
                 replay.advance(19)
                 client.roundTrip()
                 client.valuesOf("/badlog/Log").map { it.value.asStringValue().asString() } shouldBe List(8) { if (it % 2 == 0) "up we go" else "again “up”" }

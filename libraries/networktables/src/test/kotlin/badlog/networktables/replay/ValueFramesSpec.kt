@@ -96,7 +96,7 @@ class ValueFramesSpec : FunSpec({
                 try {
                     answerTime(ByteBuffer.wrap(HEX.parseHex(start) + random), 5)
                 } catch (_: MessagePackException) {
-                    // What SocketServer expects.
+                    // SocketServer expects this exception.
                 }
             }
         }
