@@ -146,7 +146,7 @@ class LakeSpec : FunSpec({
 
     test("an interrupted run leaves a lake that can be read, and the next run does the rest") {
         inFolder { folder ->
-            // More than are ever read ahead of the one that is done.
+            // More than are ever read ahead of the first unfinished one.
             val matches = 10 + 4 * Runtime.getRuntime().availableProcessors()
             for (match in 1..matches) (folder / "logs").put("q$match.bag", matchBag(match, 12.0, 11.0))
             val stop = IllegalStateException("stop")

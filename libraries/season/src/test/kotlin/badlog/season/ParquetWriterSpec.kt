@@ -32,7 +32,7 @@ class ParquetWriterSpec : FunSpec({
         it.write(LogView.of(readRecording(log, LOG_FORMATS)), log.name, log.name, RuleSet.BUILT_IN.signals, target)
     }
 
-    /** What DuckDB reads, a line per row. */
+    /** Returns the rows that DuckDB reads for [sql], one line each. */
     fun rows(sql: String): List<String> = Engine(memoryMegabytes = null, threads = 1).use { engine ->
         engine.connected { connection ->
             connection.createStatement().use { statement ->

@@ -23,7 +23,7 @@ class SeasonGuideSpec : FunSpec({
     test("each Python example of the guide runs on a lake of the samples, and all find what SQL finds").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->
             refresh(Path.of("../../samples"), folder / "season")
-            // Logs of unknown events, and logs without that topic, are what such examples fail at.
+            // Logs of unknown events and logs without the topic are typical causes of failing examples.
             (folder / "season/samples/season=__HIVE_DEFAULT_PARTITION__").exists() shouldBe true
             val sql = "SELECT log, min(\"System/Battery Voltage\") AS low FROM samples GROUP BY log HAVING low IS NOT NULL"
             val expected = rowsOf(folder / "season", sql).associate { (log, low) -> log.jsonPrimitive.content to low.jsonPrimitive.double }

@@ -140,12 +140,12 @@ class Lake(val folder: Path) {
 
         private const val DEFAULT_BATCH = 500
 
-        /** So many milliseconds until a look whether another badlog has finished. */
+        /** The time between checks whether another badlog has finished, in ms. */
         private const val PATIENCE = 200L
     }
 }
 
-/** Does [work], which writes to [folder]; whatever it cannot write becomes a [LakeException]. */
+/** Runs [work], which writes to [folder]; failures to write become a [LakeException]. */
 internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
     work()
 } catch (e: SQLException) {

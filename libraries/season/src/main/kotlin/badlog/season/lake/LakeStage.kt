@@ -45,7 +45,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         }
     }
 
-    /** Adds [entry], where the lake had [former] of the same log. */
+    /** Adds [entry]; [former] is the same log's former state in the lake. */
     fun add(entry: LakeEntry, former: RegisteredLog?) = lock.read {
         val partition = entry.partition
         note(entry.log, entry.records.mapValues { (_, records) -> records.map { PlacedRecord(partition, it) } })?.let(::insert)
@@ -57,7 +57,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         touch(listOf(former.partition), former.files)
     }
 
-    /** Returns what to insert, if it is worth a statement for each table; otherwise null. */
+    /** Returns the records to insert, if they justify a statement for each table; otherwise null. */
     @Synchronized
     private fun note(log: String, records: Map<LakeTable, List<PlacedRecord>>): Waiting? {
         waiting.logs += log
@@ -81,7 +81,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         engine.lend(gone) { select -> connection.run("INSERT INTO $GONE $select") }
     }
 
-    /** Writes what was collected. The table of matches comes last: for the next run, only logs in it exist. */
+    /** Writes the collected records. The table of matches comes last: for the next run, only logs in it exist. */
     fun flush() = lock.write {
         if (size == 0) return@write
         insert(waiting)

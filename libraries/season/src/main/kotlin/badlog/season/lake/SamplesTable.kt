@@ -31,7 +31,7 @@ internal fun constantsOf(log: String, identity: LogIdentity): List<Pair<String, 
 )
 
 /**
- * The topics of [view] that share rows, as a table with a row for each of them and a column for each topic that is not empty.
+ * The topics of [view] that share rows, as a table with a column for each topic that is not empty.
  *
  * @property nameOf the name of each topic's column.
  */

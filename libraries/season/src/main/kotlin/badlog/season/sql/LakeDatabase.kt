@@ -162,7 +162,7 @@ class LakeDatabase private constructor(
 
         private const val CONFINED_MEGABYTES = 1024
 
-        /** What the engine's messages begin with where the query is not to blame. */
+        /** The beginnings of messages about failures that are not mistakes in the query. */
         private val NO_MISTAKES =
             listOf("IO Error", "Out of Memory", "INTERRUPT", "INTERNAL", "FATAL", "Connection Error", "Permission Error")
         private const val ONLY_QUERIES = "Only a single query is possible here, such as SELECT … FROM matches; nothing can be changed."

@@ -24,7 +24,7 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
         report(lake, refresh(SparkLake(context, lake), arguments))
     }
 
-    /** `rules LOGS… --out FOLDER`: runs the rules, and shows what they found. */
+    /** `rules LOGS… --out FOLDER`: runs the rules, and shows their findings. */
     fun rules(words: List<String>) {
         val arguments = Arguments.of(words, setOf(Arguments.OUT, Arguments.RULES, Arguments.MAX_SIZE))
         val out = arguments.required(Arguments.OUT)
@@ -77,7 +77,7 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
     }
 
     private companion object {
-        /** So many rows of an answer are printed at most. */
+        /** The maximum number of rows printed. */
         const val SHOWN = 100
         val FORMATS = listOf("parquet", "csv", "json")
         const val COUNTS =

@@ -21,7 +21,7 @@ import kotlin.io.path.readText
 private const val LOGS = 150
 private const val ROWS = 4_000
 
-/** What Spark says of a worker that is gone. */
+/** Spark's messages about a lost worker. */
 private val LOSS = Regex("Lost executor|Removed executor|worker lost", RegexOption.IGNORE_CASE)
 
 class KilledWorkerSpec : FunSpec({
@@ -35,7 +35,7 @@ class KilledWorkerSpec : FunSpec({
             logs.put("cut.bag", matchBag(200, 12.0, 11.0, event = "Event 1") + "0.2")
             logs.put("notes.bag", ByteArray(5000) { (it * 31).toByte() })
             refresh(logs, folder / "expected")
-            // On a busy machine, a job may have finished before anybody looks.
+            // On a busy machine, a job may finish before its first check.
             val isInTheMiddle = (1..5).any { attempt ->
                 val lake = folder / "lake$attempt"
                 val place = (folder / "cluster$attempt").createDirectories()
@@ -59,7 +59,7 @@ class KilledWorkerSpec : FunSpec({
     }
 })
 
-/** Waits until some logs are in [samples]; returns how many. */
+/** Waits until some logs are in [samples]. Returns their number. */
 private fun untilWritten(samples: Path, job: Process): Int {
     while (job.isAlive) {
         val written = if (Files.isDirectory(samples)) filesIn(samples) else 0
@@ -69,5 +69,5 @@ private fun untilWritten(samples: Path, job: Process): Int {
     return 0
 }
 
-/** Files come and go while one counts. */
+/** Counts files, which may appear and disappear meanwhile. */
 private fun filesIn(folder: Path): Int = folder.toFile().walk().count { it.name.endsWith(".parquet") }
