@@ -17,9 +17,8 @@ import java.io.File
 internal class Answer(val data: JsonObject, val picture: ByteArray? = null)
 
 /**
- * Writes harmless answers: of limited size, without the path of the folder on this computer, and with everything from a file marked
- * as such. A text in a log may have been written as an instruction for an assistant; nothing in it is hidden from a person who looks
- * at the answer.
+ * Writes harmless answers: of limited size, without the path of the logs' folder, and with all content of files marked as such. A text in a
+ * log may be an instruction for an assistant; all of it stays visible to people.
  *
  * @param folder the folder of the logs, whose path is private.
  */

@@ -8,12 +8,11 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 
 /**
- * The arguments that an assistant passes to a tool. Assistants make mistakes, so each is reported with what would
- * be right.
+ * The arguments that an assistant passes to a tool. Assistants make mistakes, so each mistake is reported with a correction.
  *
  * @param given the arguments as received.
  * @param parameters the parameters of the tool.
- * @throws ToolException if there are others.
+ * @throws ToolException if an argument is unknown.
  */
 internal class Arguments(private val given: JsonObject, parameters: List<Parameter>) {
     init {
@@ -45,7 +44,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         (it as? JsonPrimitive)?.doubleOrNull?.takeIf(Double::isFinite) ?: throw ToolException("“$name” must be a number.")
     }
 
-    /** Returns the whole number [name], which must be in [range], or [default]. */
+    /** Returns the whole number [name], which must be in [range]; [default] if it is not given. */
     fun whole(name: String, default: Int, range: IntRange): Int {
         val number = number(name) ?: return default
         if (number != Math.rint(number) || number < range.first || number > range.last) {

@@ -37,12 +37,12 @@ import badlog.viewer.text.shortNames
 import kotlin.math.ceil
 
 /**
- * Graphs of a log as a picture for an assistant: a plot for the lines of each unit, and one for all states, over the same x; shaded where the
- * robot was enabled.
+ * A picture of graphs for an assistant. It has a plot for each unit and one for all states, over the same x, shaded where the robot was
+ * enabled.
  *
  * @param title the heading.
- * @param lines what is drawn, each in its own color.
- * @param range the part of x that is drawn, not empty.
+ * @param lines the lines to draw, each in its own color.
+ * @param range the range of x to draw, not empty.
  * @param width the width of the picture, in pixels.
  */
 internal class GraphPicture(
@@ -66,7 +66,7 @@ internal class GraphPicture(
         numbers = ofNumbers
     }
 
-    /** The height of the picture in pixels, once it is drawn: 0 before. */
+    /** The height of the picture in pixels; 0 until it is drawn. */
     var height: Int = 0
         private set
 

@@ -68,7 +68,7 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
         return Answer(data, png)
     }
 
-    /** For example, if a system has no font at all. */
+    /** Returns the answer if drawing fails, for example on a system without any font. */
     private fun cannotDraw(e: Error) = ToolException(
         "This computer's Java cannot draw text ($e); install fontconfig and a font, such as Debian's fonts-dejavu-core, or ask for samples.",
     )
