@@ -81,7 +81,7 @@ class ChartsSpec : FunSpec({
     test("a limit is drawn if a match is on its wrong side, however far") {
         val empty = chartsOf((1..5).map { measuredLog(it, volts = 3.0 + 0.01 * it) })
         chart("battery", empty).reading shouldContain "red: brownout, 6.75 V"
-        // It is on the axis.
+        // The value is on the axis.
         textsIn(chart("battery", empty).svg()).mapNotNull { it.toDoubleOrNull() }.max() shouldBeGreaterThan 6.0
     }
 

@@ -7,7 +7,7 @@ import badlog.rules.number.Measure
 import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 
-/** Numbers that are made up: each is a signal, a topic, a measure, a unit and a value. */
+/** Invented numbers, each with a signal, a topic, a measure, a unit and a value. */
 internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
     private val names = ArrayList<String>()
     private val values = ArrayList<Double>()
@@ -18,7 +18,7 @@ internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
         values += value
     }
 
-    /** [seconds] are those in bins of 1 ms. */
+    /** Adds a distribution; [seconds] is the time in each bin of 1 ms. */
     fun distribution(signal: String, quantiles: List<Double>, seconds: List<Double> = emptyList()): MadeUp = apply {
         distributions += listOf(signal, "", quantiles.joinToString(";"), if (seconds.isEmpty()) 0.0 else 1.0, seconds.joinToString(";")).joinToString("\t")
     }
@@ -28,7 +28,7 @@ internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
     )
 }
 
-/** A log of match [number] that has everything that charts show; the lowest voltage of the battery is [volts]. */
+/** Returns a log of match [number] with data for all charts; the lowest voltage of the battery is [volts]. */
 internal fun measuredLog(
     number: Int,
     volts: Double = 9.0 + 0.1 * (number % 7),

@@ -17,7 +17,7 @@ import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
-/** Returns the lowest voltage of each match over the current that it drew. */
+/** Returns a chart of each match's lowest voltage over the current drawn. */
 internal fun batteryOverCurrent(matches: ChartedMatches): MadeChart {
     val known = matches.all.filter { currentOf(it).isFinite() && voltageOf(it).isFinite() }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the battery’s voltage and the total current", known.size)
@@ -38,7 +38,7 @@ internal fun batteryOverCurrent(matches: ChartedMatches): MadeChart {
 }
 
 private fun Plot.withLine(usual: UsualLine?, area: PlotArea): Plot {
-    // Of a line that leaves the chart, the library draws nothing.
+    // The library draws nothing of a line that leaves the chart.
     val (from, to) = usual?.within(area.x, area.y) ?: return this
     val ends = mapOf("x" to listOf(from, to), "y" to listOf(usual.at(from), usual.at(to)))
     return this + geomLine(ends, color = ChartColors.MUTED, linetype = "dashed", size = 0.6, tooltips = tooltipsNone) {

@@ -19,7 +19,7 @@ import org.jetbrains.letsPlot.scale.scaleYLog10
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 import kotlin.math.log10
 
-/** Returns a box of the loop times of each match. */
+/** Returns a chart with a box for each match's loop times. */
 internal fun loopBoxes(matches: ChartedMatches): MadeChart {
     val known = matches.all.mapNotNull { match -> match.numbers.distributionOf(LOOP_TIME)?.let { match to it } }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
@@ -73,7 +73,7 @@ private val TEXTS = ChartTexts("loops-per-match", "Loop times of each match", "I
 private const val READING = "box: the middle half of the time · whiskers: 5 to 95 % · red: the longest loop · dashed: 20 ms"
 private const val LEAST_MILLIS = 0.5
 
-/** Motor safety switches motors off after that. */
+/** Motor safety switches motors off after this time, in ms. */
 private const val BLOCKED = 100.0
 private const val ROOM = 1.3
 private const val MANY = 40

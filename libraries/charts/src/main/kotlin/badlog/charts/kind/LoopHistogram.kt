@@ -21,14 +21,14 @@ import kotlin.math.floor
 import kotlin.math.log10
 import kotlin.math.pow
 
-/** Returns how long loops took, over all matches together. */
+/** Returns a histogram of loop times over all matches together. */
 internal fun loopHistogram(matches: ChartedMatches): MadeChart {
     val known = matches.all.mapNotNull { it.numbers.distributionOf(LOOP_TIME) }.filter { it.binWidth > 0 && it.seconds.sum() > 0 }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
     val shares = sharesOf(known)
     val width = known.first().binWidth
     val last = shares.size - 1
-    // Empty bins at the right end only press the others together; the last one has everything larger.
+    // Empty bins at the right end would only squeeze the others; the last one contains everything larger.
     val end = maxOf((LOOP_LIMIT / width).toInt() + BINS_BEHIND, shares.indexOfLast { it > 0 } + 2)
     val shown = shares.take(end)
     val late = shares.filterIndexed { bin, _ -> bin * width >= LATE }.sum()
@@ -62,7 +62,9 @@ internal fun loopHistogram(matches: ChartedMatches): MadeChart {
     return MadeChart(Chart(TEXTS, reading, plot.withLabels(listOf(label), emptyList(), area, isLogarithmic = true)))
 }
 
-/** Returns what the axis begins at, in percent: the smallest of [shares] is above it, so that a single loop in a hundred matches has a bar. */
+/**
+ * Returns the start of the axis, in percent. The smallest of [shares] is above it, so that a single loop in a hundred matches has a bar.
+ */
 private fun floorOf(shares: List<Double>): Double {
     val least = shares.filter { it > 0 }.min()
     return TEN.pow(floor(log10(least * HALF))).coerceIn(LEAST_FLOOR, MOST_FLOOR)
@@ -83,10 +85,12 @@ private fun shareText(percent: Double): String = when {
 
 internal const val LOOP_TIME = "loop time"
 
-/** What a loop has, in ms. */
+/** The time available for a loop, in ms. */
 internal const val LOOP_LIMIT = 20.0
 
-/** A log may have the time between loops instead, which is a little more than 20 ms every other time. */
+/**
+ * The time in ms above which a loop counts as late. Some logs have the time between loops instead, and half of those exceed 20 ms slightly.
+ */
 private const val LATE = 21.0
 private val TEXTS = ChartTexts(
     "loop-times",
@@ -97,21 +101,21 @@ private val TEXTS = ChartTexts(
 )
 private const val PERCENT = 100.0
 
-/** In percent; a smaller share is said in words. */
+/** In percent; a smaller share is described in words. */
 private const val LEAST_SHARE = 0.1
 
-/** What the axis begins at, in percent: at most, so that charts of few loops look like others; and at least. */
+/** The limits for the start of the axis, in percent. The upper one makes charts of few loops look like others. */
 private const val MOST_FLOOR = 0.001
 private const val LEAST_FLOOR = 0.00001
 private const val TEN = 10.0
 private const val HALF = 0.5
 
-/** Behind the limit, there are as many bins at least. */
+/** The minimum number of bins after the limit. */
 private const val BINS_BEHIND = 5
 
 /** Half of the gap between two bars, as a share of a bar. */
 private const val GAP = 0.05
 private const val HEADROOM = 1.6
 
-/** How far the label of the limit is from its line. */
+/** The distance of the limit's label from its line, in points. */
 private const val LABEL_POINTS = 70.0

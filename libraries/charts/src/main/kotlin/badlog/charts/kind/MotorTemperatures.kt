@@ -19,7 +19,7 @@ import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.scale.scaleColorManual
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
-/** Returns how hot motors became in each match: the hottest ones, each as a line. */
+/** Returns a chart of the highest temperatures in each match, with a line for each of the hottest motors. */
 internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
     val known = matches.all.filter { match -> match.numbers.keys.any(::isTemperature) }
     if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the temperature of a motor", known.size)
@@ -66,5 +66,5 @@ private val TEXTS = ChartTexts(
 private const val COLD = -273.15
 private const val MAX_MOTORS = 6
 
-/** Beside the legend, there is less room for the matches. */
+/** The share of the width for the matches beside the legend. */
 private const val AXIS_SHARE = 0.7

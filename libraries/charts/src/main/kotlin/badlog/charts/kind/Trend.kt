@@ -25,12 +25,12 @@ import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /**
- * A number over the matches, with its median and the band in which the middle half of the matches is.
+ * A chart of a number over the matches, with its median and the band of the middle half.
  *
  * @property texts its texts.
- * @property what what a log must show for it.
- * @property isWorseBelow whether a small value, rather than a large one, is worth a look.
- * @property limit the value at which it becomes a problem, with its name; null for none.
+ * @property what the measurement that a log needs for it, as part of a sentence.
+ * @property isWorseBelow whether small values are the bad ones; otherwise large ones are.
+ * @property limit the value at which the number becomes a problem; null for none.
  * @property uncertainty returns the uncertainty of the number; NaN for none.
  * @property number returns the number; NaN for none.
  */
@@ -65,7 +65,7 @@ internal val LINK_TREND = Trend(
     isWorseBelow = false,
 ) { it.of("packet loss", Measure.ENABLED) }
 
-/** Returns the labels of the matches that are far on the wrong side of the others, the farthest first. */
+/** Returns the labels of the outliers on the bad side, the farthest first. */
 private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: Quartiles, isWorseBelow: Boolean): List<PointLabel> {
     val sign = if (isWorseBelow) -1 else 1
     val fence = if (isWorseBelow) middle.lower - middle.fence else middle.upper + middle.fence

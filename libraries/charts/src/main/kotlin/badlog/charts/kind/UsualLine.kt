@@ -1,11 +1,11 @@
 package badlog.charts.kind
 
 /**
- * The line that most points are near: Theil and Sen’s, the median of the slopes between all pairs. A few points far away, which are those that
- * a chart is to show, do not turn it.
+ * The Theil–Sen line through most points: its slope is the median of the slopes between all pairs. A few outliers, which the chart has to
+ * show, do not turn it.
  */
 internal class UsualLine(val slope: Double, private val intercept: Double) {
-    /** Returns its height at [x]. */
+    /** Returns its y at [x]. */
     fun at(x: Double): Double = intercept + slope * x
 
     /** Returns the part of [x] in which it is within [y]; null if it is nowhere. */
@@ -41,7 +41,7 @@ internal class UsualLine(val slope: Double, private val intercept: Double) {
             return UsualLine(slope, Quartiles.of(x.indices.map { y[it] - slope * x[it] }).median)
         }
 
-        /** They have half a million pairs. */
+        /** The number of points with half a million pairs. */
         private const val MOST_POINTS = 1000
     }
 }

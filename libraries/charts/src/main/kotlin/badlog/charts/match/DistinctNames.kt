@@ -1,8 +1,8 @@
 package badlog.charts.match
 
 /**
- * Returns a short name for each of [topics]: without what all of them begin or end with, as far as that is whole words. `/Drive/LeftTemp` and
- * `/Arm/Temp` are `Drive/Left` and `Arm`; no two are equal.
+ * Returns a short, unique name for each of [topics], without the whole words that all of them begin or end with. `/Drive/LeftTemp` and
+ * `/Arm/Temp` become `Drive/Left` and `Arm`.
  */
 internal fun distinctNames(topics: List<String>): List<String> {
     val taken = HashSet<String>()
@@ -18,5 +18,5 @@ internal fun distinctNames(topics: List<String>): List<String> {
 
 private val EDGES = charArrayOf('/', ' ', '_', '.', ':')
 
-/** As long as a name may be in a legend. */
+/** The maximum length of a name in a legend. */
 private const val MAX_NAME = 22

@@ -33,7 +33,7 @@ class MatchLabelsSpec : FunSpec({
         val morning = 1_710_585_660L
         labels(morning, morning + 3600, morning + 3601) shouldContainExactly listOf("10:41", "11:41", "11:41 (2)")
         labels(morning, morning + 86_400) shouldContainExactly listOf("16 Mar, 10:41", "17 Mar, 10:41")
-        // The day of a match says nothing of it.
+        // The day of a match is not needed in its label.
         labelsOf(listOf(log(began = morning), log("Qualification", "1", began = 0))) shouldContainExactly listOf("10:41", "Q1")
     }
 
