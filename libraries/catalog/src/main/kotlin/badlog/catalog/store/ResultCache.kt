@@ -22,11 +22,11 @@ import kotlin.time.TimeSource
 class CachedResult<out R>(val result: R, val isLasting: Boolean)
 
 /**
- * The results of a question for many files, stored in one file in [folder], which may be deleted at any time. A damaged file, or
- * one of another version, is ignored. A failure to write only costs time, so it is not reported. Thread-safe.
+ * The results of a question for many files, stored in one file in [folder]. The file may be deleted at any time. A damaged file, or one of
+ * another version, is ignored. A failure to write only costs time, so it is not reported. Thread-safe.
  *
- * @param question the question, with everything that affects the results, the version of the program, too; a different one has a
- * different file.
+ * @param question the question, with everything that affects the results, including the program's version; each question has a file of its
+ *   own.
  * @param pause the time that [saveNowAndThen] waits between saves.
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -41,7 +41,7 @@ class ResultCache<R : Any>(
     private val serializer = Kept.serializer(results)
     private val known = LinkedHashMap<String, Entry<R>>()
 
-    /** Those of them that this program has found itself; another one may have stored the others anew meanwhile. */
+    /** The results found by this program; another program may have updated the others meanwhile. */
     private val own = HashSet<String>()
     private var isChanged = false
     private var saved = TimeSource.Monotonic.markNow()
@@ -53,7 +53,7 @@ class ResultCache<R : Any>(
     @Serializable
     private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
 
-    /** While a folder is read, all that is known of it is written every few seconds. */
+    /** Fast, because all results of a folder are written every few seconds while it is read. */
     private class FastGzip(out: OutputStream) : GZIPOutputStream(out) {
         init {
             def.setLevel(Deflater.BEST_SPEED)

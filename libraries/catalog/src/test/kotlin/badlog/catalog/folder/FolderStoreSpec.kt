@@ -67,7 +67,7 @@ class FolderStoreSpec : FunSpec({
         val read = LogReading(store).read(file, runsRules = true)
         read.found?.rules.shouldNotBeNull() shouldContain FoundRule("Browned out", Severity.ERROR)
         store.save()
-        // What is not there cannot be read.
+        // A deleted file cannot be read.
         Files.delete(file.path)
         FolderStore(logs, cache, "1")[file] shouldBe read
         LogReading(FolderStore(logs, cache, "1")).found(file) shouldBe read.found

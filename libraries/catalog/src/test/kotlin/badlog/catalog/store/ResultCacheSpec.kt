@@ -83,7 +83,7 @@ class ResultCacheSpec : FunSpec({
         val whole = Files.readAllBytes(kept)
         for (place in whole.indices) {
             Files.write(kept, whole.copyOf().also { it[place] = (it[place] + 1).toByte() })
-            // A few bytes say nothing, such as which system packed it.
+            // A few bytes have no effect, such as the name of the system that packed the file.
             cacheIn(folder, Duration.ZERO)[file] shouldBeIn listOf(null, "found")
         }
         for (size in whole.indices) {
