@@ -67,7 +67,7 @@ class Qualification42Spec : FunSpec({
 
 private const val MATCH_BEGINS = 2.0
 
-/** The slope of voltage over current, in ohms. */
+/** Returns the slope of voltage over current, in Ω. */
 private fun resistance(view: LogView, until: Double): Double {
     val amps = view.samples("PDP/Total Current", 0.0, until)
     val volts = view.samples("System/Battery Voltage", 0.0, until)

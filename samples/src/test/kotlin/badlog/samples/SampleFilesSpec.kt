@@ -12,7 +12,7 @@ class SampleFilesSpec : FunSpec({
         }
     }
 
-    // Other builds of zlib compress to other bytes, which inflate to the same.
+    // Other builds of zlib compress to different bytes that inflate to the same content.
     test("qualification-57.bag.gz inflates, as far as it goes, to what the simulation gives") {
         val inflated = Inflated(sampleFile("qualification-57.bag.gz").readBytes()).bytes
         qualification57().copyOf(inflated.size).contentEquals(inflated) shouldBe true

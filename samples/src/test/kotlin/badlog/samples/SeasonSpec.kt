@@ -17,7 +17,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 
-/** Matches of a season, compared with each other: what is planted in one is found there, and nowhere else. */
+/** Tests of comparisons between the matches of a season: a fault planted in one match is found only there. */
 class SeasonSpec : FunSpec({
     fun viewOf(seed: Int, fault: Fault? = null) = LogView.of(BagParser().apply { accept(FaultyMatch(seed, fault, isFaint = false).bag()) }.finish())
 
@@ -27,7 +27,7 @@ class SeasonSpec : FunSpec({
 
     fun findingsOf(logs: List<LogNumbers>) = RuleSet.BUILT_IN.compared(logs).map { log -> log.findings.map { "${it.rule}: ${it.text}" } }
 
-    /** Match [seed], in which the topic [name] has [factor] times its values. */
+    /** Returns match [seed] with the values of the topic [name] multiplied by [factor]. */
     fun scaled(seed: Int, name: String, factor: Double): LogNumbers {
         val recording = viewOf(seed).recording
         val topics = recording.topics.map { topic ->

@@ -19,7 +19,7 @@ import kotlin.math.abs
 
 private val GENERATOR = MatchGenerator(2026)
 
-/** How much a topic differs, from [from] until [until], as a part of its range in the match without the fault; texts differ by 1. */
+/** Returns a topic's difference between [from] and [until], as a share of its range in the match without the fault; texts differ by 1. */
 private fun difference(one: Held, other: Held, from: Double, until: Double): Double {
     var sum = 0.0
     var count = 0
@@ -42,7 +42,7 @@ private fun difference(one: Held, other: Held, from: Double, until: Double): Dou
     return if (count == 0) 0.0 else sum / count / maxOf(most - least, 1e-3)
 }
 
-/** What contradicts the table of faults in [match], which has one; null for nothing. */
+/** Returns a contradiction between the faulty [match] and the table of faults; null if there is none. */
 private fun mistakeOf(match: GeneratedMatch): String? {
     val fault = checkNotNull(match.fault)
     val start = checkNotNull(match.start)
@@ -52,7 +52,7 @@ private fun mistakeOf(match: GeneratedMatch): String? {
     val without = recordingOf(MatchGenerator.withoutFault(match))
     val others = without.topics.associateBy { it.name }
     fun changeOf(topic: Topic, from: Double, until: Double) = others[topic.name]?.let { difference(Held(with, topic), Held(without, it), from, until) } ?: 1.0
-    // Heat and a hard pull come before what they cause.
+    // Heat and a hard pull precede their effects.
     val quiet = if (fault.id == "hot-motor") 0.0 else start - 7
     with.topics.find { it.name in others && changeOf(it, 0.0, quiet) != 0.0 }?.let { return "“${it.name}” differs before the fault starts" }
     if (!isSeen) return null

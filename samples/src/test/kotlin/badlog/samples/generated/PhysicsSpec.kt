@@ -71,7 +71,7 @@ class PhysicsSpec : FunSpec({
                 }
             })
             abs(taken - robot.battery.energy) / robot.battery.energy shouldBeLessThan 0.05
-            // Of what leaves the cells, most arrives.
+            // Only a small share of the energy is lost as heat.
             (robot.battery.heat / robot.battery.energy).shouldBeBetween(0.01, 0.25, 0.0)
             // A match takes one to two of a battery's 18 Ah.
             (robot.battery.energy / 12 / 3600).shouldBeBetween(0.4, 3.0, 0.0)

@@ -28,14 +28,14 @@ private fun watching(id: String, strength: Double, watch: (MatchRun, Double) -> 
     }
 }
 
-/** The strengths 1 and 0.3, with what is to be measured at them. */
+/** Measures at the strengths 1 and 0.3, and compares with the ranges [clear] and [faint]. */
 private fun atBoth(id: String, clear: ClosedRange<Double>, faint: ClosedRange<Double>, measure: (strength: Double) -> Double) {
     for ((strength, range) in listOf(1.0 to clear, 0.3 to faint)) {
         withClue("$id at $strength") { measure(strength).shouldBeBetween(range.start, range.endInclusive, 0.0) }
     }
 }
 
-/** What the strengths of faults mean, measured in the simulation. */
+/** Tests of the physical meaning of strengths, measured in the simulation. */
 @Tags("InCheck")
 class StrengthSpec : FunSpec({
     test("an oscillating shooter swings by about 9 % at 1, by about 3 % at 0.3") {
@@ -46,7 +46,7 @@ class StrengthSpec : FunSpec({
                 val shooter = checkNotNull(run.robot.shooter)
                 val isBeforeShots = run.robot.driver.errand.action == Action.TRAVEL
                 since = if (time > 1 && run.isEnabled && shooter.setpoint > 3000 && isBeforeShots) since + 1 else 0
-                // After it has come up to speed.
+                // After the wheel has reached its speed.
                 if (since in 75..95) most = maxOf(most, abs(shooter.measured - shooter.setpoint) / shooter.setpoint)
             }
             most

@@ -7,8 +7,8 @@ import kotlin.math.ln
 import kotlin.math.sqrt
 
 /**
- * Random numbers for one purpose. Each purpose of a match has its own, so that a fault changes only what it physically changes, and
- * the same match without it has the same driver, noise and hits.
+ * Random numbers for one purpose. Each purpose of a match has its own, so that a fault has only its physical consequences: the same match
+ * without it has the same driver, noise and hits.
  */
 internal class Chance(seed: Long, purpose: String) {
     private val random = SplittableRandom(seed xor (purpose.hashCode().toLong() * -0x61c8864680b583ebL))
@@ -25,18 +25,18 @@ internal class Chance(seed: Long, purpose: String) {
     fun around0(deviation: Double): Double = deviation * sqrt(-2 * ln(1 - random.nextDouble())) * cos(2 * PI * random.nextDouble())
 }
 
-/** Spans of time in which something is intermittently so. */
+/** Periods of an intermittent fault. */
 internal class Stretches private constructor(private val starts: DoubleArray, private val ends: DoubleArray) {
     private var next = 0
 
-    /** Returns whether [time] is in one of them. Times must ascend from call to call. */
+    /** Returns whether [time] is in one of the periods. Times must ascend from call to call. */
     fun holdAt(time: Double): Boolean {
         while (next < ends.size && ends[next] <= time) next++
         return next < starts.size && time >= starts[next]
     }
 
     companion object {
-        /** Returns stretches of [lengths] s from [from] until [until], which take [share] of that time. */
+        /** Returns periods of [lengths] s between [from] and [until], which take [share] of that time. */
         fun of(chance: Chance, from: Double, until: Double, share: Double, lengths: ClosedFloatingPointRange<Double>): Stretches {
             val starts = ArrayList<Double>()
             val ends = ArrayList<Double>()

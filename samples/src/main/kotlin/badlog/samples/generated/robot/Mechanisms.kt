@@ -1,6 +1,6 @@
 package badlog.samples.generated.robot
 
-/** What the robot's code does with the mechanisms: setpoints that follow the driver's errands. */
+/** The robot's code for the mechanisms. Its setpoints follow the driver's errands. */
 internal class Mechanisms(private val robot: Robot) {
     private val chance = Chance(robot.plan.seed, "mechanisms")
     private val levels = robot.driver.errands.map { chance.of(listOf(0.45, 0.7, 0.9)) }
@@ -9,7 +9,7 @@ internal class Mechanisms(private val robot: Robot) {
     private var shotsDone = 0
     private var pieceDone = false
 
-    /** Sets the setpoints for [time], in s after the start of autonomous. */
+    /** Updates the setpoints for [time], in s after the start of autonomous. */
     fun plan(time: Double) {
         val driver = robot.driver
         val errand = driver.errand

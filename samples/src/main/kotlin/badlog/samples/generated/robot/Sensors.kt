@@ -8,19 +8,19 @@ import kotlin.math.sin
 internal class Gyro(private val chance: Chance) {
     private val usualDrift = chance.around0(0.005) * PI / 180
 
-    /** Drift, in rad/s. */
+    /** The drift, in rad/s. */
     var drift = 0.0
     private var error = 0.0
 
-    /** The heading as measured, continuous, in rad. */
+    /** The measured heading in rad; it does not wrap. */
     var yaw = 0.0
         private set
 
-    /** Turns per second as measured, in rad/s. */
+    /** The measured turning rate, in rad/s. */
     var rate = 0.0
         private set
 
-    /** Acceleration along the robot as measured, in m/s². */
+    /** The measured acceleration along the robot, in m/s². */
     var acceleration = 0.0
         private set
 
@@ -51,7 +51,7 @@ internal class Camera(private val chance: Chance) {
     private var nextTime = 0.0
     private var sees = true
 
-    /** Makes the next position this far off, in m. */
+    /** The error of the next position, in m. */
     var nextError = 0.0
 
     /** Takes a picture if it is time. Returns whether there is a new position. */
@@ -73,7 +73,7 @@ internal class Camera(private val chance: Chance) {
     }
 }
 
-/** Where the robot's code believes to be: what wheels and gyro say, corrected by the camera. */
+/** The position estimated by the robot's code from wheels and gyro, corrected by the camera. */
 internal class Odometry(private val drive: Drive, private val gyro: Gyro) {
     var x = drive.x
         private set

@@ -8,11 +8,11 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 
-/** Faults whose causes are so near that a sentence about one may name the other, too. */
+/** Pairs of faults with causes so close that a sentence about one may also name the other. */
 private val NEAR = setOf(
     // A radio without power is also a lost link.
     "link-loss" to "radio-power-loss",
-    // Where the log names motors by numbers, the sentence alone does not say which mechanism is jammed, or weak.
+    // If the log names motors by numbers, the sentence alone does not show which mechanism is jammed or weak.
     "seized-mechanism" to "intake-jam",
     "intake-jam" to "seized-mechanism",
     "seized-mechanism" to "module-steer-lags",
