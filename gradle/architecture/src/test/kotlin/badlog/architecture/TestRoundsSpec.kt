@@ -5,13 +5,13 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import java.io.File
 
-/** Tests wait for conditions, and say in which round they run. */
+/** Tests that all tests wait for conditions and have the tag of a round. */
 class TestRoundsSpec : FunSpec({
     val tests = sourcesUnder(ROOT).filter { it.isTest }.map { it.path }.filterNot { it.endsWith("TestRoundsSpec.kt") }
 
     test("no test sleeps or measures time, but for those that still have to be mended") {
         val timed = tests.filter { TIME.containsMatchIn(File(ROOT, it).readText()) && "/measure/" !in it }.map { it.substringAfterLast('/') }
-        // Whoever mends one of them takes its name from the list.
+        // Remove a file from the list when its test no longer needs time.
         timed.sorted() shouldContainExactly (MAY + STILL_TIMED).sorted()
     }
 
@@ -25,7 +25,7 @@ private val ROOT = File("../..").canonicalFile
 private val TIME = Regex("""Thread\.sleep|\bdelay\(|nanoTime|currentTimeMillis|measureTime|elapsedNow|markNow""")
 private val TAG = Regex("""@Tags\(([^)]*)\)""")
 
-/** What waits for all others, and a real double click. */
+/** The function that waits for all tests, and a real double click. */
 private val MAY = listOf("Eventually.kt", "RealWindow.kt")
 
 private val STILL_TIMED = listOf(

@@ -8,7 +8,7 @@ import java.io.File
 /** Gradle runs the tests of a module in the module's folder. */
 private val CORPORA = listOf("../../core/conformance", "../../libraries/formats/conformance").map(::File)
 
-/** Every seed, and all that coverage-guided fuzzing has found, so that it stays mended. */
+/** Reads every seed and every finding of coverage-guided fuzzing, so that fixed defects stay fixed. */
 internal class CasesSpec : FunSpec({
     for (target in FuzzTarget.entries) {
         test("each case of ${target.folder} is read without an exception, and alike in whatever pieces it arrives") {

@@ -89,19 +89,19 @@ class ArchivesProof : FunSpec({
         val bill = ObjectMapper().readTree(File(RELEASE, "badlog-$VERSION-$PLATFORM.cdx.json"))
         val known = bill["components"].flatMap { it.path("hashes") }.map { it["content"].asText() }.toSet()
         archives.flatMap { archive ->
-            // This jar is a part of Java, which has an entry of its own.
+            // This jar is part of Java, which has an entry of its own.
             val jars = entriesOf(archive) { it.endsWith(".jar") && !it.endsWith("/jrt-fs.jar") }
             jars.filter { it.sha256 != null && !isOwn(it.name) && it.sha256 !in known }.map { "${archive.name}: ${it.name}" }
         }.shouldBeEmpty()
     }
 })
 
-/** Whether not every machine can make the download [name]; `release` says why it did not. */
+/** Returns whether some machines cannot make the download [name]; `release` reports the reason. */
 private fun isOptional(name: String) = name.endsWith(".deb") || (name.startsWith("badlog-cpp-") && PLATFORM in name)
 
 private class Entry(val name: String, val time: Instant, val sha256: String?)
 
-/** The entries of [archive], and the checksums of those whose names are [hashed]. */
+/** Returns the entries of [archive], and the checksums of the entries that are [hashed]. */
 private fun entriesOf(archive: File, hashed: (String) -> Boolean = { false }): List<Entry> = archive.inputStream().buffered().use { stream ->
     if (archive.name.endsWith(".tar.gz")) tarEntries(GZIPInputStream(stream), hashed) else zipEntries(stream, hashed)
 }
@@ -115,7 +115,7 @@ private fun zipEntries(stream: InputStream, hashed: (String) -> Boolean): List<E
     }.toList()
 }
 
-/** The entries of a tar archive: blocks of 512 bytes, a header before each file. */
+/** Returns the entries of a tar archive: blocks of 512 bytes, with a header before each file. */
 private fun tarEntries(stream: InputStream, hashed: (String) -> Boolean): List<Entry> {
     val entries = ArrayList<Entry>()
     var longName: String? = null

@@ -6,11 +6,11 @@ import java.io.File
 import java.nio.file.Files
 import java.util.concurrent.TimeUnit
 
-/** How a program ended: its exit code, and all that it printed. */
+/** The result of a program: its exit code and all of its output. */
 internal class Ended(val code: Int, val text: String)
 
 /**
- * A machine that has only [programs]: no variable in its environment, a PATH that names nothing else, a home folder of its own, and no network.
+ * A machine with only [programs]: an empty environment, a PATH of its own, a home folder of its own, and no network.
  *
  * @param folder an empty folder for its files.
  */
@@ -39,7 +39,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
             found("unshare").path, "--user", "--map-root-user", "--net", "--", "/bin/sh", "-c", "/sbin/ip link set lo up; exec \"\$@\"", "sh",
         )
 
-        /** For a test that needs such a machine. */
+        /** Enables a test if such a machine can be made. */
         val IF_POSSIBLE: EnabledOrReasonIf = {
             when {
                 !PLATFORM.startsWith("linux") -> Enabled.disabled("clean machines are made on Linux only")
@@ -63,7 +63,7 @@ internal fun run(builder: ProcessBuilder): Ended {
     return Ended(process.exitValue(), text)
 }
 
-/** The file of [program], which is a path or on the PATH. */
+/** Returns the file of [program], which is a path or on the PATH. */
 internal fun found(program: String): File = if ('/' in program) {
     File(program)
 } else {

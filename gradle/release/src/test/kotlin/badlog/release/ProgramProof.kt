@@ -47,7 +47,7 @@ class ProgramProof : FunSpec({
         val has = run(ProcessBuilder("$home/java/bin/java", "--list-modules")).text.lines().map { it.substringBefore('@') }
         unpacked(download("badlog-season-$VERSION.zip"), home.parentFile)
         val jars = File(home, "lib").walk().filter { it.extension == "jar" }.toList()
-        // One call for all: it reads them once.
+        // One call for all jars, which reads them only once.
         val jdeps = listOf("$java/bin/jdeps", "--multi-release", "17", "--ignore-missing-deps", "--class-path", "$home/lib/*:$home/lib/season/*", "-summary")
         val uses = run(ProcessBuilder(jdeps + jars.map { "$it" })).text.lines().map { it.substringAfter("-> ").trim() }.filter { MODULE.matches(it) }.toSet()
         ("java.base" in uses) shouldBe true
@@ -61,7 +61,7 @@ class ProgramProof : FunSpec({
     }
 })
 
-/** Finds the low battery of a sample, reports it, and makes a page of it. */
+/** Checks that the program finds a sample's low battery, reports it, and exports a page. */
 private fun shouldWork(home: File, machine: CleanMachine) {
     machine.run(listOf("$home/bin/badlog", "--version")).text shouldBe "badlog $VERSION\n"
     val sample = File(ROOT, "samples/qualification-42.bag")

@@ -28,7 +28,7 @@ class WorkflowsSpec : FunSpec({
         for (name in listOf("check.yml", "release.yml")) {
             val text = File(WORKFLOWS, name).readText()
             for (system in listOf("ubuntu-latest", "ubuntu-24.04-arm", "macos-latest", "macos-15-intel", "windows-latest")) {
-                // Everything is run in Debian's container on Linux.
+                // On Linux, everything runs in Debian's container.
                 if (name == "release.yml" || system != "ubuntu-latest") text.lines().filterNot { "#" in it }.joinToString() shouldContain system
             }
         }

@@ -14,7 +14,7 @@ import org.commonmark.node.Paragraph
 import org.commonmark.node.SoftLineBreak
 import org.commonmark.node.Text
 
-/** The text of [node] without its markup; without its code, too, if [codeToo] is false. */
+/** Returns the text of [node] without markup; code is included if [codeToo]. */
 internal fun plainText(node: Node, codeToo: Boolean = true): String {
     val text = StringBuilder()
     node.accept(object : AbstractVisitor() {
