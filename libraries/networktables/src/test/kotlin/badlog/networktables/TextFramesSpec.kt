@@ -14,11 +14,11 @@ class TextFramesSpec : FunSpec({
     }
 
     test("what is not a list of messages is named") {
-        fun whatIs(text: String) = shouldThrow<UnreadableFrameException> { messagesIn(text) }.what
-        whatIs("{") shouldBe "not JSON"
-        whatIs("{}") shouldBe "not a list of messages"
-        whatIs("[".repeat(1_000_000)) shouldBe "JSON that is nested too deeply"
-        whatIs("[\"\\\"" + "{".repeat(200)) shouldBe "not JSON"
+        fun problemIn(text: String) = shouldThrow<UnreadableFrameException> { messagesIn(text) }.what
+        problemIn("{") shouldBe "not JSON"
+        problemIn("{}") shouldBe "not a list of messages"
+        problemIn("[".repeat(1_000_000)) shouldBe "JSON that is nested too deeply"
+        problemIn("[\"\\\"" + "{".repeat(200)) shouldBe "not JSON"
     }
 
     test("no text breaks the reader") {

@@ -53,12 +53,12 @@ internal class LogFile private constructor(path: Path, private val channel: File
     /** Passes all written data to the operating system. */
     fun flush(): Unit = stream.flush()
 
-    /** Adds [end] to the file's name, once. If the system refuses, closing the file tries again if [isTriedAgain]. */
-    fun rename(end: String, isTriedAgain: Boolean) {
+    /** Adds [end] to the file's name, once. If the system refuses, closing the file tries again if [retriesOnClose]. */
+    fun rename(end: String, retriesOnClose: Boolean) {
         if (nameEnd != null) return
         nameEnd = end
         move()
-        if (!isTriedAgain) nameEnd = ""
+        if (!retriesOnClose) nameEnd = ""
     }
 
     /** Writes the remaining data and closes the file. */

@@ -45,9 +45,9 @@ internal class LogOutput(private val options: RecordOptions) {
         val file = LogFile.create(options.folder, Instant.now(), micros)
         val open = Open(
             file,
-            file.start("messages", "string", OWN, micros),
+            file.start("messages", "string", OWN_METADATA, micros),
             file.start("systemTime", "int64", "{\"source\":\"badlog\",\"format\":\"time_t_us\"}", micros),
-            file.start("Recorder/Dropped Values", "int64", OWN, micros),
+            file.start("Recorder/Dropped Values", "int64", OWN_METADATA, micros),
             dropped,
         )
         this.open = open
@@ -129,7 +129,7 @@ internal class LogOutput(private val options: RecordOptions) {
     fun connected(source: Source, isConnected: Boolean, micros: Long) {
         val open = open ?: return
         if (!isConnected && source.connectedEntry == 0 && !source.isRobot) return
-        if (source.connectedEntry == 0) source.connectedEntry = open.file.start(source.connectedName, "boolean", OWN, micros)
+        if (source.connectedEntry == 0) source.connectedEntry = open.file.start(source.connectedName, "boolean", OWN_METADATA, micros)
         open.file.record(source.connectedEntry, maxOf(micros, open.file.startMicros), byteArrayOf(if (isConnected) 1 else 0))
         if (source.isRobot && !isConnected) open.gaps++
     }
@@ -143,7 +143,7 @@ internal class LogOutput(private val options: RecordOptions) {
         val open = open ?: return
         if (open.isMatchKnown) return
         open.isMatchKnown = true
-        open.file.rename(nameEnd, isTriedAgain = options.isRenamed)
+        open.file.rename(nameEnd, retriesOnClose = options.isRenamed)
     }
 
     /** Writes entries due at [micros], and flushes all data to the disk. */
@@ -169,7 +169,7 @@ internal class LogOutput(private val options: RecordOptions) {
     private fun bytesOf(number: Long) = ByteBuffer.allocate(Long.SIZE_BYTES).order(ByteOrder.LITTLE_ENDIAN).putLong(number).array()
 
     private companion object {
-        const val OWN = "{\"source\":\"badlog\"}"
+        const val OWN_METADATA = "{\"source\":\"badlog\"}"
 
         /** The time between records of the time of day, as in WPILib's logs. */
         const val WALL_MICROS = 5_000_000L

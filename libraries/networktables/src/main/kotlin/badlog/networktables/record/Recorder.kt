@@ -29,7 +29,7 @@ class Recorder internal constructor(
 
     private val inbox = Inbox(options.maxWaitingBytes)
     private val sources = servers.mapIndexed { index, server -> Source(server, isRobot = index == 0) }
-    private val session: Session
+    private val session: RecordSession
     private val links: List<LinkThread>
     private val writer = thread(start = false, isDaemon = true, name = "record") { write() }
     private val lock = ReentrantLock()
@@ -41,7 +41,7 @@ class Recorder internal constructor(
 
     init {
         require(servers.isNotEmpty()) { "A recorder needs a server." }
-        session = Session(sources, options, listener, inbox::dropped, clock)
+        session = RecordSession(sources, options, listener, inbox::dropped, clock)
         val client = LinkThread.client()
         links = sources.map { LinkThread(it, client, inbox, clock) }
     }

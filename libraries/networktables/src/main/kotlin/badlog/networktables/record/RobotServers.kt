@@ -6,11 +6,11 @@ package badlog.networktables.record
  * @param find returns the current address of the robot's server, or null if it does not answer; see [RecordedServer.find].
  */
 fun robotServers(isOfAll: Boolean, find: () -> ServerAddress?): List<RecordedServer> {
-    val place = LastPlace(find)
-    val robot = RecordedServer("robot", "NT:", find = place::find)
+    val lastAddress = LastAddress(find)
+    val robot = RecordedServer("robot", "NT:", find = lastAddress::find)
     if (!isOfAll) return listOf(robot)
     val systemcore = RecordedServer("Systemcore", "Systemcore:") {
-        place.found?.let { ServerAddress(it.host, RecordedServer.SYSTEMCORE_PORT) }
+        lastAddress.found?.let { ServerAddress(it.host, RecordedServer.SYSTEMCORE_PORT) }
     }
     val station = RecordedServer("Driver Station", "DS:", isMirror = true) {
         ServerAddress("localhost", RecordedServer.DRIVER_STATION_PORT)
@@ -19,7 +19,7 @@ fun robotServers(isOfAll: Boolean, find: () -> ServerAddress?): List<RecordedSer
 }
 
 /** The address at which the robot last answered. Its other server has the same host. */
-private class LastPlace(private val search: () -> ServerAddress?) {
+private class LastAddress(private val search: () -> ServerAddress?) {
     @Volatile
     var found: ServerAddress? = null
         private set

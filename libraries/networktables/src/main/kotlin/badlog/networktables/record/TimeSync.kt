@@ -32,7 +32,7 @@ internal class TimeSync {
         val now = checkNotNull(best).offset
         val was = offset
         // Small corrections are skipped, so that converted times do not jitter.
-        if (was == null || isAnother || abs(now - was) > TREMBLE) offset = now
+        if (was == null || isAnother || abs(now - was) > JITTER_MICROS) offset = now
         return isAnother
     }
 
@@ -50,7 +50,7 @@ internal class TimeSync {
     private companion object {
         const val KEPT = 10
 
-        const val TREMBLE = 2_000L
+        const val JITTER_MICROS = 2_000L
 
         /** A restarting robot is away for longer. */
         const val SLACK = 250_000L

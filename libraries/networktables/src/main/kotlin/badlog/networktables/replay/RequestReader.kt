@@ -16,7 +16,7 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
         val messages = try {
             messagesIn(text)
         } catch (e: UnreadableFrameException) {
-            return nothing(e.what)
+            return noRequests(e.what)
         }
         return messages.mapNotNull(::request)
     }
@@ -71,7 +71,7 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
 
     private fun JsonElement?.number() = (this as? JsonPrimitive)?.takeIf { !it.isString }?.longOrNull
 
-    private fun nothing(why: String): List<Request> = emptyList<Request>().also { ignore(why) }
+    private fun noRequests(why: String): List<Request> = emptyList<Request>().also { ignore(why) }
 
     private fun refuse(why: String): Request? = null.also { ignore(why) }
 

@@ -62,9 +62,9 @@ internal class FakeServer(port: Int = 0, @Volatile var offset: Long = 4_000_000,
         check(isOpen.await(60, TimeUnit.SECONDS)) { "The server did not start." }
     }
 
-    fun announce(name: String, id: Int, type: String, properties: String = "{}") = say("""[{"method":"announce","params":{"name":"$name","id":$id,"type":"$type","properties":$properties}}]""")
+    fun announce(name: String, id: Int, type: String, properties: String = "{}") = sendText("""[{"method":"announce","params":{"name":"$name","id":$id,"type":"$type","properties":$properties}}]""")
 
-    fun say(text: String) = connections.forEach { it.send(text) }
+    fun sendText(text: String) = connections.forEach { it.send(text) }
 
     fun send(bytes: ByteArray) = connections.forEach { it.send(bytes) }
 

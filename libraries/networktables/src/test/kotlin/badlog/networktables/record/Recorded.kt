@@ -16,16 +16,16 @@ import kotlin.io.path.readBytes
 internal class Running(val folder: Path, servers: List<RecordedServer>, options: RecordOptions, clock: StillClock?) :
     RecordListener,
     AutoCloseable {
-    val said = CopyOnWriteArrayList<String>()
+    val events = CopyOnWriteArrayList<String>()
     val files = CopyOnWriteArrayList<RecordedFile>()
     val recorder = if (clock == null) Recorder(servers, options, this) else Recorder(servers, options, this) { clock.micros }
 
     override fun connected(name: String, address: ServerAddress) {
-        said += "connected $name"
+        events += "connected $name"
     }
 
     override fun disconnected(name: String, reason: String) {
-        said += "disconnected $name: $reason"
+        events += "disconnected $name: $reason"
     }
 
     override fun finished(file: RecordedFile) {
@@ -33,10 +33,10 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
     }
 
     override fun noted(message: String) {
-        said += message
+        events += message
     }
 
-    fun count(what: String) = said.count { it.startsWith(what) }
+    fun count(what: String) = events.count { it.startsWith(what) }
 
     /** Ends it, and returns its files in the order in which they were begun. */
     fun logs(): List<RecordLog> {
@@ -45,12 +45,12 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
     }
 
     /**
-     * Waits until the only log on the disk [isSo]. It advances [clock] meanwhile, because the recorder flushes periodically, but slowly
+     * Waits until the only log on the disk [predicate]. It advances [clock] meanwhile, because the recorder flushes periodically, but slowly
      * enough that no server counts as silent.
      */
-    fun awaitOnDisk(clock: StillClock, isSo: (RecordLog) -> Boolean) = eventually("what was sent to be on the disk") {
+    fun awaitOnDisk(clock: StillClock, predicate: (RecordLog) -> Boolean) = eventually("what was sent to be on the disk") {
         clock.advance(1_000)
-        isSo(folder.onlyLog())
+        predicate(folder.onlyLog())
     }
 
     override fun close() = recorder.close()

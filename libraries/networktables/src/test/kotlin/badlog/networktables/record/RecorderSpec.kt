@@ -32,8 +32,8 @@ class RecorderSpec : FunSpec({
             }
             recording(server) { running ->
                 eventually("the values to be written") { running.recorder.progress.values == 5L }
-                server.say("""[{"method":"properties","params":{"name":"/Arm/Angle","ack":true,"update":{"retained":null,"unit":"rad"}}}]""")
-                server.say("""[{"method":"unannounce","params":{"name":"/Count","id":2}}]""")
+                server.sendText("""[{"method":"properties","params":{"name":"/Arm/Angle","ack":true,"update":{"retained":null,"unit":"rad"}}}]""")
+                server.sendText("""[{"method":"unannounce","params":{"name":"/Count","id":2}}]""")
                 server.announce("/Count", 6, "double")
                 server.number(6, 9.0)
                 eventually("the values to be written") { running.recorder.progress.values == 6L }
@@ -216,9 +216,9 @@ class RecorderSpec : FunSpec({
         FakeServer().use { server ->
             server.greeting = {
                 announce("/A", 1, "double")
-                say("{")
-                say("[".repeat(100_000))
-                say("""[{"method":"announce","params":{"name":7}},{"method":"announce"},{"method":"later"},3,null]""")
+                sendText("{")
+                sendText("[".repeat(100_000))
+                sendText("""[{"method":"announce","params":{"name":7}},{"method":"announce"},{"method":"later"},3,null]""")
                 announce("", 2, "")
                 announce("/\\u0000\\n", 3, "double[]")
                 value(1, 4) { packString("x") }
@@ -244,7 +244,7 @@ class RecorderSpec : FunSpec({
             server.greeting = { send(ByteArray(17 shl 20)) }
             recording(server) { running ->
                 eventually("the lost connection to be noticed") { running.count("disconnected") == 1 }
-                running.said.first { it.startsWith("disconnected") } shouldContain "more than 16 MiB"
+                running.events.first { it.startsWith("disconnected") } shouldContain "more than 16 MiB"
                 server.greeting = { announce("/A", 1, "double") }
                 eventually("the connection") { running.count("connected") >= 2 }
             }

@@ -14,7 +14,7 @@ import io.kotest.property.checkAll
 import org.msgpack.core.MessageBufferPacker
 
 /** Collects the content of a frame; every topic has [type]. */
-private class Found(private val type: TopicType?) : ValueSink {
+private class FrameContent(private val type: TopicType?) : ValueSink {
     val values = ArrayList<Triple<Long, Long, List<Byte>>>()
     val times = ArrayList<Pair<Long, Long>>()
     val ignored = ArrayList<String>()
@@ -34,7 +34,7 @@ private class Found(private val type: TopicType?) : ValueSink {
     }
 }
 
-private fun found(type: TopicType?, vararg frames: ByteArray) = Found(type).also { readValues(frames.fold(ByteArray(0), ByteArray::plus), it) }
+private fun found(type: TopicType?, vararg frames: ByteArray) = FrameContent(type).also { readValues(frames.fold(ByteArray(0), ByteArray::plus), it) }
 
 private fun payloadOf(type: TopicType, pack: MessageBufferPacker.() -> Unit): List<Int>? = found(type, frameOf(7, type.code, 9, pack)).values.singleOrNull()?.third?.map { it.toInt() }
 

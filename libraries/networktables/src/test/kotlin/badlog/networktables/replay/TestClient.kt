@@ -109,7 +109,7 @@ internal class TestClient(private val replay: TestReplay, vararg protocols: Stri
         return synchronized(this) { values.filter { it.id == id } }
     }
 
-    fun count(isMeant: (Received) -> Boolean): Int = synchronized(this) { values.count(isMeant) }
+    fun count(predicate: (Received) -> Boolean): Int = synchronized(this) { values.count(predicate) }
 
     override fun close() = socket.abort()
 

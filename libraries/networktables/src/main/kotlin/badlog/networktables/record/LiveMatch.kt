@@ -4,7 +4,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /** The match according to the robot's topics in `/FMSInfo`, or from 2027 on in `/DriverStation`. */
-internal class MatchFacts {
+internal class LiveMatch {
     private var event = ""
     private var type = 0L
     private var number = 0L
@@ -43,7 +43,7 @@ internal class MatchFacts {
         val FOLDERS = listOf("/FMSInfo/", "/DriverStation/")
 
         /** Returns whether the topic [name] is directly in one of these folders. */
-        fun isOne(name: String): Boolean = FOLDERS.any { name.startsWith(it) && name.indexOf('/', it.length) < 0 }
+        fun isMatchTopic(name: String): Boolean = FOLDERS.any { name.startsWith(it) && name.indexOf('/', it.length) < 0 }
 
         /** The topic that says whether the robot is enabled, in its lowest bit. */
         const val CONTROL = "FMSControlData"

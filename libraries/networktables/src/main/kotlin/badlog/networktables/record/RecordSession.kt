@@ -16,7 +16,7 @@ import kotlinx.serialization.json.putJsonObject
  * @param dropped returns the number of values dropped so far.
  * @param clock returns this computer's time in µs, from an arbitrary origin.
  */
-internal class Session(
+internal class RecordSession(
     private val sources: List<Source>,
     private val options: RecordOptions,
     private val listener: RecordListener,
@@ -25,7 +25,7 @@ internal class Session(
 ) {
     private val robot = sources.first()
     private val output = LogOutput(options)
-    private var match = MatchFacts()
+    private var match = LiveMatch()
     private var subscriptions = 0
     private var ignored = 0L
     private var flushedMicros = 0L
@@ -58,7 +58,7 @@ internal class Session(
         val isSilent = options.isPerEnable && robot.isSubscribed && match.isEnabled == null && now - connectedMicros > PAUSE_MICROS
         if (isSilent && !isSilenceNoted) {
             isSilenceNoted = true
-            val missing = "neither ${MatchFacts.CONTROL} nor ${MatchFacts.CONTROL_2027}"
+            val missing = "neither ${LiveMatch.CONTROL} nor ${LiveMatch.CONTROL_2027}"
             note("The robot publishes $missing, so nobody knows when it is enabled; record the whole session instead.")
         }
     }
@@ -99,7 +99,7 @@ internal class Session(
         }
         source.isSubscribed = true
         subscribe(link, "", isAll = options.isWanted == null)
-        if (options.isWanted != null) MatchFacts.FOLDERS.forEach { subscribe(link, it, isAll = true) }
+        if (options.isWanted != null) LiveMatch.FOLDERS.forEach { subscribe(link, it, isAll = true) }
         if (options.isWanted != null) subscribe(link, SCHEMAS, isAll = true)
         if (source.isRobot) connectedMicros = local
         if (output.isOpen) {
@@ -119,7 +119,7 @@ internal class Session(
             if (output.isOpen) listener.noted(text)
             output.message(text, before)
             finish(before)
-            match = MatchFacts()
+            match = LiveMatch()
         } else {
             note("The clock of the $name began anew, as after a restart of its program; its values are still in the robot's time.")
         }
@@ -164,7 +164,7 @@ internal class Session(
 
     private fun announced(source: Source, message: ServerMessage.Announce) {
         val logName = source.server.prefix + message.name
-        val isAlways = message.name.startsWith(SCHEMAS) || MatchFacts.isOne(message.name)
+        val isAlways = message.name.startsWith(SCHEMAS) || LiveMatch.isMatchTopic(message.name)
         val wanted = options.isWanted
         if (wanted != null && !isAlways && !wanted(logName)) return
         if (source.server.isMirror && message.name in robot.byName) return
@@ -213,7 +213,7 @@ internal class Session(
             topic.latest = payload
             topic.latestMicros = micros
             val wasOpen = output.isOpen
-            if (source.isRobot && MatchFacts.isOne(topic.name)) handle(topic, payload)
+            if (source.isRobot && LiveMatch.isMatchTopic(topic.name)) handle(topic, payload)
             // A file opened because of this value already contains it.
             val isInOrder = if (wasOpen) output.value(topic, time) else true
             if (!isInOrder) {
@@ -247,9 +247,9 @@ internal class Session(
 
     /** Converts [micros] of the server of [source] to the robot's time. */
     private fun logMicros(source: Source, micros: Long): Long {
-        val own = source.sync.offset
-        val robots = robot.sync.offset
-        return if (source.isRobot || own == null || robots == null) micros else micros - own + robots
+        val ownOffset = source.sync.offset
+        val robotOffset = robot.sync.offset
+        return if (source.isRobot || ownOffset == null || robotOffset == null) micros else micros - ownOffset + robotOffset
     }
 
     private fun ignore(source: Source, what: String) {
