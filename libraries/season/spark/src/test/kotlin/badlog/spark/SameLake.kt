@@ -14,7 +14,7 @@ private val MANY = listOf("samples", "series")
 private val ALWAYS_THERE = listOf("samples", "statistics", "matches", "topics")
 
 /** Compares two lakes: their files by name, and each table by its columns and row by row. */
-internal infix fun Path.shouldBeTheLake(expected: Path) {
+internal infix fun Path.shouldEqualLake(expected: Path) {
     written().keys.sorted() shouldBe expected.written().keys.filter { it != ".lock" }.sorted()
     for (table in ALWAYS_THERE + listOf("series", "events", "findings")) {
         withClue("$table of $this") {

@@ -17,7 +17,7 @@ class LakeEntry internal constructor(
     internal val records: Map<LakeTable, List<LakeRecord>>,
 ) : Serializable {
     /** The path of its partition in each table: the folders of season and event, with a slash between. */
-    val place: String get() = partition.path
+    val partitionPath: String get() = partition.path
 
     private companion object {
         const val serialVersionUID = 1L
@@ -27,11 +27,11 @@ class LakeEntry internal constructor(
 /** A change to the tables of a lake. */
 sealed interface LakeChange : Serializable {
     /** The path of the partition to change. */
-    val place: String
+    val partitionPath: String
 
     /** Adds [entry], replacing earlier records of the same log. */
     class Put(val entry: LakeEntry) : LakeChange {
-        override val place: String get() = entry.place
+        override val partitionPath: String get() = entry.partitionPath
 
         private companion object {
             const val serialVersionUID = 1L
@@ -40,7 +40,7 @@ sealed interface LakeChange : Serializable {
 
     /** Removes the records of [log]. */
     class Remove(val log: RegisteredLog) : LakeChange {
-        override val place: String get() = log.place
+        override val partitionPath: String get() = log.partitionPath
 
         private companion object {
             const val serialVersionUID = 1L

@@ -31,21 +31,21 @@ class LakeInventory internal constructor(private val mark: LakeMark, registered:
     /**
      * Returns the changes that bring the lake up to date with [logs], for the [LakePieces.maker] [maker].
      *
-     * @param isWanted returns whether the folder of a path was searched; a known log there is gone unless it is among [logs].
-     * @param isThere returns whether the lake has a file, by its path relative to the lake.
+     * @param isInScope returns whether the folder of a path was searched; a known log there is gone unless it is among [logs].
+     * @param exists returns whether the lake has a file, by its path relative to the lake.
      */
-    fun plan(logs: List<LogSource>, maker: String, isWanted: (String) -> Boolean, isThere: (String) -> Boolean): LakePlan {
+    fun plan(logs: List<LogSource>, maker: String, isInScope: (String) -> Boolean, exists: (String) -> Boolean): LakePlan {
         val marked = mark.ignored.associateBy { it.path }
         val ignored = LinkedHashMap<LogSource, String>()
         val changed = logs.filter { log ->
             val former = registered[log.path]
             val other = marked[log.path]?.takeIf { it.isOf(log) }
-            if (former?.isOf(log, maker) == true && former.files.all(isThere)) return@filter false
+            if (former?.isOf(log, maker) == true && former.files.all(exists)) return@filter false
             if (other != null) ignored[log] = other.message
             other == null
         }
         val here = logs.mapTo(HashSet()) { it.path }
-        return LakePlan(named(changed), registered.values.filter { it.path !in here && isWanted(it.path) }, ignored)
+        return LakePlan(named(changed), registered.values.filter { it.path !in here && isInScope(it.path) }, ignored)
     }
 
     private fun named(logs: List<LogSource>): List<PlannedLog> {

@@ -25,7 +25,7 @@ class RegisteredLog internal constructor(
     val isSalvaged: Boolean,
 ) : Serializable {
     /** The path of its partition in each table: the folders of season and event, with a slash between. */
-    val place: String get() = partition.path
+    val partitionPath: String get() = partition.path
 
     /** Returns whether [source] is unchanged and [maker] the same. */
     internal fun isOf(source: LogSource, maker: String): Boolean = size == source.size && modified == source.modified && this.maker == maker

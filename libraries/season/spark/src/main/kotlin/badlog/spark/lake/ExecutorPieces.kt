@@ -35,7 +35,7 @@ internal object ExecutorPieces {
 }
 
 /** Runs [work] with a temporary folder on this machine, and deletes the folder. */
-internal fun <R> inScratch(work: (Path) -> R): R {
+internal fun <R> withScratchFolder(work: (Path) -> R): R {
     val folder = Files.createTempDirectory("badlog-spark")
     try {
         return work(folder)

@@ -7,7 +7,7 @@ import org.apache.spark.api.java.function.FlatMapFunction
 
 /** Reads the logs of [lake] from files of its table of matches. */
 internal class ReadRegister(private val lake: RemoteFolder, private val work: LakeWork) : FlatMapFunction<String, RegisteredLog> {
-    override fun call(file: String): Iterator<RegisteredLog> = inScratch { scratch ->
+    override fun call(file: String): Iterator<RegisteredLog> = withScratchFolder { scratch ->
         lake.fetch(file, scratch.resolve(file))
         ExecutorPieces.of(work).registered(scratch).iterator()
     }

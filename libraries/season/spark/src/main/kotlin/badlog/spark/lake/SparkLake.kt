@@ -13,7 +13,7 @@ import badlog.spark.storage.RemoteFolder
 import badlog.spark.storage.RemoteLog
 import badlog.spark.storage.addressOf
 import badlog.spark.storage.logsIn
-import badlog.spark.storage.plain
+import badlog.spark.storage.withoutChecksums
 import org.apache.hadoop.fs.Path
 import org.apache.spark.HashPartitioner
 import org.apache.spark.api.java.JavaSparkContext
@@ -71,7 +71,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
      */
     public fun refresh(folders: List<String>, rules: RuleSet, maxBytes: Long = Long.MAX_VALUE): SparkLakeResult {
         try {
-            requireOwn()
+            requireLakeOrEmpty()
             val work = LakeWork(rules.toJson(), hasSamples)
             val files = dropDrafts(lake.files())
             val inventory = inventory(files, work)
@@ -103,7 +103,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
     }
 
     /** Requires a lake, or an empty folder for a new one: a lake must not be mixed with other files. */
-    private fun requireOwn() {
+    private fun requireLakeOrEmpty() {
         if (lake.has(LakeLayout.MARK)) return
         if (lake.entries().any { !it.startsWith(".") }) {
             throw LakeException("$address has other files in it; name an empty folder, or a new one.")
@@ -135,7 +135,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
     private fun belowAny(folders: List<String>): (String) -> Boolean {
         val tops = folders.map { folder ->
             val path = Path(folder)
-            addressOf(plain(path.getFileSystem(configuration.value())).makeQualified(path)).removeSuffix("/")
+            addressOf(withoutChecksums(path.getFileSystem(configuration.value())).makeQualified(path)).removeSuffix("/")
         }
         return { path -> tops.any { path == it || path.startsWith("$it/") } }
     }
@@ -145,7 +145,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         // The largest first, so that no large log runs alone at the end.
         val plans = plan.changed.map { RemotePlan(it, byPath.getValue(it.source.path)) }.sortedByDescending { it.planned.source.size }
         val written = spark.parallelize(plans, plans.size.coerceIn(1, MAX_TASKS)).flatMapToPair(WriteLog(lake, work, configuration))
-        val gone = plan.gone.map { Tuple2(it.place, LogPiece(LakeChange.Remove(it), null)) }
+        val gone = plan.gone.map { Tuple2(it.partitionPath, LogPiece(LakeChange.Remove(it), null)) }
         val pieces = written.union(spark.parallelizePairs(gone, 1))
         val tables = (plans.size / LOGS_PER_TABLE_TASK).coerceIn(spark.defaultParallelism(), MAX_TABLE_TASKS)
         val outcomes = pieces.repartitionAndSortWithinPartitions(HashPartitioner(tables)).mapPartitions(WriteTables(lake, work)).collect()

@@ -27,14 +27,14 @@ internal class RemotePlan(val planned: PlannedLog, val log: RemoteLog) : Seriali
  */
 internal class WriteLog(private val lake: RemoteFolder, private val work: LakeWork, private val configuration: SerializableConfiguration) :
     PairFlatMapFunction<RemotePlan, String, LogPiece> {
-    override fun call(plan: RemotePlan): Iterator<Tuple2<String, LogPiece>> = inScratch { scratch ->
+    override fun call(plan: RemotePlan): Iterator<Tuple2<String, LogPiece>> = withScratchFolder { scratch ->
         val path = plan.planned.source.path
         val pieces = try {
             piecesOf(plan.planned, fetched(plan.log, scratch), scratch)
         } catch (e: UnfetchedLogException) {
             listOf(LogPiece(null, LogOutcome(path, e.message)))
         }
-        pieces.map { Tuple2(it.place, it) }.iterator()
+        pieces.map { Tuple2(it.partitionPath, it) }.iterator()
     }
 
     private fun piecesOf(log: PlannedLog, file: Path, scratch: Path): List<LogPiece> {
@@ -53,7 +53,7 @@ internal class WriteLog(private val lake: RemoteFolder, private val work: LakeWo
                 )
                 listOfNotNull(
                     LogPiece(LakeChange.Put(entry), outcome),
-                    former?.takeIf { it.place != entry.place }?.let { LogPiece(LakeChange.Remove(it), null) },
+                    former?.takeIf { it.partitionPath != entry.partitionPath }?.let { LogPiece(LakeChange.Remove(it), null) },
                 )
             }
         }

@@ -16,15 +16,15 @@ internal class WriteTables(private val lake: RemoteFolder, private val work: Lak
     FlatMapFunction<Iterator<Tuple2<String, LogPiece>>, LogOutcome> {
     override fun call(pieces: Iterator<Tuple2<String, LogPiece>>): Iterator<LogOutcome> {
         val outcomes = ArrayList<LogOutcome>()
-        val places = Places(pieces, outcomes)
+        val partitions = PartitionChanges(pieces, outcomes)
         while (true) {
-            val place = places.next() ?: return outcomes.iterator()
-            if (place.isNotEmpty()) write(place, places.changes()) else places.changes().forEach { _ -> }
+            val partitionPath = partitions.next() ?: return outcomes.iterator()
+            if (partitionPath.isNotEmpty()) write(partitionPath, partitions.changes()) else partitions.changes().forEach { _ -> }
         }
     }
 
-    private fun write(place: String, changes: Iterator<LakeChange>) = inScratch { scratch ->
-        val files = LakeLayout.TABLES.map { table -> "$table/$place/$table${LakeLayout.ENDING}" }
+    private fun write(partitionPath: String, changes: Iterator<LakeChange>) = withScratchFolder { scratch ->
+        val files = LakeLayout.TABLES.map { table -> "$table/$partitionPath/$table${LakeLayout.ENDING}" }
         for (file in files) lake.fetch(file, scratch.resolve(file))
         ExecutorPieces.of(work).merge(scratch, changes)
         for (file in files) putBack(scratch.resolve(file), file)
@@ -38,7 +38,7 @@ internal class WriteTables(private val lake: RemoteFolder, private val work: Lak
 }
 
 /** The changes in [pieces], sorted by partition. The outcome for each log is added to [outcomes]. */
-private class Places(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
+private class PartitionChanges(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
     private var ahead: Tuple2<String, LogPiece>? = take()
 
     /** Returns the next partition; null after the last one. Call it after taking all changes of the previous partition. */
@@ -46,8 +46,8 @@ private class Places(private val pieces: Iterator<Tuple2<String, LogPiece>>, pri
 
     /** Returns the changes of the [next] partition, as a lazy sequence. */
     fun changes(): Iterator<LakeChange> {
-        val place = next()
-        return generateSequence { if (ahead?._1() == place) ahead?._2().also { ahead = take() } else null }
+        val partitionPath = next()
+        return generateSequence { if (ahead?._1() == partitionPath) ahead?._2().also { ahead = take() } else null }
             .onEach { piece -> piece.outcome?.let(outcomes::add) }
             .mapNotNull { it.change }
             .iterator()

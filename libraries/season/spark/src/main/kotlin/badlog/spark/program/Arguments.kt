@@ -18,7 +18,7 @@ internal class Arguments private constructor(val named: List<String>, private va
     /** Returns the maximum size of files, in bytes. */
     fun maxBytes(): Long {
         val text = options[MAX_SIZE] ?: return Long.MAX_VALUE
-        val megabytes = text.toLongOrNull()?.takeIf { it in 1..MOST_MEGABYTES }
+        val megabytes = text.toLongOrNull()?.takeIf { it in 1..MAX_MEGABYTES }
             ?: throw UsageException("$MAX_SIZE $text: it is a number of MB, such as 500.")
         return megabytes shl MEGA
     }
@@ -29,7 +29,7 @@ internal class Arguments private constructor(val named: List<String>, private va
         const val FORMAT = "--format"
         const val MAX_SIZE = "--max-size"
         private const val MEGA = 20
-        private const val MOST_MEGABYTES = 1L shl 40
+        private const val MAX_MEGABYTES = 1L shl 40
 
         /** Returns the arguments in [words] of a job with the options [known], each followed by a value. */
         fun of(words: List<String>, known: Set<String>): Arguments {

@@ -83,7 +83,7 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         val topics = spark.sql("SELECT DISTINCT topic FROM statistics ORDER BY topic").collectAsList().map { it.getString(0) }
         val taken = spark.table(LakeLayout.MATCHES).columns().mapTo(HashSet()) { it.lowercase() }
         val columns = topics.joinToString { topic ->
-            "any_value($FIGURES) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
+            "any_value($FIELDS) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
         }
         return spark.sql("SELECT * FROM matches LEFT JOIN (SELECT log, $columns FROM statistics GROUP BY log) USING (log)")
     }
@@ -93,7 +93,7 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         const val PLACE = "season STRING, event STRING"
         const val SERIES =
             "log STRING, type STRING, number INT, topic STRING, t DOUBLE, timestamp TIMESTAMP, value DOUBLE, text STRING"
-        const val FIGURES =
+        const val FIELDS =
             "named_struct('unit', unit, 'count', count, 'min', min, 'max', max, 'mean', mean, 'median', median, 'p5', p5, 'p95', p95, " +
                 "'first', first, 'last', last)"
     }

@@ -97,7 +97,7 @@ internal class RemoteFolder(private val address: String, private val configurati
     }
 
     /** Returns the file system; for a disk, the one that writes no checksum files. */
-    private fun system(): FileSystem = plain(top.getFileSystem(configuration.value()))
+    private fun system(): FileSystem = withoutChecksums(top.getFileSystem(configuration.value()))
 
     private companion object {
         const val serialVersionUID = 1L
@@ -106,4 +106,4 @@ internal class RemoteFolder(private val address: String, private val configurati
 }
 
 /** Returns [system]; for a disk, the one that writes no checksum files. */
-internal fun plain(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system
+internal fun withoutChecksums(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system

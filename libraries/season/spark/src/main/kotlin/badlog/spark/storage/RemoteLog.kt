@@ -26,7 +26,9 @@ internal class RemoteLog(val source: LogSource, val files: List<String>) : Seria
      */
     fun fetch(folder: java.nio.file.Path, configuration: Configuration): java.nio.file.Path = files.map { address ->
         val path = Path(address)
-        folder.resolve(path.name).also { copy -> plain(path.getFileSystem(configuration)).open(path).use { Files.copy(it, copy) } }
+        folder.resolve(path.name).also { copy ->
+            withoutChecksums(path.getFileSystem(configuration)).open(path).use { Files.copy(it, copy) }
+        }
     }.first()
 
     private companion object {
@@ -42,7 +44,7 @@ internal class RemoteLog(val source: LogSource, val files: List<String>) : Seria
  */
 internal fun logsIn(folder: String, configuration: Configuration, isDeep: Boolean = true): List<RemoteLog> {
     val path = Path(folder)
-    val system = plain(path.getFileSystem(configuration))
+    val system = withoutChecksums(path.getFileSystem(configuration))
     val top = system.makeQualified(path)
     val found = if (system.getFileStatus(top).isFile) listOf(system.getFileStatus(top)) else filesIn(system, top, isDeep)
     val seconds = found.mapNotNull { second -> firstPartOf(plainPath(second))?.let { it to second } }.toMap()

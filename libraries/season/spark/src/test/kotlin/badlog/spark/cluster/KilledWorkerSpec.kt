@@ -6,7 +6,7 @@ import badlog.season.put
 import badlog.season.refresh
 import badlog.spark.SPARK_HOME
 import badlog.spark.SPARK_IS_HERE
-import badlog.spark.shouldBeTheLake
+import badlog.spark.shouldEqualLake
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -41,7 +41,7 @@ class KilledWorkerSpec : FunSpec({
                 val place = (folder / "cluster$attempt").createDirectories()
                 LocalCluster(SPARK_HOME!!, place).use { cluster ->
                     val job = cluster.submit(System.getProperty("badlog.spark.jar"), "lake", "$logs", "--out", "$lake")
-                    val written = untilWritten(lake / "samples", job)
+                    val written = awaitWritten(lake / "samples", job)
                     cluster.killWorker()
                     withClue({ cluster.log("job").takeLast(4_000) }) {
                         job.waitFor(15, TimeUnit.MINUTES) shouldBe true
@@ -50,7 +50,7 @@ class KilledWorkerSpec : FunSpec({
                     val output = (place / "job.out").readText()
                     output shouldContain "${LOGS + 1} written (1 with data missing), 1 not in the lake"
                     output shouldContain "${logs / "notes.bag"}: "
-                    lake shouldBeTheLake folder / "expected"
+                    lake shouldEqualLake folder / "expected"
                     written in 1 until LOGS && LOSS in cluster.log("job")
                 }
             }
@@ -60,7 +60,7 @@ class KilledWorkerSpec : FunSpec({
 })
 
 /** Waits until some logs are in [samples]. Returns their number. */
-private fun untilWritten(samples: Path, job: Process): Int {
+private fun awaitWritten(samples: Path, job: Process): Int {
     while (job.isAlive) {
         val written = if (Files.isDirectory(samples)) filesIn(samples) else 0
         if (written >= LOGS / 10) return written

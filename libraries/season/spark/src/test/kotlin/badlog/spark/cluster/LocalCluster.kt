@@ -13,7 +13,7 @@ import kotlin.io.path.readText
  */
 internal class LocalCluster(private val home: Path, private val folder: Path) : AutoCloseable {
     private val master = start("master", "org.apache.spark.deploy.master.Master", "--host", HOST, "--port", "0", "--webui-port", "0")
-    private val address = said("master") { ADDRESS.find(it)?.value }
+    private val address = awaitOutput("master") { ADDRESS.find(it)?.value }
     private val workers = (1..2).map { number ->
         start(
             "worker$number", "org.apache.spark.deploy.worker.Worker", "--host", HOST, "--cores", "1", "--memory", "1g", "--webui-port", "0",
@@ -22,7 +22,7 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
     }
 
     init {
-        for (number in 1..2) said("worker$number") { text -> text.takeIf { "Successfully registered" in it } }
+        for (number in 1..2) awaitOutput("worker$number") { text -> text.takeIf { "Successfully registered" in it } }
     }
 
     /** Submits the job [words] of [jar]. Its output is in the files `job` and `job.out` of the folder. */
@@ -65,7 +65,7 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
     }
 
     /** Waits until [find] returns something for the output of [name], and returns that. */
-    private fun said(name: String, find: (String) -> String?): String {
+    private fun awaitOutput(name: String, find: (String) -> String?): String {
         val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
         while (System.nanoTime() < end) {
             val text = (folder / name).takeIf(Files::exists)?.readText().orEmpty()

@@ -14,7 +14,7 @@ import badlog.season.refresh
 import badlog.season.written
 import badlog.spark.LocalSpark
 import badlog.spark.SPARK_IS_HERE
-import badlog.spark.shouldBeTheLake
+import badlog.spark.shouldEqualLake
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -63,7 +63,7 @@ class SparkLakeSpec : FunSpec({
             result.salvaged shouldBe expected.outcomes.count { it.isSalvaged }
             result.refused.map { it.path to it.message }.toSet() shouldBe
                 expected.outcomes.filter { it.message != null }.map { "${it.log.file.path}" to it.message }.toSet()
-            folder / "lake" shouldBeTheLake folder / "expected"
+            folder / "lake" shouldEqualLake folder / "expected"
         }
     }
 
@@ -94,7 +94,7 @@ class SparkLakeSpec : FunSpec({
                 result.written shouldBe 2
                 result.removed shouldBe 1
                 refresh(logs, folder / "expected")
-                folder / "lake" shouldBeTheLake folder / "expected"
+                folder / "lake" shouldEqualLake folder / "expected"
             }
         }
 
