@@ -57,7 +57,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
 
     private fun textOf(name: String, element: JsonElement): String {
         val text = (element as? JsonPrimitive)?.takeIf { it.isString }?.content ?: throw ToolException("“$name” must be a text.")
-        if (text.length > MAX_LETTERS) throw ToolException("“$name” is longer than $MAX_LETTERS characters; shorten it.")
+        if (text.length > MAX_TEXT_LENGTH) throw ToolException("“$name” is longer than $MAX_TEXT_LENGTH characters; shorten it.")
         return text
     }
 
@@ -66,7 +66,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         const val MAX_TEXTS: Int = 50
 
         /** The maximum number of characters in a text. */
-        const val MAX_LETTERS: Int = 2_000
+        const val MAX_TEXT_LENGTH: Int = 2_000
 
         private const val MAX_SHOWN = 60
     }

@@ -32,7 +32,9 @@ internal class LogFolder(folder: Path) {
     fun logs(): Map<String, LogFile> {
         val parents = HashMap<Path, Boolean>()
         known = reading(root) { FolderScan.of(root) }.files
-            .filter { file -> parents.getOrPut(file.path.parent) { isInside(file.path.parent) } && partsOfLog(file.path).all(::isOwn) }
+            .filter { file ->
+                parents.getOrPut(file.path.parent) { isInside(file.path.parent) } && partsOfLog(file.path).all(::staysInside)
+            }
             .associateBy { nameOf(it.path) }
             .toSortedMap(NaturalOrder)
         return known
@@ -68,7 +70,7 @@ internal class LogFolder(folder: Path) {
     private fun nameOf(path: Path) = root.relativize(path).joinToString("/")
 
     /** Returns whether [file], in a folder inside, is inside too. Only a link leads elsewhere. */
-    private fun isOwn(file: Path) = !Files.isSymbolicLink(file) || isInside(file)
+    private fun staysInside(file: Path) = !Files.isSymbolicLink(file) || isInside(file)
 
     private fun isInside(path: Path) = try {
         path.toRealPath().startsWith(root)

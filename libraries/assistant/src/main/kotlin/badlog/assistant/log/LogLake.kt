@@ -26,7 +26,7 @@ internal class LogLake(
     private val service: SeasonService,
     private val patience: Long = PATIENCE,
 ) {
-    private var making: Making? = null
+    private var update: LakeUpdate? = null
 
     /**
      * Lets [ask] query the current logs. It also receives the number of logs that are missing because they cannot be read.
@@ -44,17 +44,17 @@ internal class LogLake(
     }
 
     private fun refreshed(folder: Path): LakeReport {
-        val current = making ?: Making(folder).also {
-            making = it
+        val current = update ?: LakeUpdate(folder).also {
+            update = it
             it.begin()
         }
         val report = current.await()
-        making = null
+        update = null
         return report
     }
 
     /** An update of the tables to the logs' current state, on a thread of its own. */
-    private inner class Making(folder: Path) {
+    private inner class LakeUpdate(folder: Path) {
         private val all = logs.logs().map { (name, file) -> file to name }
         private val rules = logs.rules()?.rules ?: RuleSet.BUILT_IN
 
@@ -74,7 +74,7 @@ internal class LogLake(
         } catch (_: TimeoutException) {
             throw ToolException("The tables of ${all.size} logs are being made, $done are done; ask the same again in a minute.")
         } catch (e: ExecutionException) {
-            making = null
+            update = null
             throw e.cause ?: e
         }
     }

@@ -60,7 +60,7 @@ internal class GraphPicture(
 
     init {
         val names = shortNames(lines.map { it.topic.name })
-        val named = lines.mapIndexed { i, line -> NamedLine(line, names[i].take(MAX_LETTERS), i) }
+        val named = lines.mapIndexed { i, line -> NamedLine(line, names[i].take(MAX_LABEL_LENGTH), i) }
         val (ofStates, ofNumbers) = named.partition { it.line.states != null }
         states = ofStates
         numbers = ofNumbers
@@ -78,7 +78,7 @@ internal class GraphPicture(
         sheet.text(title, TITLE, PenColors.LIGHT[Shade.TEXT], isBold = true)
         for (axis in graphAxes(numbers.map { it.line.unit })) sheet.lines(axis)
         if (states.isNotEmpty()) sheet.lanes()
-        sheet.xTitle(view.xAxis.title.take(MAX_LETTERS))
+        sheet.xTitle(view.xAxis.title.take(MAX_LABEL_LENGTH))
         height = ceil(sheet.height).toInt()
         val svg = pen.document(width.toDouble(), height.toDouble(), PenColors.LIGHT[Shade.SURFACE])
         return SvgRaster.png(svg, width, height)
@@ -131,7 +131,7 @@ internal class GraphPicture(
     }
 
     private companion object {
-        const val MAX_LETTERS = 60
+        const val MAX_LABEL_LENGTH = 60
         const val TITLE_LINE = 26.0
         const val TITLE = 15.0
         const val PANEL = 180

@@ -47,9 +47,9 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
         val png = try {
             picture.png()
         } catch (e: LinkageError) {
-            throw cannotDraw(e)
+            throw drawingFailed(e)
         } catch (e: InternalError) {
-            throw cannotDraw(e)
+            throw drawingFailed(e)
         }
         val data = buildJsonObject {
             put("log", log.name)
@@ -69,7 +69,7 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
     }
 
     /** Returns the answer if drawing fails, for example on a system without any font. */
-    private fun cannotDraw(e: Error) = ToolException(
+    private fun drawingFailed(e: Error) = ToolException(
         "This computer's Java cannot draw text ($e); install fontconfig and a font, such as Debian's fonts-dejavu-core, or ask for samples.",
     )
 

@@ -108,7 +108,7 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
             for (event in inside.take(points)) {
                 addJsonArray {
                     add(number(event.x))
-                    add(event.text.take(MAX_LETTERS))
+                    add(event.text.take(MAX_EVENT_LENGTH))
                 }
             }
         }
@@ -134,6 +134,6 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
         const val MAX_TOPICS = 12
         const val MAX_POINTS = 1_000
         const val DEFAULT_POINTS = 100
-        const val MAX_LETTERS = 300
+        const val MAX_EVENT_LENGTH = 300
     }
 }
