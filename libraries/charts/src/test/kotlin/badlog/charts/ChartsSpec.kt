@@ -124,7 +124,7 @@ class ChartsSpec : FunSpec({
     }
 
     test("a log without a number is left out of its chart alone") {
-        val other = ChartedLog(MatchOfLog(number = "99"), "x.bag", 9_999, MadeUp().number("CPU load", Measure.ENABLED, 50.0).numbers())
+        val other = ChartedLog(MatchOfLog(number = "99"), "x.bag", 9_999, InventedNumbers().number("CPU load", Measure.ENABLED, 50.0).numbers())
         val with = chartsOf((1..4).map { measuredLog(it) } + other)
         parsed(chart("battery", with).svg()).getElementsByTagName("circle").length shouldBe 4
         textsIn(chart("battery", with).svg()).contains("M99") shouldBe true

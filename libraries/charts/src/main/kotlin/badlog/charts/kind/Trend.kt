@@ -13,7 +13,7 @@ import badlog.charts.look.withLabels
 import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatch
 import badlog.charts.match.ChartedMatches
-import badlog.charts.match.LEAST_MATCHES
+import badlog.charts.match.MIN_MATCHES
 import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
 import org.jetbrains.letsPlot.geom.geomErrorBar
@@ -73,14 +73,14 @@ private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: 
         .map { PointLabel(known[it].place.toDouble(), values[it], known[it].label) }
 }
 
-internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
+internal fun trendOf(matches: ChartedMatches, trend: Trend): ChartResult {
     val known = matches.all.filter { trend.number(it.numbers).isFinite() }
-    if (known.size < LEAST_MATCHES) return lacking(trend.texts, trend.what, known.size)
+    if (known.size < MIN_MATCHES) return lacking(trend.texts, trend.what, known.size)
     val values = known.map { trend.number(it.numbers) }
     val middle = Quartiles.of(values)
     val limit = trend.limit?.takeIf { it.isShownWith(values, trend.isWorseBelow) }
     val ends = known.flatMap { trend.ends(it.numbers) }
-    val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + ends + listOfNotNull(limit?.value), least = 0.0))
+    val area = PlotArea(matchRange(matches.all), PlotArea.paddedRange(values + ends + listOfNotNull(limit?.value), least = 0.0))
     val bars = if (ends.isEmpty()) null else "bars: 95 % uncertainty"
     val reading = listOfNotNull("band: the middle half", "dashed: the median", bars, limit?.reading).joinToString(" · ")
     val data = mapOf("x" to known.map { it.place }, "y" to values)
@@ -96,7 +96,7 @@ internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
         }
     val points = known.indices.map { known[it].place.toDouble() to values[it] }
     val labeled = plot.withLabels(outliersOf(known, values, middle, trend.isWorseBelow), points, area, isBelow = trend.isWorseBelow)
-    return MadeChart(Chart(trend.texts, reading, labeled + matchAxis(matches.all) + area.yScale()))
+    return ChartResult(Chart(trend.texts, reading, labeled + matchAxis(matches.all) + area.yScale()))
 }
 
 /** Returns the ends of the number's uncertainty in [numbers]; nothing if it has none. */

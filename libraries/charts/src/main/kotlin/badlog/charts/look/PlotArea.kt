@@ -38,12 +38,12 @@ internal class PlotArea(val x: ClosedFloatingPointRange<Double>, val y: ClosedFl
         private val NOTHING = listOf(0, 0)
 
         /** The space between the data and each end of an axis, as a share of the data's range. */
-        private const val ROOM = 0.1
+        private const val PADDING = 0.1
 
         /** Returns the ends of an axis for [values]; it begins at [least] or above, unless a value is below. */
-        fun roomFor(values: List<Double>, least: Double = Double.NEGATIVE_INFINITY): ClosedFloatingPointRange<Double> {
+        fun paddedRange(values: List<Double>, least: Double = Double.NEGATIVE_INFINITY): ClosedFloatingPointRange<Double> {
             val (from, to) = values.min() to values.max()
-            val room = if (to > from) (to - from) * ROOM else maxOf(abs(to) * ROOM, ROOM)
+            val room = if (to > from) (to - from) * PADDING else maxOf(abs(to) * PADDING, PADDING)
             val begin = if (from >= least) maxOf(from - room, least) else from - room
             return begin..to + room
         }

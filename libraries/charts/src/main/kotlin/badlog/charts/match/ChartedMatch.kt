@@ -26,8 +26,8 @@ internal class ChartedMatches(val all: List<ChartedMatch>, val event: String, va
  */
 internal fun matchesOf(logs: List<ChartedLog>): ChartedMatches {
     val measured = logs.filter { it.numbers.keys.isNotEmpty() || it.numbers.distributions.isNotEmpty() }
-    val played = measured.filter { it.numbers.kind == MatchKind.MATCH }.takeIf { it.size >= LEAST_MATCHES } ?: measured
-    val ordered = played.sortedWith(PLAY)
+    val played = measured.filter { it.numbers.kind == MatchKind.MATCH }.takeIf { it.size >= MIN_MATCHES } ?: measured
+    val ordered = played.sortedWith(PLAYING_ORDER)
     // Logs of an unknown event may be of another one.
     val events = ordered.map { it.match.event?.trim().orEmpty() }.distinctBy { it.lowercase() }
     val labels = labelsOf(ordered)
@@ -36,10 +36,10 @@ internal fun matchesOf(logs: List<ChartedLog>): ChartedMatches {
 }
 
 /** The smallest number of matches for a chart; fewer are clearer as numbers. */
-internal const val LEAST_MATCHES = 3
+internal const val MIN_MATCHES = 3
 
 /** By time; matches of unknown time come last, by round and number. */
-private val PLAY = compareBy<ChartedLog> { it.began ?: Long.MAX_VALUE }
+private val PLAYING_ORDER = compareBy<ChartedLog> { it.began ?: Long.MAX_VALUE }
     .thenBy { if (it.match.number == null) Int.MAX_VALUE else roundOf(it) }
     .thenBy(NaturalOrder) { it.match.number.orEmpty() }
     .thenBy(NaturalOrder) { it.file }

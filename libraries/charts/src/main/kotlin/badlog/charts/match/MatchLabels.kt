@@ -22,9 +22,10 @@ private fun numberOf(log: ChartedLog) = log.match.number?.let { plainText(it, MA
 
 private fun shortName(log: ChartedLog, hasDay: Boolean): String {
     val number = numberOf(log)
-    if (number.isNotEmpty()) return (typeOf(log)?.letters ?: "M") + number
+    if (number.isNotEmpty()) return (typeOf(log)?.prefix ?: "M") + number
     // Names of logs without a match differ mostly in the time, and are too long for an axis.
-    return log.began?.let { timeText(it, hasDay) } ?: middleCut(plainText(log.file.substringBefore('.'), MAX_FILE)).ifEmpty { "log" }
+    return log.began?.let { timeText(it, hasDay) }
+        ?: shortenedInMiddle(plainText(log.file.substringBefore('.'), MAX_FILE)).ifEmpty { "log" }
 }
 
 /** Returns the time of [second] as `12:34`, or, with its day, as `16 Mar, 12:34`. */
@@ -34,7 +35,7 @@ private fun timeText(second: Long, hasDay: Boolean): String {
 }
 
 /** Returns [name], shortened in the middle if it is too long, because names of logs differ at their end. */
-private fun middleCut(name: String): String =
+private fun shortenedInMiddle(name: String): String =
     if (name.length <= MAX_LABEL) name else name.take(BEGIN_OF_NAME).trim() + "…" + name.takeLast(MAX_LABEL - BEGIN_OF_NAME - 1).trim()
 
 /**
@@ -47,7 +48,7 @@ internal fun plainText(text: String, max: Int): String {
 }
 
 /** The prefix that The Blue Alliance and teams use for matches of this type. Practice is not P, because P1 could also be a playoff. */
-private val MatchType.letters: String
+private val MatchType.prefix: String
     get() = when (this) {
         MatchType.PRACTICE -> "Pr"
         MatchType.TEST -> "T"
