@@ -15,9 +15,9 @@ import java.nio.file.Path
  *
  * @property problems the reasons why files are not used, as sentences.
  */
-class FolderBatteries private constructor(private val byFolder: Map<Path, Written>, val problems: List<String>) {
+class FolderBatteries private constructor(private val byFolder: Map<Path, BatteriesOfFolder>, val problems: List<String>) {
     /** The content of a file in [folder]. */
-    private class Written(val folder: Path, val batteries: TeamBatteries)
+    private class BatteriesOfFolder(val folder: Path, val batteries: TeamBatteries)
 
     /** All batteries, each once. */
     val batteries: List<TeamBattery> get() = byFolder.values.flatMap { it.batteries.batteries }.distinctBy { it.name.lowercase() }
@@ -35,14 +35,14 @@ class FolderBatteries private constructor(private val byFolder: Map<Path, Writte
         /** Returns the records for [logs], up to the folder [top]; null means only the logs' own folders. */
         fun of(logs: Collection<Path>, top: Path?): FolderBatteries {
             val problems = LinkedHashSet<String>()
-            val read = HashMap<Path, Written?>()
-            val byFolder = HashMap<Path, Written>()
+            val read = HashMap<Path, BatteriesOfFolder?>()
+            val byFolder = HashMap<Path, BatteriesOfFolder>()
             for (folder in logs.mapTo(LinkedHashSet(), ::folderOf)) {
                 val file = nearestTo(folder.resolve(BatteriesFile.NAME), top) { "" }.file ?: continue
                 val written = read.getOrPut(file) {
                     val nearest = nearestTo(file, null, BatteriesFile::parse)
                     nearest.problem?.let { problems += "$file is not used: $it" }
-                    nearest.found?.let { Written(folderOf(file), it) }
+                    nearest.found?.let { BatteriesOfFolder(folderOf(file), it) }
                 }
                 if (written != null) byFolder[folder] = written
             }

@@ -79,7 +79,7 @@ class LogReading(private val store: FolderStore) {
     private fun examined(file: LogFile, log: LogContent.Log, checkpoint: () -> Unit): LogFound {
         val rules = store.rulesFor(file.path)
         return orNotRead(file.path, { LogFound(rules.key, null) }) {
-            val examined = unhurried { rules.examination.of(log, file.name, checkpoint) }.result
+            val examined = atLowPriority { rules.examination.of(log, file.name, checkpoint) }.result
             rules.results?.set(file, examined)
             rules.foundIn(examined)
         }
@@ -105,7 +105,7 @@ class LogReading(private val store: FolderStore) {
 }
 
 /** Does [work] with low priority. */
-private inline fun <T> unhurried(work: () -> T): T {
+private inline fun <T> atLowPriority(work: () -> T): T {
     val thread = Thread.currentThread()
     val before = thread.priority
     thread.priority = Thread.MIN_PRIORITY

@@ -38,7 +38,7 @@ class ResultCache<R : Any>(
 ) {
     private val asked = "$VERSION\n$question"
     private val file = asked.encodeToByteArray().let { folder.resolve("$PREFIX${checkOf(it).toString(HEX)}-${it.size}$SUFFIX") }
-    private val serializer = Kept.serializer(results)
+    private val serializer = StoredResults.serializer(results)
     private val known = LinkedHashMap<String, Entry<R>>()
 
     /** The results found by this program; another program may have updated the others meanwhile. */
@@ -51,7 +51,7 @@ class ResultCache<R : Any>(
 
     // Two questions may have files with the same name.
     @Serializable
-    private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
+    private class StoredResults<R>(val asked: String, val entries: List<Entry<R>>)
 
     /** Fast, because all results of a folder are written every few seconds while it is read. */
     private class FastGzip(out: OutputStream) : GZIPOutputStream(out) {
@@ -100,7 +100,7 @@ class ResultCache<R : Any>(
         while (known.size > MAX_FILES) known.remove(known.keys.first())
         try {
             Files.createDirectories(folder)
-            val body = ProtoBuf.encodeToByteArray(serializer, Kept(asked, known.values.toList()))
+            val body = ProtoBuf.encodeToByteArray(serializer, StoredResults(asked, known.values.toList()))
             val draft = Files.createTempFile(folder, PREFIX, ".draft")
             try {
                 FastGzip(Files.newOutputStream(draft)).use { it.write(body) }

@@ -27,7 +27,7 @@ fun newChange(
 ): TodoChange {
     // Older logs are of another event with the same match numbers.
     val recent = last?.takeIf { now - it.second <= LONGEST_REST }
-    val before = known.filter { competes(it.subject, subject) }.maxOfOrNull { it.time }
+    val before = known.filter { supersedes(it.subject, subject) }.maxOfOrNull { it.time }
     return TodoChange(
         UUID.randomUUID().toString(),
         changeTime(before),
@@ -40,7 +40,7 @@ fun newChange(
 }
 
 /** Returns whether only the later of two changes of [one] and [other] may count. */
-private fun competes(one: TodoSubject, other: TodoSubject): Boolean = when (other) {
+private fun supersedes(one: TodoSubject, other: TodoSubject): Boolean = when (other) {
     // Ticks made before the match had a name belong to it.
     is NextMatch -> one is NextMatch || one is Check
 
