@@ -55,14 +55,14 @@ class SeasonSpec : FunSpec({
     }
 
     test("one outlier among the matches changes nothing for the others") {
-        val crazy = season[0].keys.map { it.topic }.distinct().fold(viewOf(501).recording) { recording, name ->
+        val withOutlier = season[0].keys.map { it.topic }.distinct().fold(viewOf(501).recording) { recording, name ->
             recording.copy(
                 topics = recording.topics.map { topic ->
                     if (topic.name == name) topic.copy(samples = DoubleArray(topic.samples.size) { topic.samples[it] * 50 }) else topic
                 },
             )
         }
-        val found = findingsOf(season.take(10) + numbersOf(LogView.of(crazy)) + season.drop(10))
+        val found = findingsOf(season.take(10) + numbersOf(LogView.of(withOutlier)) + season.drop(10))
         found.filterIndexed { place, _ -> place != 10 }.flatten().shouldBeEmpty()
     }
 

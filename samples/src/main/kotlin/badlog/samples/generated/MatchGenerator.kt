@@ -7,9 +7,9 @@ import badlog.samples.generated.fault.Naming
 import badlog.samples.generated.fault.STRENGTHS
 import badlog.samples.generated.fault.Visibility
 import badlog.samples.generated.log.BagRecorder
+import badlog.samples.generated.log.LogOrigin
 import badlog.samples.generated.log.LoggedTopic
 import badlog.samples.generated.log.Recorder
-import badlog.samples.generated.log.Wording
 import badlog.samples.generated.log.WpilogRecorder
 import badlog.samples.generated.log.advantageKitTopics
 import badlog.samples.generated.log.badlogTopics
@@ -81,11 +81,11 @@ class MatchGenerator(private val seed: Long) {
         }
 
         /** Returns [match], a log of WPILib's logger, as a 2027 robot would log it: with the same samples in the 2027 format. */
-        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Wording.ROBOT_OF_2027)
+        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), LogOrigin.ROBOT_OF_2027)
 
         /** Returns the log of the 2027 Driver Station for [match], a log of WPILib's logger. */
         fun stationIn2027(match: GeneratedMatch): GeneratedMatch =
-            generated("FIRST_DS_${match.name}", planOf(match), Wording.STATION_OF_2027)
+            generated("FIRST_DS_${match.name}", planOf(match), LogOrigin.STATION_OF_2027)
 
         private fun planOf(match: GeneratedMatch): RobotPlan {
             require(match.naming == Naming.WPILIB) {
@@ -97,15 +97,15 @@ class MatchGenerator(private val seed: Long) {
     }
 }
 
-private fun generated(name: String, plan: RobotPlan, wording: Wording = Wording.AS_NAMED): GeneratedMatch {
+private fun generated(name: String, plan: RobotPlan, origin: LogOrigin = LogOrigin.AS_NAMED): GeneratedMatch {
     val run = MatchRun(plan)
-    val topics = when (wording) {
-        Wording.AS_NAMED -> topicsOf(run)
-        Wording.ROBOT_OF_2027 -> robotTopicsOf2027(run)
-        Wording.STATION_OF_2027 -> stationTopicsOf2027(run)
+    val topics = when (origin) {
+        LogOrigin.AS_NAMED -> topicsOf(run)
+        LogOrigin.ROBOT_OF_2027 -> robotTopicsOf2027(run)
+        LogOrigin.STATION_OF_2027 -> stationTopicsOf2027(run)
     }
     // A WPILOG's clock starts when the robot is switched on.
-    val boot = wording.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
+    val boot = origin.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
     val recorder = recorderOf(run, topics, boot)
     run.run(object : MatchObserver {
         override fun looped(time: Double) = recorder.loop(time)
@@ -152,8 +152,8 @@ private fun recorderOf(run: MatchRun, topics: List<LoggedTopic>, boot: Double): 
 }
 
 private fun evidenceOf(planting: Planting, topics: List<LoggedTopic>): List<String> = topics.filter { topic ->
-    val isItsPart = topic.part.isEmpty() || planting.part.isEmpty() || topic.part == planting.part
-    topic.signal in planting.fault.shownBy && isItsPart
+    val isFaultyPart = topic.part.isEmpty() || planting.part.isEmpty() || topic.part == planting.part
+    topic.signal in planting.fault.shownBy && isFaultyPart
 }.map { it.name }
 
 /** Returns [seconds] with three decimals. */

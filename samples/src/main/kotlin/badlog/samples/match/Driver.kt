@@ -46,7 +46,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
             pieceAfter = 0.7 + noise.unit() * 0.8
         }
         loopSeconds = seconds
-        wish(order.task, drivetrain)
+        setTargets(order.task, drivetrain)
         if (!enabled) {
             throttle = 0.0
             turn = 0.0
@@ -63,7 +63,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
         )
     }
 
-    private fun wish(task: Task, drivetrain: Drivetrain) = when (task) {
+    private fun setTargets(task: Task, drivetrain: Drivetrain) = when (task) {
         Task.Wait -> hold(0.0, 0.0)
 
         Task.Creep -> hold(0.2, 0.0)

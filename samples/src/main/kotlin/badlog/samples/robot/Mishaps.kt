@@ -34,16 +34,17 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
         all.firstNotNullOfOrNull { lead -> (lead as? Mishap.LooseLead)?.takeIf { time >= it.at && time < it.at + it.seconds } }?.ohms ?: 0.0
 
     /** Returns the program's reports of mishaps noticed between [from] and [until]. */
-    fun reportsBetween(from: Double, until: Double): List<String> = all.filter { it.saidAt >= from && it.saidAt < until }.map { it.report }
+    fun reportsBetween(from: Double, until: Double): List<String> =
+        all.filter { it.reportedAt >= from && it.reportedAt < until }.map { it.report }
 }
 
 /**
  * A mishap that starts at second [at].
  *
- * @property saidAt the time at which the robot's program reports it, in s.
+ * @property reportedAt the time at which the robot's program reports it, in s.
  * @property report the program's text in the event log; may be empty.
  */
-sealed class Mishap(val at: Double, val saidAt: Double, val report: String) {
+sealed class Mishap(val at: Double, val reportedAt: Double, val report: String) {
     class Stall(at: Double, val seconds: Double, report: String) : Mishap(at, at + seconds, report)
 
     /** A mechanism's motor controller is silent on the bus. */

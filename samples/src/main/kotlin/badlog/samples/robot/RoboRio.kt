@@ -19,7 +19,7 @@ class RoboRio(private val noise: Noise) {
         private set
 
     /** Cuts all outputs below [BROWNOUT_VOLTS], until the battery has recovered. */
-    fun guard(volts: Double, seconds: Double) {
+    fun checkBrownout(volts: Double, seconds: Double) {
         batteryVolts = volts + noise.around(0.012)
         brownoutSeconds = if (isBrownedOut) brownoutSeconds + seconds else 0.0
         if (batteryVolts < BROWNOUT_VOLTS) {

@@ -25,7 +25,7 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
     fun control(time: Double, seconds: Double, mode: Mode, sticks: Sticks) {
         this.mode = mode
         val canIsCut = mishaps.canIsCut(time)
-        roboRio.guard(battery.volts, seconds)
+        roboRio.checkBrownout(battery.volts, seconds)
         roboRio.work(mode != Mode.DISABLED, mishaps.stallSeconds(time), mishaps.canIsSilent(time) || canIsCut, canIsCut)
         if (!canIsCut) power.measure(battery.volts)
         camera.look(drivetrain, seconds, mishaps.stallSeconds(time))

@@ -20,7 +20,7 @@ import kotlin.math.abs
 private val GENERATOR = MatchGenerator(2026)
 
 /** Returns a topic's difference between [from] and [until], as a share of its range in the match without the fault; texts differ by 1. */
-private fun difference(one: Held, other: Held, from: Double, until: Double): Double {
+private fun difference(one: HeldSamples, other: HeldSamples, from: Double, until: Double): Double {
     var sum = 0.0
     var count = 0
     var least = Double.POSITIVE_INFINITY
@@ -43,7 +43,7 @@ private fun difference(one: Held, other: Held, from: Double, until: Double): Dou
 }
 
 /** Returns a contradiction between the faulty [match] and the table of faults; null if there is none. */
-private fun mistakeOf(match: GeneratedMatch): String? {
+private fun contradictionIn(match: GeneratedMatch): String? {
     val fault = checkNotNull(match.fault)
     val start = checkNotNull(match.start)
     val isSeen = fault.sightIn(match.naming).visibility != Visibility.NOTHING
@@ -51,7 +51,7 @@ private fun mistakeOf(match: GeneratedMatch): String? {
     val with = recordingOf(match)
     val without = recordingOf(MatchGenerator.withoutFault(match))
     val others = without.topics.associateBy { it.name }
-    fun changeOf(topic: Topic, from: Double, until: Double) = others[topic.name]?.let { difference(Held(with, topic), Held(without, it), from, until) } ?: 1.0
+    fun changeOf(topic: Topic, from: Double, until: Double) = others[topic.name]?.let { difference(HeldSamples(with, topic), HeldSamples(without, it), from, until) } ?: 1.0
     // Heat and a hard pull precede their effects.
     val quiet = if (fault.id == "hot-motor") 0.0 else start - 7
     with.topics.find { it.name in others && changeOf(it, 0.0, quiet) != 0.0 }?.let { return "“${it.name}” differs before the fault starts" }
@@ -98,7 +98,7 @@ class MatchGeneratorSpec : FunSpec({
         }
 
         test("each fault changes, in logs of ${naming.id}, a topic that is to show it, and nothing before it starts") {
-            FAULTS.mapNotNull { fault -> mistakeOf(GENERATOR.faulty(naming, fault, 1.0))?.let { "$fault: $it" } }.shouldBeEmpty()
+            FAULTS.mapNotNull { fault -> contradictionIn(GENERATOR.faulty(naming, fault, 1.0))?.let { "$fault: $it" } }.shouldBeEmpty()
         }
     }
 

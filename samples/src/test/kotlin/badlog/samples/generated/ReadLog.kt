@@ -15,7 +15,7 @@ internal fun recordingOf(match: GeneratedMatch): Recording = RecordingParser(LOG
 internal fun timesOf(recording: Recording, topic: Topic): DoubleArray = topic.times ?: recording.topics.first { "xaxis" in it.attributes }.samples
 
 /** The samples of [topic], held in between, to compare a match with the same match without its fault. */
-internal class Held(recording: Recording, topic: Topic) {
+internal class HeldSamples(recording: Recording, topic: Topic) {
     private val times = timesOf(recording, topic)
     private val texts = topic.texts
     private val samples = topic.samples

@@ -4,7 +4,7 @@ import badlog.samples.generated.robot.Drive
 import badlog.samples.generated.robot.MatchRun
 
 /** Returns the console's output since the last loop; null if there is none. */
-internal fun takenText(run: MatchRun): String? {
+internal fun consoleText(run: MatchRun): String? {
     val console = run.robot.console
     return if (console.hasText) console.taken().joinToString("\n") else null
 }

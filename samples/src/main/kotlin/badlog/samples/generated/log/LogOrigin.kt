@@ -8,7 +8,7 @@ import badlog.samples.generated.robot.Phase
  *
  * @property clockSeconds the offset of its clock in s from a 2026 robot's, which starts with the program.
  */
-internal enum class Wording(val clockSeconds: Double) {
+internal enum class LogOrigin(val clockSeconds: Double) {
     /** The naming of the match; for WPILib's logger, a 2026 robot. */
     AS_NAMED(0.0),
 

@@ -13,7 +13,7 @@ private const val BOARD = "NT:/SmartDashboard"
 internal fun wpilibTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply {
     val robot = run.robot
     station(run)
-    add("messages", ValueType.Text, Signal.CONSOLE) { takenText(run) }
+    add("messages", ValueType.Text, Signal.CONSOLE) { consoleText(run) }
     power(robot)
     drive(robot)
     robot.camera?.let { camera ->

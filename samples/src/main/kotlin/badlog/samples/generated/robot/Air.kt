@@ -42,7 +42,7 @@ internal class Air(private val chance: Chance, startPressure: Double) {
         pressure -= dt * leak * pressure / 110
     }
 
-    fun sense() {
-        measured = kotlin.math.round((pressure + chance.around0(0.35)) * 4) / 4
+    fun updateSensor() {
+        measured = kotlin.math.round((pressure + chance.normal(0.35)) * 4) / 4
     }
 }

@@ -71,8 +71,8 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
         if (speed > 0) slipped += encoderSlip * speed * dt
     }
 
-    fun sense() {
-        val noise = chance.around0(0.0004)
+    fun updateSensor() {
+        val noise = chance.normal(0.0004)
         measured = if (isEncoderConnected) round((angle - slipped + noise) / STEP) * STEP else DEAD
     }
 

@@ -46,20 +46,20 @@ internal class Computer(private val chance: Chance, hasVision: Boolean) {
     fun loop(time: Double, hasNewFrame: Boolean, isEnabled: Boolean) {
         cycleMillis = (time - lastStart) * 1000
         lastStart = time
-        val total = (usualLoad + otherLoad + (if (isEnabled) 0.08 else 0.0) + chance.around0(0.025)).coerceIn(0.05, 1.0)
+        val total = (usualLoad + otherLoad + (if (isEnabled) 0.08 else 0.0) + chance.normal(0.025)).coerceIn(0.05, 1.0)
         load += (total - load) * 0.1
         // Waiting for the processor extends all parts of a loop.
         val waiting = 1 / (1.04 - (total).coerceAtMost(0.99)).coerceAtLeast(0.25)
         val hiccup = if (chance.isIn(0.0012)) chance.between(8.0, 22.0) else 0.0
-        val noise = chance.around0(0.5)
+        val noise = chance.normal(0.5)
         collectionMillis = pendingPause + if (chance.isIn(0.004)) chance.between(2.0, 7.0) else 0.0
         pendingPause = 0.0
         visionPart = visionMillis * waiting / 2 + if (hasNewFrame) cameraMillis else 0.0
-        val crowd = if (otherLoad > 0) max(0.0, chance.around0(1.0) + 0.6) * otherLoad * 22 else 0.0
+        val crowd = if (otherLoad > 0) max(0.0, chance.normal(1.0) + 0.6) * otherLoad * 22 else 0.0
         userMillis = max(1.5, usual * waiting / 1.9 + noise + hiccup + visionPart + collectionMillis + crowd)
         temperature += (44 + 16 * load - temperature) * 0.0004
         scheduled += PERIOD
-        nextLoop = max(scheduled + max(0.0, chance.around0(0.00012)), time + userMillis / 1000)
+        nextLoop = max(scheduled + max(0.0, chance.normal(0.00012)), time + userMillis / 1000)
         // A few late loops are made up for immediately, but not many.
         if (nextLoop - scheduled > 3 * PERIOD) scheduled = nextLoop
     }

@@ -49,7 +49,7 @@ internal class Device(val motor: Motor, private val chance: Chance, private val 
     fun sendFrame(volts: Double, lost: Double) {
         // Always drawn, so that a fault does not shift the noise.
         val luck = chance.between(0.0, 1.0)
-        val noise = chance.around0(1.0)
+        val noise = chance.normal(1.0)
         if (!isConnected || luck < lost) return
         frames++
         position = round(motor.position / (2 * PI) * encoder) / encoder

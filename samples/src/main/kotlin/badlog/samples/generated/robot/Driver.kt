@@ -35,7 +35,7 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
 
     /** The driver's use of power as a multiple of the usual one. */
     var push = 1.0
-    private var learned = 0.0
+    private var headingCorrection = 0.0
 
     val errand: Errand get() = errands[at]
 
@@ -80,8 +80,8 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
         val braking = if (plan.hardship == Hardship.HARD_BRAKING) 2.6 else 1.3
         val share = minOf(goal.share * push, braking * distance / drive.topSpeed, 1.0)
         // Drivers hold a stick still only roughly.
-        val shake = chance.around0(0.012)
-        val shake2 = chance.around0(0.012)
+        val shake = chance.normal(0.012)
+        val shake2 = chance.normal(0.012)
         if (drive.isSwerve) holonomic(dx, dy, share, goal, drive, measuredHeading, dt) else arcade(dx, dy, distance, share, goal, drive, dt)
         forward = stick(forward + if (share > 0.05) shake else 0.0)
         left = stick(left + if (share > 0.05) shake2 else 0.0)
@@ -90,8 +90,8 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
 
     private fun holonomic(dx: Double, dy: Double, share: Double, goal: Errand, drive: Drive, measuredHeading: Double, dt: Double) {
         // A driver notices within seconds that the robot drifts to one side, and corrects it.
-        learned += wrapped(wrapped(measuredHeading - drive.heading) - learned) * dt / 3
-        val direction = atan2(dy, dx) + learned
+        headingCorrection += wrapped(wrapped(measuredHeading - drive.heading) - headingCorrection) * dt / 3
+        val direction = atan2(dy, dx) + headingCorrection
         forward = slewed(forward, share * cos(direction), dt)
         left = slewed(left, share * sin(direction), dt)
         turn = slewed(turn, (wrapped(goal.heading - drive.heading) * 0.45).coerceIn(-0.6, 0.6), dt)

@@ -61,7 +61,7 @@ internal class MatchRun(val plan: RobotPlan) {
         val count = if (plan.hardship == Hardship.COLLISIONS) 22 else 3 + chance.below(4)
         val hardest = if (plan.hardship == Hardship.COLLISIONS) 0.9 else 0.6
         return List(count) {
-            Hit(chance.between(17.5, Driver.END), chance.between(0.25, hardest), chance.around0(1.2))
+            Hit(chance.between(17.5, Driver.END), chance.between(0.25, hardest), chance.normal(1.2))
         }.sortedBy { it.time }
     }
 
@@ -132,7 +132,7 @@ internal class MatchRun(val plan: RobotPlan) {
             val steer = wheel.steer ?: continue
             wheel.measuredAngle = steer.position * 2 * PI / steer.motor.gear
         }
-        robot.arm?.sense()
+        robot.arm?.updateSensor()
         observer.framed(time)
     }
 
@@ -143,7 +143,7 @@ internal class MatchRun(val plan: RobotPlan) {
         robot.bus.loop()
         robot.air?.let {
             it.step(isEnabled, robot.battery.volts, computer.cycleMillis / 1000)
-            it.sense()
+            it.updateSensor()
         }
         robot.measure()
         val seconds = computer.cycleMillis / 1000

@@ -25,7 +25,7 @@ internal class Mechanisms(private val robot: Robot) {
         val isSoon = errand.action == Action.TRAVEL && rest < 2.0 && !isTowardPiece(errand)
         robot.shooter?.setpoint = if (isSoon || errand.action == Action.SCORE) SHOOTER_RPM else IDLE_RPM
         robot.intake?.control(errand.action == Action.INTAKE)
-        happenings(time, errand, rest)
+        handlePiecesAndShots(time, errand, rest)
     }
 
     private fun isTowardPiece(errand: Errand) = errand.x < 5
@@ -39,7 +39,7 @@ internal class Mechanisms(private val robot: Robot) {
         pieceDone = false
     }
 
-    private fun happenings(time: Double, errand: Errand, rest: Double) {
+    private fun handlePiecesAndShots(time: Double, errand: Errand, rest: Double) {
         val intake = robot.intake
         if (intake != null && errand.action == Action.INTAKE && !pieceDone && time - robot.driver.errandStart > 0.5) {
             pieceDone = true

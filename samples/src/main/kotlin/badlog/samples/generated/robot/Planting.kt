@@ -34,7 +34,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
         "can-dropout" -> intermittent(0.5..3.0)
         else -> null
     }
-    private val bursts = Stretches.of(chance, start, 160.0, 0.035, 0.03..0.25)
+    private val bursts = Episodes.of(chance, start, 160.0, 0.035, 0.03..0.25)
     private var nextEvent = start
     private var isDone = false
     private var wasHit = false
@@ -50,7 +50,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
     }
 
     private fun intermittent(lengths: ClosedFloatingPointRange<Double>) =
-        if (strength >= 1) Stretches.of(chance, start, 1e6, 1.0, 1e6..1e6) else Stretches.of(chance, start, 160.0, strength, lengths)
+        if (strength >= 1) Episodes.of(chance, start, 1e6, 1.0, 1e6..1e6) else Episodes.of(chance, start, 160.0, strength, lengths)
 
     private fun mix(faint: Double, clear: Double) = faint + (clear - faint) * (strength - 0.3) / 0.7
 

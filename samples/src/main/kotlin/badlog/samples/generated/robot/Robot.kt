@@ -153,11 +153,11 @@ internal class Robot(val plan: RobotPlan) {
         air?.let { channels[COMPRESSOR_CHANNEL] = rounded(it.current) }
         channels[STANDBY_CHANNEL] = rounded(standby)
         totalCurrent = channels.sum()
-        measuredVolts = kotlin.math.round((battery.volts + meter.around0(0.012)) / VOLT_STEP) * VOLT_STEP
+        measuredVolts = kotlin.math.round((battery.volts + meter.normal(0.012)) / VOLT_STEP) * VOLT_STEP
     }
 
     private fun rounded(amperes: Double): Double {
-        val noise = meter.around0(0.15)
+        val noise = meter.normal(0.15)
         return if (amperes < 0.2) 0.0 else maxOf(0.0, kotlin.math.round((amperes + noise) / channelStep) * channelStep)
     }
 
@@ -195,7 +195,7 @@ internal class CanBus(private val chance: Chance) {
 
     fun loop() {
         val target = if (overload > 0) overload else usual
-        utilization = (target + chance.around0(0.012)).coerceIn(0.0, 1.0)
+        utilization = (target + chance.normal(0.012)).coerceIn(0.0, 1.0)
         val luck = chance.between(0.0, 1.0)
         hasTimeout = luck < lost * 0.4
         if (luck < lost * 0.5) receiveErrors++

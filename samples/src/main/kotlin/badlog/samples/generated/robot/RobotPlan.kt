@@ -47,8 +47,8 @@ internal data class RobotPlan(
         fun of(seed: Long, naming: Naming, fault: Fault?, strength: Double, hardship: Hardship): RobotPlan {
             val chance = Chance(seed, "plan")
             val needs = fault?.needs.orEmpty()
-            val likesSwerve = chance.isIn(if (naming == Naming.BADLOG) 0.25 else 0.7)
-            val isSwerve = Need.SWERVE in needs || (Need.TANK !in needs && likesSwerve)
+            val prefersSwerve = chance.isIn(if (naming == Naming.BADLOG) 0.25 else 0.7)
+            val isSwerve = Need.SWERVE in needs || (Need.TANK !in needs && prefersSwerve)
             val parts = linkedSetOf(if (isSwerve) Need.SWERVE else Need.TANK)
             for (part in MECHANISMS) if (chance.isIn(0.55) || part in needs) parts += part
             if (parts.size < 3) parts += listOf(Need.SHOOTER, Need.INTAKE)

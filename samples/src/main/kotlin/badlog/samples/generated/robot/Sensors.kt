@@ -6,7 +6,7 @@ import kotlin.math.sin
 
 /** A gyro that measures the heading, in rad. */
 internal class Gyro(private val chance: Chance) {
-    private val usualDrift = chance.around0(0.005) * PI / 180
+    private val usualDrift = chance.normal(0.005) * PI / 180
 
     /** The drift, in rad/s. */
     var drift = 0.0
@@ -30,9 +30,9 @@ internal class Gyro(private val chance: Chance) {
 
     fun step(drive: Drive, dt: Double) {
         error += (usualDrift + drift) * dt
-        yaw = drive.heading + error + chance.around0(0.0002)
-        rate = drive.omega + usualDrift + drift + chance.around0(0.002)
-        acceleration = drive.acceleration + chance.around0(0.12)
+        yaw = drive.heading + error + chance.normal(0.0002)
+        rate = drive.omega + usualDrift + drift + chance.normal(0.002)
+        acceleration = drive.acceleration + chance.normal(0.12)
     }
 }
 
@@ -60,9 +60,9 @@ internal class Camera(private val chance: Chance) {
         nextTime = time + 1 / 15.0
         if (chance.isIn(0.03)) sees = !sees || chance.isIn(0.4)
         val direction = chance.between(-PI, PI)
-        val noise = chance.around0(0.018)
-        val noise2 = chance.around0(0.018)
-        val turned = chance.around0(0.008)
+        val noise = chance.normal(0.018)
+        val noise2 = chance.normal(0.018)
+        val turned = chance.normal(0.008)
         if (!sees && nextError == 0.0) return false
         x = drive.x + noise + nextError * cos(direction)
         y = drive.y + noise2 + nextError * sin(direction)
