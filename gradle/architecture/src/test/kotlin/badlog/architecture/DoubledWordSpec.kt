@@ -33,7 +33,7 @@ private fun commentsIn(code: String) = COMMENT.findAll(code).joinToString("\n.\n
 
 private fun proseIn(guide: String) = guide.replace(CODE, "`").replace("\n\n", "\n.\n")
 
-private fun doubledIn(text: String) = DOUBLED.findAll(text).map { it.value.replace(Regex("\\s+"), " ") }.filterNot { it in MEANT }.toList()
+private fun doubledIn(text: String) = DOUBLED.findAll(text).map { it.value.replace(Regex("\\s+"), " ") }.filterNot { it in CORRECT_REPEATS }.toList()
 
 /** Repeated words that are correct English. */
-private val MEANT = setOf("that that", "had had")
+private val CORRECT_REPEATS = setOf("that that", "had had")

@@ -12,7 +12,7 @@ class TestRoundsSpec : FunSpec({
     test("no test sleeps or measures time, but for those that still have to be mended") {
         val timed = tests.filter { TIME.containsMatchIn(File(ROOT, it).readText()) && "/measure/" !in it }.map { it.substringAfterLast('/') }
         // Remove a file from the list when its test no longer needs time.
-        timed.sorted() shouldContainExactly (MAY + STILL_TIMED).sorted()
+        timed.sorted() shouldContainExactly (MAY_USE_TIME + STILL_USE_TIME).sorted()
     }
 
     test("a tag is the name of a round, so that no spec is in none") {
@@ -26,9 +26,9 @@ private val TIME = Regex("""Thread\.sleep|\bdelay\(|nanoTime|currentTimeMillis|m
 private val TAG = Regex("""@Tags\(([^)]*)\)""")
 
 /** The function that waits for all tests, and a real double click. */
-private val MAY = listOf("Eventually.kt", "RealWindow.kt")
+private val MAY_USE_TIME = listOf("Eventually.kt", "RealWindow.kt")
 
-private val STILL_TIMED = listOf(
+private val STILL_USE_TIME = listOf(
     "KilledWorkerSpec.kt",
     "LocalCluster.kt",
     "VendordepProof.kt",

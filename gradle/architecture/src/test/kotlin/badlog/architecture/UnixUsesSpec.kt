@@ -9,7 +9,7 @@ import java.io.File
 class UnixUsesSpec : FunSpec({
     test("tests and builds use what only Unix has behind a guard") {
         val tests = sourcesUnder(ROOT).filter { it.isTest || it.path.startsWith("benchmarks/") }.map { it.path }
-        val builds = ROOT.walk().onEnter { it == ROOT || (it.name !in PASSED_OVER && !it.name.startsWith('.')) }
+        val builds = ROOT.walk().onEnter { it == ROOT || (it.name !in SKIPPED_FOLDERS && !it.name.startsWith('.')) }
             .filter { it.extension == "gradle" }.map { it.relativeTo(ROOT).invariantSeparatorsPath }
         (tests + builds).filterNot { it.endsWith("UnixUsesSpec.kt") }
             .flatMap { path -> unguarded(File(ROOT, path).readText()).map { "$path: $it" } }.shouldBeEmpty()
@@ -27,7 +27,7 @@ class UnixUsesSpec : FunSpec({
 })
 
 private val ROOT = File("../..").canonicalFile
-private val PASSED_OVER = setOf("build", "node_modules")
+private val SKIPPED_FOLDERS = setOf("build", "node_modules")
 
 /** Permissions, devices, programs and signals of Unix, and links, which on Windows need an administrator. */
 private val USE = Regex(

@@ -18,7 +18,7 @@ import java.nio.file.Path
 /** The sizes of the pieces in which bytes arrive: all at once, and pieces that end inside most structures. */
 private val PIECES = listOf(Int.MAX_VALUE, 7, 61)
 
-private fun arrive(parser: LogParser, bytes: ByteArray, piece: Int): Recording {
+private fun parseInPieces(parser: LogParser, bytes: ByteArray, piece: Int): Recording {
     var at = 0
     while (at < bytes.size) {
         val until = if (piece > bytes.size - at) bytes.size else at + piece
@@ -30,7 +30,7 @@ private fun arrive(parser: LogParser, bytes: ByteArray, piece: Int): Recording {
 
 /** Reads [bytes] in all sizes of [PIECES] by parsers from [make], and checks that the results are the same. */
 private fun readPieces(bytes: ByteArray, make: () -> LogParser, text: (Recording) -> String) {
-    val recordings = PIECES.map { arrive(make(), bytes, it) }
+    val recordings = PIECES.map { parseInPieces(make(), bytes, it) }
     val texts = recordings.map(text)
     for ((piece, other) in PIECES zip texts) check(other == texts[0]) { "In pieces of $piece: $other\nAt once: ${texts[0]}" }
     for (topic in recordings[0].topics) {

@@ -7,7 +7,7 @@ import java.nio.file.Files
 import java.util.concurrent.TimeUnit
 
 /** The result of a program: its exit code and all of its output. */
-internal class Ended(val code: Int, val text: String)
+internal class ProgramResult(val code: Int, val text: String)
 
 /**
  * A machine with only [programs]: an empty environment, a PATH of its own, a home folder of its own, and no network.
@@ -23,7 +23,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
     }
 
     /** Runs [command] in [workFolder]; [variables] are added to its environment. */
-    fun run(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): Ended = run(process(command, workFolder, variables))
+    fun run(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): ProgramResult = run(process(command, workFolder, variables))
 
     /** Returns [command] as a process that is not started yet. */
     fun process(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): ProcessBuilder {
@@ -52,7 +52,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
 }
 
 /** Starts [builder], and waits for its end: 15 minutes at most. */
-internal fun run(builder: ProcessBuilder): Ended {
+internal fun run(builder: ProcessBuilder): ProgramResult {
     val output = File.createTempFile("output", ".txt")
     val process = builder.redirectErrorStream(true).redirectOutput(output).start()
     val hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES)
@@ -60,7 +60,7 @@ internal fun run(builder: ProcessBuilder): Ended {
     val text = output.readText()
     output.delete()
     check(hasEnded) { "${builder.command().joinToString(" ")} has not ended after $MINUTES minutes: $text" }
-    return Ended(process.exitValue(), text)
+    return ProgramResult(process.exitValue(), text)
 }
 
 /** Returns the file of [program], which is a path or on the PATH. */

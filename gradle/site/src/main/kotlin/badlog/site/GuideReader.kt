@@ -57,7 +57,7 @@ internal class GuideReader(private val root: Path, private val plan: SitePlan) {
     }
 
     /** Returns the plain text of the page at [path], without its code. */
-    fun prose(path: String): String = plainText(parser.parse(root.resolve(path).readText()), codeToo = false)
+    fun prose(path: String): String = plainText(parser.parse(root.resolve(path).readText()), includesCode = false)
 
     private fun anchorsOf(document: Node): Map<Heading, String> {
         val ids = IdGenerator.builder().defaultId("section").build()

@@ -23,5 +23,5 @@ internal object VideoOfOneColor {
     }.toByteArray()
 
     /** Returns whether [color] is the video's color. */
-    fun isOfIt(color: Int): Boolean = (color shr 16 and 0xFF) > 0xE0 && (color shr 8 and 0xFF) < 0x20 && (color and 0xFF) > 0xB0
+    fun isVideoColor(color: Int): Boolean = (color shr 16 and 0xFF) > 0xE0 && (color shr 8 and 0xFF) < 0x20 && (color and 0xFF) > 0xB0
 }

@@ -19,13 +19,13 @@ internal class WindowOnScreen(private val process: Process, private val output: 
 
     fun picture() = Picture(robot.createScreenCapture(Rectangle(0, 0, WIDTH, HEIGHT)))
 
-    /** Waits until the screen fulfills [isSo], and saves a picture of it as [name]. */
-    fun await(name: String, what: String, isSo: (Picture) -> Boolean) {
+    /** Waits until the screen fulfills [matches], and saves a picture of it as [name]. */
+    fun await(name: String, what: String, matches: (Picture) -> Boolean) {
         val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(PATIENCE_MINUTES)
         while (true) {
             val picture = picture()
             ImageIO.write(picture.image, "png", File("$name.png"))
-            if (isSo(picture)) return
+            if (matches(picture)) return
             check(process.isAlive) { "The window has ended without $what: ${output.readText()}" }
             check(System.nanoTime() < end) { "Waited in vain for $what; see ${File("$name.png").absolutePath}. ${output.readText()}" }
             Thread.sleep(POLL_MILLIS)
@@ -69,8 +69,8 @@ internal class WindowOnScreen(private val process: Process, private val output: 
 internal class Picture(val image: BufferedImage) {
     private val colors = image.getRGB(0, 0, image.width, image.height, null, 0, image.width)
 
-    /** Returns the number of pixels with a color that fulfills [isSo]. */
-    fun count(isSo: (color: Int) -> Boolean): Int = colors.count(isSo)
+    /** Returns the number of pixels with a color that fulfills [matches]. */
+    fun count(matches: (color: Int) -> Boolean): Int = colors.count(matches)
 
     /** Returns the number of pixels with a different color in [other]. */
     fun differences(other: Picture): Int = colors.indices.count { colors[it] != other.colors[it] }

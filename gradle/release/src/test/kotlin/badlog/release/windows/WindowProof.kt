@@ -43,7 +43,7 @@ class WindowProof : FunSpec({
                 screen.dragAcrossGraph()
                 screen.await("zoomed", "graphs of a part of it") { it.count(::isLine) > LINE_PIXELS && it.differences(whole) > ZOOMED_PIXELS }
                 screen.clickVideo()
-                screen.await("video", "a frame of the video") { it.count(VideoOfOneColor::isOfIt) > FRAME_PIXELS }
+                screen.await("video", "a frame of the video") { it.count(VideoOfOneColor::isVideoColor) > FRAME_PIXELS }
             }
             output.readText().contains("Exception") shouldBe false
         }

@@ -26,7 +26,7 @@ internal fun makeOffline(folder: File) {
     )
     for (page in folder.walk().filter { it.isFile && it.extension == "html" && it.name != "navigation.html" }) {
         val depth = page.relativeTo(folder).invariantSeparatorsPath.count { it == '/' }
-        val text = page.readText().replace(FROM_ELSEWHERE, "").replace("\"$HOME\"", "\"${"../".repeat(depth + 1)}index.html\"")
+        val text = page.readText().replace(REMOTE_SCRIPTS, "").replace("\"$HOME\"", "\"${"../".repeat(depth + 1)}index.html\"")
         page.writeText(text.replaceFirst("<head>", "<head><script src=\"${"../".repeat(depth)}$SCRIPT\"></script>"))
     }
 }
@@ -38,7 +38,7 @@ private fun quoted(text: String): String =
 internal const val HOME = "badlog-guides"
 
 /** Scripts from other servers, on which Dokka's pages can run Kotlin. */
-private val FROM_ELSEWHERE = Regex("""<script[^>]* src="https?:[^>]*></script>\s*""")
+private val REMOTE_SCRIPTS = Regex("""<script[^>]* src="https?:[^>]*></script>\s*""")
 
 private const val SCRIPT = "scripts/carried.js"
 private val FETCHED = listOf("navigation.html", "scripts/pages.json")
