@@ -8,12 +8,12 @@ import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
 class TextFramesSpec : FunSpec({
-    test("a list of messages is read, however long it is") {
+    test("a long list of messages is read completely") {
         messagesIn("[]").size shouldBe 0
         messagesIn(List(10_000) { """{"method":"a[{[{"}""" }.joinToString(",", "[", "]")).size shouldBe 10_000
     }
 
-    test("what is not a list of messages is named") {
+    test("an error describes a frame that is not a list of messages") {
         fun problemIn(text: String) = shouldThrow<UnreadableFrameException> { messagesIn(text) }.what
         problemIn("{") shouldBe "not JSON"
         problemIn("{}") shouldBe "not a list of messages"
@@ -21,7 +21,7 @@ class TextFramesSpec : FunSpec({
         problemIn("[\"\\\"" + "{".repeat(200)) shouldBe "not JSON"
     }
 
-    test("no text breaks the reader") {
+    test("any text is read or throws UnreadableFrameException") {
         checkAll(Arb.string(0..200)) { text ->
             try {
                 messagesIn("[$text")

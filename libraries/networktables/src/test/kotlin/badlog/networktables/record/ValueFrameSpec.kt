@@ -55,7 +55,7 @@ class ValueFrameSpec : FunSpec({
             listOf(2, 0, 0, 0, 1, 0, 0, 0, 97, 0, 0, 0, 0)
     }
 
-    test("numbers, ids and times arrive to the last bit") {
+    test("numbers, ids and times are exact to the last bit") {
         checkAll(Arb.int(0..Int.MAX_VALUE), Arb.long(), Arb.double()) { id, micros, number ->
             val found = found(TopicType.DOUBLE, frameOf(id, 1, micros) { packDouble(number) })
             val bits = number.toRawBits()
@@ -63,7 +63,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("the server's time is not a value, and values that are not wanted are skipped") {
+    test("the server's time is not a value, and values of topics that are not recorded are skipped") {
         val time = frameOf(-1, 2, 77) { packLong(5) }
         val odd = frameOf(-1, 1, 77) { packString("x") }
         val value = frameOf(3, 1, 9) { packDouble(1.0) }
@@ -78,7 +78,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("a value of another type than its topic is left out, the next one is read") {
+    test("a value with another type than its topic is left out, and the next one is read") {
         val wrong = frameOf(3, 4, 9) { packString("x") }
         val right = frameOf(3, 1, 9) { packDouble(1.0) }
         found(TopicType.DOUBLE, wrong, right).run {
@@ -93,7 +93,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("an array or a text that announces more than comes takes no memory") {
+    test("the announced size of an array or text allocates no memory") {
         for (type in listOf(TopicType.DOUBLES, TopicType.STRINGS, TopicType.BOOLEANS, TopicType.INTS)) {
             payloadOf(type) { packArrayHeader(Int.MAX_VALUE) } shouldBe null
         }
@@ -104,7 +104,7 @@ class ValueFrameSpec : FunSpec({
         payloadOf(TopicType.INTS) { packArrayHeader(3_000_000).apply { repeat(3_000_000) { packInt(1) } } } shouldBe null
     }
 
-    test("no bytes break the reader, and it says what it leaves out") {
+    test("any bytes are read without an exception, and ignored values are reported") {
         checkAll(Arb.byteArray(Arb.int(0..200), Arb.byte()), Arb.enum<TopicType>()) { bytes, type ->
             found(type, bytes)
             countValues(bytes)
@@ -116,7 +116,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("what is dropped is counted by values") {
+    test("dropped frames are counted by their values") {
         val value = frameOf(3, 1, 9) { packDouble(1.0) }
         countValues(ByteArray(0)) shouldBe 0
         countValues(value + value + value) shouldBe 3

@@ -135,7 +135,7 @@ class WpilibServerSpec : FunSpec({
         }
     }
 
-    test("10,000 values a second arrive, each of them, in order").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("10,000 values a second are all recorded in order").config(enabledOrReasonIf = PYTHON.isHere) {
         val seconds = System.getProperty("badlog.record.loadSeconds", "3").toInt()
         WpilibServer(freePort(), "load", "10000", "$seconds").use { server ->
             recording(listOf(server.address)) { running ->
@@ -154,7 +154,7 @@ class WpilibServerSpec : FunSpec({
         }
     }
 
-    test("a server that is started anew is recorded again, in the same log if its clock goes on").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("a restarted server is recorded again, in the same log if its clock continues").config(enabledOrReasonIf = PYTHON.isHere) {
         val port = freePort()
         var server = WpilibServer(port, "types")
         try {

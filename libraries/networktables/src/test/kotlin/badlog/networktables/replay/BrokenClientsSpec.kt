@@ -45,7 +45,7 @@ private fun shouldStillServe(replay: TestReplay) = TestClient(replay).use { clie
 
 @Tags("InCheck")
 class BrokenClientsSpec : FunSpec({
-    test("Messages that are nonsense are counted and ignored; the client stays") {
+    test("invalid messages are counted and ignored, and the client stays connected") {
         TestReplay().use { replay ->
             val server = replay.server
             TestClient(replay).use { client ->
@@ -63,7 +63,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A frame that is too long ends its client, not the server") {
+    test("a frame that is too long disconnects its client, not the server") {
         TestReplay().use { replay ->
             val server = replay.server
             TestClient(replay).use { client ->
@@ -74,7 +74,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("Garbage in place of frames, and of a handshake, harms nobody") {
+    test("garbage instead of frames or a handshake leaves the server working") {
         TestReplay().use { replay ->
             val server = replay.server
             val random = Random(5)
@@ -97,7 +97,7 @@ class BrokenClientsSpec : FunSpec({
         socket.getInputStream().readBytes().decodeToString()
     }
 
-    test("A handshake without an end is ended and reported") {
+    test("an endless handshake is ended and reported") {
         TestReplay().use { replay ->
             val server = replay.server
             Socket("127.0.0.1", server.port).use { socket ->
@@ -114,7 +114,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A message of pieces without an end is ended and reported, however small they are") {
+    test("an endless message of small pieces is ended and reported") {
         TestReplay().use { replay ->
             val server = replay.server
             rawClient(server.port).use { socket ->
@@ -132,7 +132,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("Web pages of the internet may not connect, programs and pages of this computer may") {
+    test("web pages of the internet may not connect, but programs and pages of this computer may") {
         TestReplay().use { replay ->
             val server = replay.server
             val protocol = "Sec-WebSocket-Protocol: ${TestClient.V4_1}"
@@ -149,7 +149,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("However many connect, 64 connections are kept, and the next one receives the reason") {
+    test("at most 64 connections are kept, and the next one receives the reason") {
         TestReplay().use { replay ->
             val server = replay.server
             val others = List(64) { rawClient(server.port) }
@@ -166,7 +166,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A connection that is refused is closed") {
+    test("a refused connection is closed") {
         TestReplay().use { replay ->
             val server = replay.server
             answerTo(server, handshake("Sec-WebSocket-Protocol: nonsense")).lines()[0] shouldContain "404"
@@ -175,7 +175,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A client that no longer reads neither delays the others nor fills the memory") {
+    test("a client that stops reading neither delays the others nor fills the memory") {
         TestReplay(LONG_VIEW, ReplayOptions(0, speed = 20.0)).use { replay ->
             val server = replay.server
             rawClient(server.port).use { stalled ->
@@ -202,7 +202,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A client that asks without end and never reads is ended") {
+    test("a client that sends requests endlessly and never reads is disconnected") {
         TestReplay().use { replay ->
             val server = replay.server
             rawClient(server.port).use { flooding ->

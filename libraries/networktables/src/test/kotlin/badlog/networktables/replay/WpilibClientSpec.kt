@@ -112,11 +112,11 @@ private fun shouldArrive(view: LogView, options: ReplayOptions) {
 @Tags("InCheck")
 class WpilibClientSpec :
     FunSpec({
-        test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = PYTHON.isHere) {
+        test("topics of every kind arrive with their type, unit, order and timing").config(enabledOrReasonIf = PYTHON.isHere) {
             for (speed in listOf(1.0, 0.25)) shouldArrive(VARIED_VIEW, ReplayOptions(0, speed = speed))
         }
 
-        test("What was logged arrives with its type, byte by byte").config(enabledOrReasonIf = PYTHON.isHere) {
+        test("logged values arrive with their type, byte by byte").config(enabledOrReasonIf = PYTHON.isHere) {
             fun topic(name: String, type: String, vararg bytes: Int) = LoggedTopic(name, type, "", doubleArrayOf(10.1)) {
                 ByteArray(bytes.size) { bytes[it].toByte() }
             }
@@ -137,7 +137,7 @@ class WpilibClientSpec :
             }
         }
 
-        test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = PYTHON.isHere) {
+        test("a match arrives sample by sample at three times its speed").config(enabledOrReasonIf = PYTHON.isHere) {
             val view = LogView.of(readRecording(File("../../samples/qualification-42.bag").toPath(), emptyList()))
             shouldArrive(view, ReplayOptions(0, speed = 3.0, range = 20.0..26.0, prefix = "/badlog"))
         }
