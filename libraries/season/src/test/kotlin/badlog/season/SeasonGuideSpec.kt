@@ -20,7 +20,7 @@ private val PYTHON = TestPython("pandas, pyarrow, polars, duckdb", "pandas, pyar
 
 @Tags("InCheck")
 class SeasonGuideSpec : FunSpec({
-    test("each Python example of the guide runs on a lake of the samples, and all find what SQL finds").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("each Python example of the guide runs on a lake of the samples, with the same results as SQL").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->
             refresh(Path.of("../../samples"), folder / "season")
             // Logs of unknown events and logs without the topic are typical causes of failing examples.

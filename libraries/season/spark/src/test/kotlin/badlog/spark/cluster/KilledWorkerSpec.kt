@@ -25,7 +25,7 @@ private const val ROWS = 4_000
 private val LOSS = Regex("Lost executor|Removed executor|worker lost", RegexOption.IGNORE_CASE)
 
 class KilledWorkerSpec : FunSpec({
-    test("a cluster that loses a worker in the middle makes the lake of one process, row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("a cluster that loses a worker makes the same lake as one process, row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             val logs = folder / "logs"
             for (match in 1..LOGS) {

@@ -45,7 +45,7 @@ private fun inLake(work: (Path) -> Unit) = inFolder { folder ->
 }
 
 class LakeQuerySpec : FunSpec({
-    test("Spark answers what DuckDB answers, about every table").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("Spark and DuckDB have the same answers about every table").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inLake { folder ->
             val queries = listOf(
                 "SELECT log, season, event, type, number, title, duration, format, salvaged FROM matches ORDER BY log",
