@@ -32,7 +32,7 @@ class AssistantGuideSpec : FunSpec({
 
     fun matches(wanted: String, printed: String): Boolean = Regex(wanted.split("\n…\n").joinToString("\n(?:.*\n)*?", transform = ::pattern)).matches(printed)
 
-    test("what the guide shows is what the tools answer about the samples") {
+    test("the tools answer the guide's examples as shown") {
         val text = guide.readText()
         val examples = example.findAll(text).map { it.value }.toList()
         examples.size shouldBeGreaterThan 3
@@ -53,7 +53,7 @@ class AssistantGuideSpec : FunSpec({
         }
     }
 
-    test("the guide lists every tool, and the limits as they are") {
+    test("the guide lists every tool and the current limits") {
         val text = guide.readText()
         asking(SAMPLES) {
             val listed = Regex("""^\| `(\w+)` \|""", RegexOption.MULTILINE).findAll(text).map { it.groupValues[1] }.toList()
