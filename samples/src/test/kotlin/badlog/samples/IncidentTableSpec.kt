@@ -80,7 +80,7 @@ class IncidentTableSpec : FunSpec({
         10 * double.count { it.isRight } shouldBeGreaterThanOrEqual 8 * double.size
     }
 
-    test("the guide has the table of what was planted and what was named; BADLOG_WRITE_GUIDE rewrites it") {
+    test("the guide's table of planted and named faults is current; BADLOG_WRITE_GUIDE rewrites it") {
         val guide = File("../docs/rules.md")
         val written = guide.readText()
         val made = written.substringBefore(BEGIN) + BEGIN + "\n" + table(clear) + "\n\nOf ${double.size} matches with two of these faults, the first incident " +

@@ -22,7 +22,7 @@ class Qualification42Spec : FunSpec({
         view.topic("System/Enabled").samples.count { it == 1.0 } shouldBeGreaterThan 7400
     }
 
-    test("has nothing wrong with it but notes on truth values and an unseen target") {
+    test("has no problems but notes on truth values and an unseen target") {
         view.problems.filter { it.severity != Severity.NOTE } shouldBe emptyList()
         (view.problems.map { it.kind }.toSet() - ProblemKind.TRUTH_VALUES - ProblemKind.EMPTY_CELLS) shouldBe emptySet()
     }

@@ -54,7 +54,7 @@ class SeasonSpec : FunSpec({
         findingsOf(season + tired).last().map { it.substringBefore(':') } shouldContain "Resistance above other matches"
     }
 
-    test("one outlier among the matches changes nothing for the others") {
+    test("one outlier among the matches does not affect the others") {
         val withOutlier = season[0].keys.map { it.topic }.distinct().fold(viewOf(501).recording) { recording, name ->
             recording.copy(
                 topics = recording.topics.map { topic ->

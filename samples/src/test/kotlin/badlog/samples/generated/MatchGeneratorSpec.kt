@@ -72,7 +72,7 @@ class MatchGeneratorSpec : FunSpec({
         }
     }
 
-    test("a short sequence has all namings, strengths, faults and hardships, and as many good matches as a third") {
+    test("a short sequence has all namings, strengths, faults and hardships, and a third of healthy matches") {
         class Facts(val naming: Naming, val fault: String?, val strength: Double, val name: String, val isHard: Boolean)
         val some = GENERATOR.matches().take(FAULTS.size * 3).map { Facts(it.naming, it.fault?.id, it.strength, it.name, it.isHard) }.toList()
         some.map { it.naming }.toSet() shouldBe Naming.entries.toSet()
@@ -97,12 +97,12 @@ class MatchGeneratorSpec : FunSpec({
             }
         }
 
-        test("each fault changes, in logs of ${naming.id}, a topic that is to show it, and nothing before it starts") {
+        test("in logs of ${naming.id}, each fault changes a topic of its evidence, and nothing before it starts") {
             FAULTS.mapNotNull { fault -> contradictionIn(GENERATOR.faulty(naming, fault, 1.0))?.let { "$fault: $it" } }.shouldBeEmpty()
         }
     }
 
-    test("what is said of a match is JSON that names the fault, its causes and its evidence") {
+    test("the description of a match is JSON with the fault, its causes and its evidence") {
         val match = GENERATOR.faulty(Naming.ADVANTAGEKIT, FAULTS.first(), 0.3)
         val members = checkNotNull(badlog.core.json.JsonReader.readObject(describe(match))).associate { it.key to it.value }
         members.getValue("fault").text shouldBe FAULTS.first().id

@@ -160,7 +160,7 @@ class StrengthSpec : FunSpec({
         (least(0.3) - least(1.0)).shouldBeBetween(0.5, 4.0, 0.0)
     }
 
-    test("loops take as long as their faults say") {
+    test("loops have the durations of their faults") {
         val worst = mapOf("garbage-collection" to 250.0..330.0, "blocking-call" to 60.0..110.0, "cpu-overload" to 25.0..90.0)
         for ((id, range) in worst) {
             var most = 0.0

@@ -34,7 +34,7 @@ class FaultTableSpec : FunSpec({
         }
     }
 
-    test("what a log does not show has a reason, and each fault's cause is in the logs of some naming") {
+    test("each cause that a log does not show has a reason, and some naming shows each cause") {
         for (fault in FAULTS) {
             withClue("$fault") {
                 for (naming in Naming.entries) {
@@ -50,12 +50,12 @@ class FaultTableSpec : FunSpec({
         FAULTS.filter { it.verdictOn(it.cause) != Verdict.CAUSE }.map { it.id }.shouldBeEmpty()
     }
 
-    test("the cause of another fault is not accepted, but for those that are near") {
+    test("the cause of another fault is not accepted, except for similar faults") {
         val wrong = FAULTS.flatMap { fault -> FAULTS.filter { it !== fault && fault.verdictOn(it.cause) == Verdict.CAUSE }.map { fault.id to it.id } }
         (wrong - NEAR).shouldBeEmpty()
     }
 
-    test("a phrase is found in any order and by the beginnings of words, and only if all of its words are there") {
+    test("a phrase is found in any order and by the beginnings of words, if all of its words occur") {
         val phrase = Phrase("battery old|weak")
         phrase.isIn("A weaker than usual BATTERY.") shouldBe true
         phrase.isIn("The battery is low.") shouldBe false
