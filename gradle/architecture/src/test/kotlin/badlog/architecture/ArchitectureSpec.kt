@@ -41,7 +41,7 @@ class ArchitectureSpec : FunSpec({
         }.shouldBeEmpty()
     }
 
-    test("only the commands of season use the program that loads them: it is not there where Spark runs") {
+    test("only the commands of season use the program that loads them, because Spark runs without it") {
         SOURCES.filter { it.module == "season" && !it.isTest && it.packageName != "badlog.season.command" }
             .flatMap { file -> file.imports.filter { name -> LOADED_BY_PROGRAM.any { name.startsWith("$it.") } }.map { "${file.path}: $it" } }
             .shouldBeEmpty()

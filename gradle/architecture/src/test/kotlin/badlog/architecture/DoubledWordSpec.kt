@@ -13,7 +13,7 @@ class DoubledWordSpec : FunSpec({
         texts.flatMap { (file, text) -> doubledIn(text).map { "${file.relativeTo(ROOT)}: $it" } }.shouldBeEmpty()
     }
 
-    test("it is found across the lines of a comment, and code is not prose") {
+    test("a doubled word is found across the lines of a comment, but not in code") {
         doubledIn(commentsIn("/**\n * Returns the\n * the start.\n */\nval the = the the")) shouldBe listOf("the the")
         doubledIn(commentsIn("// Returns Returns it.\nprivate val mutex: Mutex = Mutex Mutex")) shouldBe listOf("Returns Returns")
         doubledIn(proseIn("Write `it it` and\n```\nout out\n```\na Very very good log")) shouldBe emptyList()

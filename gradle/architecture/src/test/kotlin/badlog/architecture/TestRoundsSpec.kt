@@ -9,7 +9,7 @@ import java.io.File
 class TestRoundsSpec : FunSpec({
     val tests = sourcesUnder(ROOT).filter { it.isTest }.map { it.path }.filterNot { it.endsWith("TestRoundsSpec.kt") }
 
-    test("no test sleeps or measures time, but for those that still have to be mended") {
+    test("no test sleeps or measures time, except for the listed ones") {
         val timed = tests.filter { TIME.containsMatchIn(File(ROOT, it).readText()) && "/measure/" !in it }.map { it.substringAfterLast('/') }
         // Remove a file from the list when its test no longer needs time.
         timed.sorted() shouldContainExactly (MAY_USE_TIME + STILL_USE_TIME).sorted()

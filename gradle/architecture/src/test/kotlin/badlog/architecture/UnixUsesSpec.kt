@@ -7,7 +7,7 @@ import java.io.File
 
 /** Tests that uses of Unix are guarded, so that `check` passes on Windows: a test without its requirements is skipped with a reason. */
 class UnixUsesSpec : FunSpec({
-    test("tests and builds use what only Unix has behind a guard") {
+    test("tests and builds guard their uses of Unix") {
         val tests = sourcesUnder(ROOT).filter { it.isTest || it.path.startsWith("benchmarks/") }.map { it.path }
         val builds = ROOT.walk().onEnter { it == ROOT || (it.name !in SKIPPED_FOLDERS && !it.name.startsWith('.')) }
             .filter { it.extension == "gradle" }.map { it.relativeTo(ROOT).invariantSeparatorsPath }

@@ -24,7 +24,7 @@ class ArchivesProof : FunSpec({
         for (download in downloads) sums[download.name] shouldBe sha256Of(download.readBytes())
     }
 
-    test("a release has what each kind of user needs, all of one version") {
+    test("a release has the files for each kind of user, all of one version") {
         val names = RELEASE.list().orEmpty().toList()
         names shouldContainAll listOf(
             "badlog-$VERSION.zip",
@@ -57,7 +57,7 @@ class ArchivesProof : FunSpec({
         (wanted - sums.toSet()).shouldBeEmpty()
     }
 
-    test("whoever writes a reader gets every log of the conformance corpus, and what to find in it") {
+    test("the conformance download has every log of the corpus, and its expected content") {
         val root = "badlog-conformance-$VERSION"
         val packed = entriesOf(File(RELEASE, "$root.zip")).map { it.name }.filterNot { it.endsWith("/") }.toSet()
         for ((folder, source) in listOf("bags" to "core/conformance", "logs" to "libraries/formats/conformance")) {
@@ -70,13 +70,13 @@ class ArchivesProof : FunSpec({
         }
     }
 
-    test("the guides come as a site, too") {
+    test("the guides are also a site") {
         val names = entriesOf(File(RELEASE, "badlog-docs-$VERSION.zip")).map { it.name.removePrefix("badlog-docs-$VERSION/") }
         names shouldContainAll listOf("docs/README.md", "samples/practice.bag", "site/index.html", "site/search-index.js", "site/api/index.html")
         names shouldContainAll listOf("site/samples/qualification-42.bag.html", "site/report/index.html")
     }
 
-    test("no archive says when it was made, so that the same commit makes the same bytes") {
+    test("no archive contains the time of its build, so that the same commit makes the same bytes") {
         val commit = Instant.ofEpochSecond(System.getProperty("badlog.commitTime").toLong())
         archives.flatMap { archive ->
             val entries = entriesOf(archive)

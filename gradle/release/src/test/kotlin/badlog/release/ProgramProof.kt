@@ -14,19 +14,19 @@ class ProgramProof : FunSpec({
     val folder = tempFolder()
     val java = System.getProperty("java.home")
 
-    test("badlog needs Java, and says so where there is none").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog without Java reports that it needs Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download("badlog-$VERSION.zip"), File(folder, "zip"))
         val ended = CleanMachine(File(folder, "without-java"), TOOLS).run(listOf("$home/bin/badlog", "--version"))
         ended.code shouldBe 1
         ended.text shouldContain "badlog needs Java 17 or newer, and java is not there"
     }
 
-    test("badlog runs by an installed Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog runs with an installed Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download("badlog-$VERSION.zip"), File(folder, "installed"))
         shouldWork(home, CleanMachine(File(folder, "with-java"), TOOLS + "$java/bin/java"))
     }
 
-    test("badlog-html makes a page by an installed Java, in the file or the folder that --out names").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog-html with an installed Java writes a page to the file or folder of --out").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download("badlog-html-$VERSION.zip"), File(folder, "html"))
         val machine = CleanMachine(File(folder, "html-with-java"), TOOLS + "$java/bin/java")
         val sample = File(ROOT, "samples/qualification-42.bag")
@@ -37,12 +37,12 @@ class ProgramProof : FunSpec({
         }
     }
 
-    test("badlog runs by its own Java where no other is").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog runs with its own Java if no other is installed").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download(OWN_JAVA), File(folder, "own"))
         shouldWork(home, CleanMachine(File(folder, "bare"), TOOLS))
     }
 
-    test("its own Java has each module that its libraries use").config(enabledOrReasonIf = IF_LINUX) {
+    test("badlog's own Java has each module that its libraries use").config(enabledOrReasonIf = IF_LINUX) {
         val home = unpacked(download(OWN_JAVA), File(folder, "modules"))
         val has = run(ProcessBuilder("$home/java/bin/java", "--list-modules")).text.lines().map { it.substringBefore('@') }
         unpacked(download("badlog-season-$VERSION.zip"), home.parentFile)
@@ -54,7 +54,7 @@ class ProgramProof : FunSpec({
         (uses - has.toSet()).shouldBeEmpty()
     }
 
-    test("man reads the page of each command, and completions stand beside them").config(enabledOrReasonIf = IF_LINUX) {
+    test("man finds the page of each command, and completions are beside the pages").config(enabledOrReasonIf = IF_LINUX) {
         val share = File(unpacked(download("badlog-$VERSION.zip"), File(folder, "manual")), "share")
         File(share, "man/man1/badlog-cut.1").readText() shouldContain "--from".replace("-", "\\-")
         File(share, "completions").list().orEmpty().sorted() shouldBe listOf("badlog.bash", "badlog.fish", "badlog.zsh")

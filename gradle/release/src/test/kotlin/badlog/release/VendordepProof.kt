@@ -9,7 +9,7 @@ import java.io.File
 class VendordepProof : FunSpec({
     val folder = tempFolder()
 
-    test("a robot project installs the offline vendordep from WPILib's folder or by file://, compiles and logs").config(
+    test("a robot project with the offline vendordep, from WPILib's folder or by file://, compiles and logs").config(
         enabledOrReasonIf = CleanMachine.IF_POSSIBLE,
     ) {
         val season = File(folder, "wpilib/2026")

@@ -18,7 +18,7 @@ private val PACKAGE = "badlog-viewer-$VERSION-$PLATFORM.deb"
 class ViewerProof : FunSpec({
     val folder = tempFolder()
 
-    test("the unpacked viewer opens a log where nothing is installed").config(enabledOrReasonIf = ifShown(ARCHIVE)) {
+    test("the unpacked viewer opens a log on a machine without other programs").config(enabledOrReasonIf = ifShown(ARCHIVE)) {
         val home = unpacked(download(ARCHIVE), File(folder, "archive"))
         shouldShow(File(home, "bin/badlog"), File(folder, "machine"), "viewer-archive.png")
     }
