@@ -13,7 +13,7 @@ private val TABLE = moduleTable(File(ROOT, "docs/architecture.md"))
 
 private val MODULES_OF_PACKAGES = SOURCES.filter { !it.isTest }.groupBy({ it.packageName }, { it.module }).mapValues { it.value.toSet() }
 
-/** What `libraries/season/build.gradle` only compiles with. */
+/** The packages that `libraries/season/build.gradle` needs only for compiling. */
 private val LOADED_BY_PROGRAM = listOf("badlog.charts", "badlog.cli", "badlog.report")
 
 class ArchitectureSpec : FunSpec({
@@ -41,7 +41,7 @@ class ArchitectureSpec : FunSpec({
         }.shouldBeEmpty()
     }
 
-    test("only the commands of season use the program that loads them: it is not there where Spark runs") {
+    test("only the commands of season use the program that loads them, because Spark runs without it") {
         SOURCES.filter { it.module == "season" && !it.isTest && it.packageName != "badlog.season.command" }
             .flatMap { file -> file.imports.filter { name -> LOADED_BY_PROGRAM.any { name.startsWith("$it.") } }.map { "${file.path}: $it" } }
             .shouldBeEmpty()
@@ -51,7 +51,7 @@ class ArchitectureSpec : FunSpec({
         MODULES_OF_PACKAGES.filter { it.key.isNotEmpty() && it.value.size > 1 }.keys.shouldBeEmpty()
     }
 
-    // Robots in tests stand where a team's program would.
+    // Robots in tests have the package of a team's program.
     test("the packages of a module begin with the name that docs/architecture.md gives them") {
         SOURCES.filter { !it.isTest }.mapNotNull { file ->
             val name = TABLE.single { it.module == file.module }.packageName
