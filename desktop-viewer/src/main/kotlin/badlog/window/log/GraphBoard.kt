@@ -10,18 +10,20 @@ import badlog.viewer.choices.board.BoardHistory
 import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.board.mergedWith
 import badlog.viewer.choices.board.titleOf
-import kotlin.random.Random
+import badlog.viewer.state.BoardAction
+import badlog.viewer.state.Request
+import badlog.viewer.state.Store
 
 /**
  * The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread.
  *
+ * @param store has them.
  * @param isDrawn returns whether the open log can draw the line of a name; graphs without any such line stay on the board, and are not
  * shown.
  */
-internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
+internal class GraphBoard(private val store: Store, private val isDrawn: (String) -> Boolean = { true }) {
     /** All graphs, also those that the open log cannot draw, with their history. */
-    var history by mutableStateOf(historyOf(Board()))
-        private set
+    val history: BoardHistory by derivedStateOf { store.state.board }
 
     /**
      * Each graph added to show a finding, in its original form, except those that a person keeps: undoing also brings back those of
@@ -89,29 +91,32 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
     /** Changes the graphs by [change], also those that [undo] restores. */
     fun changeEverywhere(change: Board.() -> Board) {
         added = Board(added.toList()).change().graphs.toSet()
-        history = history.everywhere(change)
+        show(history.everywhere(change))
     }
 
     /** Shows what another window has changed of the arranged graphs, which are [stored] now and were [read] by this one. */
     fun follow(stored: Board, read: Board) {
-        history = history.mergedWith(stored, read)
+        show(history.mergedWith(stored, read))
     }
 
-    /** Goes to [changed], a step from [history]; the first new graph is scrolled to if it is out of sight. */
-    fun take(changed: BoardHistory) {
-        if (changed === history) return
-        val before = state.graphs.associateBy { it.id }
-        history = changed
-        val seen = inSight ?: return
+    /** Scrolls to what has changed, and to the graph that a key has moved, if it is out of sight. */
+    fun follow(change: Request.Graphs) {
+        val seen = inSight
+        change.moved?.let { moved = it }
+        if (seen == null) return
         // Nobody looks for graphs added outside the visible part, so scroll to the first of them. If all are new, that is the top.
-        val added = state.graphs.filter { graph -> before[graph.id].let { it == null || it.lines.size < graph.lines.size } }
-        if (added.size < state.graphs.size) added.firstOrNull()?.takeIf { it.id !in seen }?.let { goTo(it.id) }
+        val before = change.before?.graphs?.associateBy { it.id }
+        val added = state.graphs.filter { graph -> before != null && before[graph.id].let { it == null || it.lines.size < graph.lines.size } }
+        val first = change.moved ?: added.firstOrNull()?.id?.takeIf { added.size < state.graphs.size }
+        if (first != null && first !in seen) goTo(first)
     }
+
+    private fun take(changed: BoardHistory) = store.send(BoardAction.Take(changed))
 
     /** Shows [board] instead, as for another log, without a history. */
     fun replace(board: Board) {
         added = emptySet()
-        history = historyOf(board)
+        show(history.begunWith(board))
     }
 
     /** Shows [board] instead of the graphs that a person arranged, without a history; those that show a finding stay above it. */
@@ -119,7 +124,7 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
         val first = (board.graphs.maxOfOrNull { it.id } ?: 0) + 1
         val shown = evidence.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
         added = shown.toSet()
-        history = historyOf(Board(shown + board.graphs))
+        show(history.begunWith(Board(shown + board.graphs)))
     }
 
     /**
@@ -130,7 +135,7 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
         val ids = state.graphs.associate { it.lines to it.id }
         val known = Board(drawn(board).graphs.map { it.copy(id = ids[it.lines] ?: it.id) })
         added = known.graphs.filterNot { it.lines in ids }.toSet()
-        history = historyOf(known.mergedWith(history.now, state))
+        show(history.begunWith(known.mergedWith(history.now, state)))
     }
 
     /** Undoes the last change. */
@@ -150,12 +155,6 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
         moved = null
     }
 
-    /** Scrolls to graph [id], which a key has moved, if it is out of sight. */
-    fun keepInSight(id: Int) {
-        moved = id
-        if (inSight?.contains(id) == false) goTo(id)
-    }
-
     /**
      * Shows the graphs of [board] above all others, replacing those of the previous finding, except graphs that a person has changed
      * since.
@@ -166,7 +165,7 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
             val first = (history.now.graphs.maxOfOrNull { it.id } ?: 0) + 1
             val graphs = board.graphs.mapIndexed { i, graph -> graph.copy(id = first + i) }
             val known = history.now.graphs.mapTo(HashSet()) { it.id }
-            history = history.changed(Board(graphs + others), state)
+            show(history.changed(Board(graphs + others), state))
             added = added + history.now.graphs.filter { it.id !in known }
         }
         evidence.graphs.firstOrNull()?.let { wanted = it.id }
@@ -187,6 +186,5 @@ internal class GraphBoard(private val isDrawn: (String) -> Boolean = { true }) {
 
     private fun drawn(board: Board) = board.fittedTo(isThere = isDrawn).board
 
-    // Other windows must not give a graph of theirs the same id.
-    private fun historyOf(board: Board) = BoardHistory(board) { Random.nextInt(Int.MAX_VALUE) }
+    private fun show(changed: BoardHistory) = store.send(BoardAction.Show(changed))
 }

@@ -14,6 +14,7 @@ import androidx.compose.ui.test.performMultiModalInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.log.OpenRecording
 import io.kotest.core.spec.style.FunSpec
@@ -65,7 +66,7 @@ class PlotGesturesSpec : FunSpec({
 
     test("the wheel sideways moves along, and so does Shift with the wheel") {
         graph { viewer ->
-            viewer.view.change { showing(40.0, 60.0) }
+            viewer.view.send(PlaceAction.Show(40.0, 60.0))
             waitForIdle()
             plot().performMouseInput {
                 moveTo(center)
@@ -137,7 +138,7 @@ class PlotGesturesSpec : FunSpec({
 
     test("the middle button, Shift and the axis move the graphs along") {
         graph { viewer ->
-            viewer.view.change { showing(40.0, 60.0) }
+            viewer.view.send(PlaceAction.Show(40.0, 60.0))
             waitForIdle()
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
@@ -174,7 +175,7 @@ class PlotGesturesSpec : FunSpec({
 
     test("Escape gives up a drag, and then the selection") {
         graph { viewer ->
-            viewer.view.select(Span(1.0, 2.0))
+            viewer.view.send(PlaceAction.Select(Span(1.0, 2.0)))
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
                 press()

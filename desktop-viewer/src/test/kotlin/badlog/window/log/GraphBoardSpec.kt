@@ -14,7 +14,7 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 
 class GraphBoardSpec : FunSpec({
-    fun abc() = GraphBoard().apply { replace(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))) }
+    fun abc() = viewerOf(null).board.apply { replace(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))) }
 
     fun lines(board: GraphBoard) = board.state.graphs.map { it.lines }
 

@@ -3,6 +3,7 @@ package badlog.page.board
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.PageBoard
+import badlog.viewer.state.Request
 import kotlinx.browser.document
 
 /** What keys do with the board, and with the graph that has the keyboard focus or is under the mouse. */
@@ -19,8 +20,11 @@ internal class BoardKeys(private val board: PageBoard, private val graphs: Visib
         section.focus(next)
     }
 
-    /** Scrolls to graph [id], which was moved, if it is out of sight. */
-    fun keepInSight(id: Int) = section.keepInSight(id)
+    /** Remembers the board if it has changed, and scrolls to the graph that a key has moved if it is out of sight. */
+    fun follow(change: Request.Graphs) {
+        if (change.before != null) board.remember()
+        change.moved?.let(section::keepInSight)
+    }
 
     private fun graph(): GraphCard? {
         val active = document.activeElement

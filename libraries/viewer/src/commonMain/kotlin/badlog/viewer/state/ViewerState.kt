@@ -1,6 +1,5 @@
 package badlog.viewer.state
 
-import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardHistory
 
 /**
@@ -10,10 +9,13 @@ import badlog.viewer.choices.board.BoardHistory
  * @property place where the person is in the log.
  * @property board the graphs that the person put together, with what can be undone.
  * @property findings what is searched and unfolded in the findings.
+ * @property stay whether the person stays at the end of the log.
  */
-data class ViewerState(val place: Place, val board: BoardHistory, val findings: FindingsState = FindingsState()) {
+data class ViewerState(
+    val place: Place,
+    val board: BoardHistory,
+    val findings: FindingsState = FindingsState(),
+    val stay: Stay = Stay(),
+) {
     internal fun at(place: Place) = copy(place = place)
-
-    /** Returns the state with the graphs [to] in place of [shown], the drawn part of the board. */
-    internal fun changed(shown: Board, to: Board) = copy(board = board.changed(to, shown))
 }

@@ -34,6 +34,9 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         return BoardHistory(all, all.lastIndex, newId)
     }
 
+    /** Begins with [board] instead. */
+    fun begunWith(board: Board): BoardHistory = BoardHistory(board, newId)
+
     /** Undoes the last change. */
     fun undone(): BoardHistory = if (canUndo) BoardHistory(steps, at - 1, newId) else this
 
