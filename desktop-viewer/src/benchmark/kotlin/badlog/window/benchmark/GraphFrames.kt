@@ -26,7 +26,7 @@ internal fun measureFrames(pictures: Path): List<FrameTimes> =
             viewer.view.send(PlaceAction.Shift(if (isAtEnd) -full.width else step))
         }, isReady)
         fun cursor(): Double = window.measure({
-            viewer.view.send(PlaceAction.MoveCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble()) })
+            viewer.view.send(PlaceAction.MoveCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() }))
         }, isReady)
         repeat(WARM_UP) {
             zoom()

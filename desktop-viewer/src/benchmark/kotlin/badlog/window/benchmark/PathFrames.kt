@@ -30,7 +30,7 @@ internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
             planes[1] = plane.scaled(factor, plane.xAt(random.nextDouble()), plane.yAt(random.nextDouble()))
         }, isReady)
         fun cursor(): Double = window.measure({
-            viewer.view.send(PlaceAction.MoveCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble()) })
+            viewer.view.send(PlaceAction.MoveCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() }))
         }, isReady)
         repeat(WARM_UP) {
             zoom()

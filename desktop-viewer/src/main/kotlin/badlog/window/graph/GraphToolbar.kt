@@ -14,9 +14,9 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.GraphChange
 import badlog.window.graph.scene.GraphScene
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
@@ -83,7 +83,9 @@ private fun BoardButtons(board: GraphBoard, hasLabels: Boolean) {
     Row(verticalAlignment = Alignment.CenterVertically) {
         ToolButton("Undo (${KeyAction.UNDO.shortcut})", Icons.Undo, "Undo".takeIf { hasLabels }, isEnabled = board.canUndo) { board.undo() }
         ToolButton("Redo (${KeyAction.REDO.shortcut})", Icons.Redo, "Redo".takeIf { hasLabels }, isEnabled = board.canRedo) { board.redo() }
-        ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) { board.change { Board() } }
+        ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) {
+            board.send(GraphChange.ShowOnly(emptyList()))
+        }
     }
 }
 

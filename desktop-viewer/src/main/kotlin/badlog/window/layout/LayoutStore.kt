@@ -10,6 +10,7 @@ import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.formula.joined
 import badlog.viewer.input.KeyAction
 import badlog.viewer.state.Action
+import badlog.viewer.state.BoardAction
 import badlog.viewer.state.PlaceAction
 import badlog.window.choice.AxisChoice
 import badlog.window.compare.ComparedRecordings
@@ -180,11 +181,11 @@ internal class LayoutStore(
     fun showStartBoard() {
         val open = current.recording ?: return
         val before = board.history.now
-        board.changeAll(open.standardGraphs)
+        board.send(BoardAction.ShowAll(open.standardGraphs))
         view.press(KeyAction.SHOW_ALL)
         val after = board.history.now
         if (before.showsSame(after)) return
-        val undo = NoticeAction("Undo") { board.takeBack(before, after) }
+        val undo = NoticeAction("Undo") { board.send(BoardAction.TakeBack(before, after)) }
         notices.say("The graphs that this log begins with are shown.", undo)
     }
 

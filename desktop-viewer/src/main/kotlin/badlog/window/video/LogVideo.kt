@@ -165,7 +165,8 @@ internal class LogVideo(
         val x = state.alignment?.xAt(seconds, secondsOfX ?: return) ?: return
         // Not x: a video may be longer than the log.
         view.send(PlaceAction.GoTo(x))
-        place = view.cursor
+        // Not view.cursor: when that is calculated, others may hear of the cursor.
+        place = view.place.cursors.x
         cursorBefore = place
     }
 

@@ -15,6 +15,7 @@ import badlog.viewer.choices.board.defaultBoard
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
+import badlog.window.change
 import badlog.window.compare.Comparison
 import badlog.window.files.ChosenFiles
 import badlog.window.folder.LibraryState

@@ -75,8 +75,9 @@ class GraphPaneSpec : FunSpec({
     }
 
     test("a recording without samples says so") {
+        val viewer = viewerOf(recordingOf(bagOf(0) { 0.0 }))
         runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewerOf(recordingOf(bagOf(0) { 0.0 }))) }
+            setContent { TestGraphs(viewer) }
             onNodeWithText("There is nothing to draw in this log").assertExists()
         }
     }

@@ -14,6 +14,7 @@ import androidx.compose.ui.test.performMultiModalInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
+import badlog.viewer.input.KeyAction
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.log.OpenRecording
@@ -169,7 +170,8 @@ class PlotGesturesSpec : FunSpec({
                 release()
             }
             viewer.view.viewport.visible.from shouldBe (40.0 plusOrMinus 0.1)
-            viewer.view.viewport.back().visible.from shouldBe (45.0 plusOrMinus 0.1)
+            viewer.view.press(KeyAction.PREVIOUS_VIEW)
+            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
         }
     }
 

@@ -14,6 +14,7 @@ import badlog.viewer.input.KeyAction
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.ViewerScreen
 import badlog.window.bagOf
+import badlog.window.change
 import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan

@@ -15,6 +15,7 @@ import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
 import badlog.window.graph.withFormulas
+import badlog.window.kept
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.sidebar.Panels

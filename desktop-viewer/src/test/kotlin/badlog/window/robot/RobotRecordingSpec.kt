@@ -25,6 +25,7 @@ import badlog.viewer.input.KeyAction
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
+import badlog.window.change
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
 import io.kotest.core.annotation.Tags

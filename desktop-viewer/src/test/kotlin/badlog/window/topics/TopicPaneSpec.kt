@@ -144,8 +144,9 @@ class TopicPaneSpec : FunSpec({
             null to "Open a log to see its topics.",
             recordingOf("") to "This log has no topics with samples.",
         )) {
+            val viewer = viewerOf(recording)
             runDesktopComposeUiTest(240, 600) {
-                setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewerOf(recording)) } }
+                setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
                 onNodeWithText(sentence).assertExists()
             }
         }

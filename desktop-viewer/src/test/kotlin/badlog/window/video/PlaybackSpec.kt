@@ -1,6 +1,7 @@
 package badlog.window.video
 
 import badlog.core.analysis.Span
+import badlog.viewer.input.KeyAction
 import badlog.viewer.state.PlaceAction
 import badlog.window.graph.bagOf
 import badlog.window.graph.recordingOf
@@ -54,7 +55,8 @@ class PlaybackSpec : FunSpec({
         viewer.player.advance(0.2)
         viewer.view.cursor.shouldNotBeNull() shouldBe (10.1 plusOrMinus 1e-9)
         (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
-        viewer.view.viewport.back().isZoomed shouldBe false
+        viewer.view.press(KeyAction.PREVIOUS_VIEW)
+        viewer.view.viewport.isZoomed shouldBe false
     }
 
     test("play at the end begins again") {

@@ -5,6 +5,7 @@ import badlog.viewer.draw.axis.yParts
 import badlog.viewer.session.gesture.PlotDrag
 import badlog.viewer.session.gesture.PlotTarget
 import badlog.viewer.state.Action
+import badlog.viewer.state.GraphChange
 import badlog.viewer.state.Place
 import badlog.window.graph.plot.PlotPicture
 import badlog.window.log.PlotGesture
@@ -31,6 +32,6 @@ internal class ViewTarget(private val scene: GraphScene, private val id: Int? = 
     override fun showY(part: Span?) {
         if (id == null) return
         val parts = if (part == null) emptyList() else yParts(plot?.axes.orEmpty().map { it.shown }, part)
-        scene.board.change { withYRange(id, parts.getOrNull(0), parts.getOrNull(1)) }
+        scene.board.send(GraphChange.ShowY(id, parts.getOrNull(0), parts.getOrNull(1)))
     }
 }

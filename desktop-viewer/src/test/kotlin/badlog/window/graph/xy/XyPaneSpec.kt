@@ -22,6 +22,7 @@ import badlog.viewer.draw.path.xScale
 import badlog.viewer.draw.path.yScale
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
+import badlog.window.change
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.graphActions
 import badlog.window.graph.sample

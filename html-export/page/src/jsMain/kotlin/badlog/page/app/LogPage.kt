@@ -70,6 +70,7 @@ import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
+import badlog.viewer.state.GraphChange
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.countText
 import kotlinx.browser.window
@@ -318,7 +319,7 @@ internal class LogPage(
 
     private fun pinEvidence(finding: Finding, incident: Incident?) {
         val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
-        board.change { withGraphs(shown) }
+        board.send(GraphChange.AddAll(shown))
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 

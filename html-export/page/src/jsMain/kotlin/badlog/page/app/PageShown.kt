@@ -10,11 +10,8 @@ import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.state.Shown
 
 /** What is known of the page's log; each part of the page is asked for when it exists. */
-internal class PageShown(
-    private val scene: () -> Scene,
-    private val findings: () -> FindingsSection,
-    private val keys: () -> BoardKeys,
-) : Shown {
+internal class PageShown(private val scene: () -> Scene, private val findings: () -> FindingsSection, private val keys: () -> BoardKeys) :
+    Shown {
     override val samples: CursorSteps by lazy { CursorSteps(scene().xAxis.clocks) }
     override val enabled: List<EnabledSpan> get() = scene().enabled
     override val found: FoundInLog get() = findings().found

@@ -3,6 +3,7 @@ package badlog.page.board
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.PageBoard
+import badlog.viewer.state.GraphChange
 import badlog.viewer.state.Request
 import kotlinx.browser.document
 
@@ -16,11 +17,11 @@ internal class BoardKeys(private val board: PageBoard, private val graphs: Visib
         val card = graph() ?: return
         val own = section.itemOf(card.element) ?: return card.pin()
         val next = section.after(own)
-        board.change { without(own.spec.id) }
+        board.send(GraphChange.Remove(own.spec.id))
         section.focus(next)
     }
 
-    /** Remembers the board if it has changed, and scrolls to the graph that a key has moved if it is out of sight. */
+    /** Remembers the board if it has changed. Scrolls to the graph that a key has moved if it is out of sight. */
     fun follow(change: Request.Graphs) {
         if (change.before != null) board.remember()
         change.moved?.let(section::keepInSight)

@@ -25,7 +25,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     private val history: BoardHistory get() = store.state.board
 
     /** The board it began with, unless the browser remembered one. */
-    private var begun: BoardHistory? = null
+    private var begun: Board? = null
 
     /** The board as this tab last read or stored it; while nothing is stored, the one it began with. */
     private var known = Board()
@@ -48,7 +48,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
         private set
 
     /** Whether it is the board that the page begins with for everybody. */
-    val isUntouched: Boolean get() = begun?.now?.fittedTo { lines[it] != null }?.board?.showsSame(now) == true
+    val isUntouched: Boolean get() = begun?.fittedTo { lines[it] != null }?.board?.showsSame(now) == true
 
     val canUndo: Boolean get() = history.canUndo
     val canRedo: Boolean get() = history.canRedo
@@ -72,30 +72,30 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
         start = board
-        val first = history.begunWith(own ?: board())
-        known = first.now
-        if (own == null) begun = first
-        store.send(BoardAction.Show(if (visited == null) first else first.changed(visited)))
+        known = own ?: board()
+        if (own == null) begun = known
+        send(BoardAction.Begin(known, visited))
     }
 
     /** Begins with [board] instead, unless the reader already has another one. */
     fun beginAgain(board: Board) {
         start = { board }
-        if (history !== begun || board.showsSame(history.now)) return
+        if (begun == null || canUndo || canRedo || board.showsSame(history.now)) return
         known = board
-        begun = history.begunWith(board).also { store.send(BoardAction.Show(it)) }
+        begun = board
+        send(BoardAction.Begin(board))
     }
 
     /** Shows the board that the page begins with for everybody; can be undone. */
-    fun startAgain() = change { start() }
+    fun startAgain() = send(BoardAction.Show(start()))
 
-    /** Performs [step], which can be undone, and remembers the result. */
-    fun change(step: Board.() -> Board) = store.send(BoardAction.Take(history.changed(now.step(), now)))
+    /** Lets [action] change the graphs. */
+    fun send(action: BoardAction) = store.send(action)
 
     /**
      * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
      */
-    fun visit(board: Board) = store.send(BoardAction.Show(history.changed(board)))
+    fun visit(board: Board) = send(BoardAction.Visit(board))
 
     fun undo() = store.send(Action.Press(KeyAction.UNDO))
 
@@ -104,7 +104,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     /** Remembers it as it is now. */
     fun remember() {
         // Another tab may have changed it meanwhile.
-        store.send(BoardAction.Show(history.mergedWith(remembered() ?: known, known)))
+        send(BoardAction.Merge(remembered() ?: known, known))
         LocalStorage[key] = history.now.toJson(haveIds = true)
         // As it is read: what JSON cannot hold is not a change of another tab.
         known = remembered() ?: history.now

@@ -11,7 +11,7 @@ sealed interface PlaceAction : Action {
     /** Shows all of [full], as for another log: without cursor, selection and finding. */
     data class Open(val full: Span) : PlaceAction
 
-    /** Shows a log that has grown, whose x is [full] now; [isOtherAxis] if that is another x axis, all of which is shown. */
+    /** Shows a log that has grown to [full]. If that is another x axis, as [isOtherAxis] says, all of it is shown. */
     data class Grow(val full: Span, val isOtherAxis: Boolean = false) : PlaceAction
 
     /** Goes to the end of the log, and stays there if the log grows. */
@@ -23,7 +23,7 @@ sealed interface PlaceAction : Action {
     /** Stays at what is visible, though the log grows. */
     data object Pause : PlaceAction
 
-    /** Pins the cursor at [x], or at the nearest end of the log, and shows it; with its surroundings if it [isWithSurroundings]. */
+    /** Pins the cursor at [x], or at the nearest end of the log, and shows it; if it [isWithSurroundings], these, too. */
     data class GoTo(val x: Double, val isWithSurroundings: Boolean = false) : PlaceAction
 
     /** Selects [finding] where the person is; null for none. */

@@ -1,6 +1,5 @@
 package badlog.viewer.state
 
-import badlog.viewer.choices.board.BoardHistory
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.KeyAction
@@ -10,8 +9,7 @@ fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (ac
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
     is Action.Ask -> Outcome(state, action.request)
     is FindingAction -> state.after(shown, action)
-    is BoardAction.Take -> state.taking(shown, action.board)
-    is BoardAction.Show -> Outcome(state.copy(board = action.board))
+    is BoardAction -> state.after(shown, action)
     is PlaceAction -> Outcome(state.after(shown, action))
 }
 
@@ -68,10 +66,4 @@ private fun ViewerState.moved(shown: Shown, places: Int): Outcome {
 private fun ViewerState.resized(shown: Shown): Outcome {
     val graph = shown.graphs.graphs.find { it.id == shown.graph } ?: return Outcome(this)
     return taking(shown, board.changed(shown.graphs.resized(graph.id, GraphHeight.of(graph.height).next.pixels), shown.graphs))
-}
-
-/** Goes to [to], a step from the board; [moved] is the graph that a key has moved, if any. */
-private fun ViewerState.taking(shown: Shown, to: BoardHistory, moved: Int? = null): Outcome {
-    val before = shown.graphs.takeIf { to !== board }
-    return Outcome(copy(board = to), if (before == null && moved == null) null else Request.Graphs(before, moved))
 }
