@@ -34,6 +34,9 @@ sealed interface FindingAction : Action {
     /** Folds or unfolds the rules that could not run. */
     data object ToggleSkipped : FindingAction
 
+    /** Unfolds and searches nothing, as for findings that are not known yet. */
+    data object Forget : FindingAction
+
     /** Shows the lines with which [library] logs what is missing. */
     data class ShowLines(val library: LoggingLibrary) : FindingAction
 

@@ -12,6 +12,7 @@ internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = w
     FindingAction.ListFew -> findings { copy(listed = null) }
     FindingAction.ToggleWithin -> findings { copy(isWithinOpen = !isWithinOpen) }
     FindingAction.ToggleSkipped -> findings { copy(isSkippedOpen = !isSkippedOpen) }
+    FindingAction.Forget -> findings { FindingsState(library = library) }
     is FindingAction.ShowLines -> findings { copy(library = action.library) }
     is FindingAction.Refuse -> findings { copy(refusal = action.reason) }
 }

@@ -7,6 +7,9 @@ import badlog.viewer.shown.finding.FoundInLog
 
 /** What [reduce] needs of an open log besides the state: each is asked for by the first action that needs it. */
 interface Shown {
+    /** Whether a log is open. */
+    val isOpen: Boolean get() = true
+
     /** The samples that a cursor steps to. */
     val samples: CursorSteps
 

@@ -1,6 +1,6 @@
 package badlog.viewer.state
 
-/** Where a shell keeps the state: a variable that whatever it draws follows. */
+/** A variable for the state, which only a [Store] sets: whatever a shell draws follows it. */
 interface StateCell {
     /** The current state. */
     var state: ViewerState
@@ -14,6 +14,9 @@ interface StateCell {
  * @param perform does what only the shell can do.
  */
 class Store(private val cell: StateCell, private val shown: Shown, private val perform: (Request) -> Unit) {
+    /** The current state. */
+    val state: ViewerState get() = cell.state
+
     /** Lets [action] change the state, and then does what it asks of the shell. */
     fun send(action: Action) {
         val outcome = reduce(cell.state, shown, action)
