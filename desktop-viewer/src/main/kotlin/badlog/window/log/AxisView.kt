@@ -57,8 +57,11 @@ internal class AxisView(private val store: Store) {
     /** The current drag over a graph, or null. */
     var gesture: PlotGesture? by mutableStateOf(null)
 
-    /** Lets [action] change the state. */
-    fun send(action: Action) = store.send(action)
+    /** Lets [action] change the state. A drag over another x axis ends without effect. */
+    fun send(action: Action) {
+        if (action is PlaceAction.Open || (action is PlaceAction.Grow && action.isOtherAxis)) gesture = null
+        store.send(action)
+    }
 
     /** Does what [key] means. */
     fun press(key: KeyAction) = send(Action.Press(key))

@@ -1,5 +1,6 @@
 package badlog.window.log
 
+import androidx.compose.runtime.SnapshotMutationPolicy
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -15,6 +16,7 @@ import badlog.viewer.state.BoardAction
 import badlog.viewer.state.GraphChange
 import badlog.viewer.state.Request
 import badlog.viewer.state.Store
+import badlog.viewer.state.ViewerState
 
 /**
  * The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread.
@@ -24,8 +26,11 @@ import badlog.viewer.state.Store
  * shown.
  */
 internal class GraphBoard(private val store: Store, private val isDrawn: (String) -> Boolean = { true }) {
+    // Follows only the graphs: what depends on it is not calculated again while the cursor moves.
+    private val kept: ViewerState by derivedStateOf(SameGraphs) { store.state }
+
     /** All graphs, also those that the open log cannot draw, with their history. */
-    val history: BoardHistory by derivedStateOf { store.state.board }
+    val history: BoardHistory get() = kept.board
 
     /** The graphs that are shown. Composables that draw them are recomposed when they change. */
     val state: Board by derivedStateOf {
@@ -34,7 +39,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     }
 
     /** All graphs that a person arranged, also those that the open log cannot draw. */
-    val arranged: Board by derivedStateOf { store.state.arranged }
+    val arranged: Board by derivedStateOf { kept.arranged }
 
     /** Whether there is something to undo. */
     val canUndo: Boolean get() = history.canUndo
@@ -43,7 +48,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     val canRedo: Boolean get() = history.canRedo
 
     /** The graphs that were put on top to show a finding, unless a person has changed them. */
-    val evidence: Board by derivedStateOf { store.state.evidenceIn(state) }
+    val evidence: Board by derivedStateOf { kept.evidenceIn(state) }
 
     /** The graph to scroll to; null if it is visible. */
     var wanted: Int? by mutableStateOf(null)
@@ -131,4 +136,9 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     }
 
     private fun drawn(board: Board) = board.fittedTo(isThere = isDrawn).board
+}
+
+/** Whether two states have the same graphs, by identity. */
+private object SameGraphs : SnapshotMutationPolicy<ViewerState> {
+    override fun equivalent(a: ViewerState, b: ViewerState) = a.board === b.board && a.added === b.added
 }

@@ -34,6 +34,7 @@ internal class Following(
     private var isOver = false
     private var misses = 0
     private var stay = Stay()
+    private var followed: PageStore? = null
     private var isPressed = false
     private val onPress = { event: Event ->
         // Where another button is let go, the page may never know: over the browser’s menu, for example.
@@ -62,8 +63,9 @@ internal class Following(
 
     /** The reader stays in [store] at the end of what is shown now. */
     fun stayAt(store: PageStore) {
+        followed = store
         stay = stay.begun(store.place)
-        store.onChange { if (!stay.isAt(store.place)) stop() }
+        store.onChange { if (store === followed && store.place !== it.place && !stay.isAt(store.place)) stop() }
     }
 
     /** Ends it. */

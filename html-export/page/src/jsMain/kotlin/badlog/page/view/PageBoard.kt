@@ -80,7 +80,8 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     /** Begins with [board] instead, unless the reader already has another one. */
     fun beginAgain(board: Board) {
         start = { board }
-        if (begun == null || canUndo || canRedo || board.showsSame(history.now)) return
+        // A formula that was added and removed again leaves no step, though the board was remembered.
+        if (begun == null || canUndo || canRedo || remembered() != null || board.showsSame(history.now)) return
         known = board
         begun = board
         send(BoardAction.Begin(board))

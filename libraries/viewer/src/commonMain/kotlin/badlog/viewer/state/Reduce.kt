@@ -7,7 +7,7 @@ import badlog.viewer.input.KeyAction
 /** Returns what [action] leads to, on the page and in the window, from [state] of a log of which [shown] is known. */
 fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
-    is Action.Ask -> Outcome(state, action.request)
+    is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
     is FindingAction -> state.after(shown, action)
     is BoardAction -> state.after(shown, action)
     is PlaceAction -> Outcome(state.after(shown, action))

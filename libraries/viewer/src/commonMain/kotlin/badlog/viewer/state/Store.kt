@@ -19,7 +19,13 @@ class Store(private val cell: StateCell, private val shown: Shown, private val p
 
     /** Lets [action] change the state, and then does what it asks of the shell. */
     fun send(action: Action) {
-        val outcome = reduce(cell.state, shown, action)
+        var before: ViewerState
+        var outcome: Outcome
+        do {
+            before = cell.state
+            outcome = reduce(before, shown, action)
+            // Asking the shell what is shown may have led to another action.
+        } while (cell.state !== before)
         cell.state = outcome.state
         outcome.request?.let(perform)
     }
