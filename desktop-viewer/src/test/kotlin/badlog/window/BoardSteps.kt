@@ -4,7 +4,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.state.BoardAction
 import badlog.window.log.GraphBoard
 
-/** Changes what is drawn by [step], as a person does. */
+/** Changes the drawn graphs by [step], as a person does. */
 internal fun GraphBoard.change(step: Board.() -> Board) = send(BoardAction.Show(state.step()))
 
 /** The graphs that a person arranged, without those that show a finding. */

@@ -48,7 +48,7 @@ internal class AxisView(private val store: Store) {
     /** The place of the finding that a person went to last; null for none. */
     val visited: FindingPlace<Finding>? by derivedStateOf { store.state.place.visited }
 
-    /** What is searched and unfolded in the findings. */
+    /** The search and the unfolded parts in the findings. */
     val findings: FindingsState by derivedStateOf { store.state.findings }
 
     /** Whether the person stays at the end of a log that grows. */

@@ -26,7 +26,7 @@ import badlog.viewer.state.ViewerState
  * shown.
  */
 internal class GraphBoard(private val store: Store, private val isDrawn: (String) -> Boolean = { true }) {
-    // Follows only the graphs: what depends on it is not calculated again while the cursor moves.
+    // Follows only the graphs: nothing here is calculated again while the cursor moves.
     private val kept: ViewerState by derivedStateOf(SameGraphs) { store.state }
 
     /** All graphs, also those that the open log cannot draw, with their history. */

@@ -18,7 +18,7 @@ private val LOADED_BY_PROGRAM = listOf("badlog.charts", "badlog.cli", "badlog.re
 
 private val FRONT_ENDS = setOf("desktop-viewer", "html-export/page")
 
-/** The files with the state before anybody has done something. */
+/** The files with the state before the first action. */
 private val FIRST_STATES = setOf("StateVariable.kt", "PageStore.kt")
 
 /** What makes or changes a place, a board or the state. */

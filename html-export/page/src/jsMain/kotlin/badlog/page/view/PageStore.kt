@@ -17,7 +17,7 @@ import badlog.viewer.state.ViewerState
  * The state of the log that the page shows, at first [start]. Whatever draws a part of it listens for that part alone: moving a cursor
  * redraws no graph.
  *
- * @param shown what is known of the log.
+ * @param shown the content of the log.
  * @param perform does what only the page can do.
  */
 internal class PageStore(start: ViewerState, shown: Shown, perform: (Request) -> Unit) {

@@ -6,7 +6,7 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.FieldOrigin
 import badlog.viewer.choices.board.dropped
 
-/** What a person does to the graphs that are drawn of the board; undoing restores the previous ones. See [Board]. */
+/** A change of the drawn graphs, see [Board]; undoing restores the previous ones. */
 sealed interface GraphChange : BoardAction {
     /** Adds a graph of [lines] at the end, or before the graph [before]. */
     data class Add(val lines: List<String>, val before: Int? = null) : GraphChange
@@ -17,7 +17,7 @@ sealed interface GraphChange : BoardAction {
     /** Adds [graphs] at the end, or before the graph [before]. */
     data class AddAll(val graphs: List<BoardGraph>, val before: Int? = null) : GraphChange
 
-    /** Adds those of [lines] to graph [id] that are not there yet. */
+    /** Adds [lines] to graph [id], except lines that are already there. */
     data class AddLines(val id: Int, val lines: List<String>) : GraphChange
 
     /** Adds [lines] to the last graph, or to a new one if there is none. */
@@ -35,7 +35,7 @@ sealed interface GraphChange : BoardAction {
     /** Adds [graph], or removes those that draw the same. */
     data class Toggle(val graph: BoardGraph) : GraphChange
 
-    /** Adds a graph of [line], drawn as [lines], or removes those of these lines or of [line] alone. */
+    /** Adds a graph of [line], drawn as [lines]; or removes each graph of these lines or of [line] alone. */
     data class ToggleOwn(val line: String, val lines: List<String> = listOf(line)) : GraphChange
 
     /** Shows only [graphs]. */

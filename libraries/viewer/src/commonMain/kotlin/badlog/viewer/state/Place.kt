@@ -21,7 +21,7 @@ data class Place(
     val selection: Span? = null,
     val visited: FindingPlace<Finding>? = null,
 ) {
-    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of what is visible. */
+    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of the visible range. */
     val ofNote: Double get() = cursors.x ?: range.visible.run { (from + to) / 2 }
 
     /** Pins the cursor at [x], or at the end of the log that is nearer to it, and shows it. Nothing changes if x is not finite. */

@@ -20,7 +20,7 @@ sealed interface PlaceAction : Action {
     /** Goes to the end of a log that has grown; going back skips this. */
     data object FollowEnd : PlaceAction
 
-    /** Stays at what is visible, though the log grows. */
+    /** Keeps the visible range while the log grows. */
     data object Pause : PlaceAction
 
     /** Pins the cursor at [x], or at the nearest end of the log, and shows it; if it [isWithSurroundings], these, too. */
@@ -35,16 +35,16 @@ sealed interface PlaceAction : Action {
     /** Shows the selected range. */
     data object ShowSelection : PlaceAction
 
-    /** Remembers what is visible for going back, at the start of a gesture of many steps. */
+    /** Remembers the visible range for going back, at the start of a gesture of many steps. */
     data object Remember : PlaceAction
 
     /** Shows x between [from] and [to], in any order, as one of many steps. */
     data class Move(val from: Double, val to: Double) : PlaceAction
 
-    /** Moves what is visible by [distance] in x, backwards if negative, as one of many steps. */
+    /** Moves the visible range by [distance] in x, backwards if negative, as one of many steps. */
     data class Shift(val distance: Double) : PlaceAction
 
-    /** Makes what is visible [factor] times as wide around [center], as one of many steps. */
+    /** Makes the visible range [factor] times as wide around [center], as one of many steps. */
     data class Scale(val factor: Double, val center: Double) : PlaceAction
 
     /** Shows [range], to which a gesture has led, or in which it began. */

@@ -4,7 +4,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardHistory
 import badlog.viewer.choices.board.mergedWith
 
-/** Returns what [action] leads to from this state of a log of which [shown] is known. */
+/** Returns the outcome of [action] from this state, for a log with the content [shown]. */
 internal fun ViewerState.after(shown: Shown, action: BoardAction): Outcome = when (action) {
     is GraphChange -> taking(shown, board.changed(shown.graphs.after(action), shown.graphs))
     is BoardAction.Begin -> Outcome(begun(action))

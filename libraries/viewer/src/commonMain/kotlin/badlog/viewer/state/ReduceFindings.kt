@@ -3,7 +3,7 @@ package badlog.viewer.state
 import badlog.rules.Finding
 import badlog.viewer.draw.mark.FindingPlace
 
-/** Returns what [action] leads to from this state of a log of which [shown] is known. */
+/** Returns the outcome of [action] from this state, for a log with the content [shown]. */
 internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = when (action) {
     is FindingAction.GoTo -> visiting(action.place, FindingRequest.Show(action.place, action.incident, action.isWhole))
     is FindingAction.StepWithin -> steppedWithin(shown, action.steps)

@@ -4,7 +4,7 @@ import badlog.core.analysis.Span
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.shown.cursor.Cursors
 
-/** Returns the state after [action], for a log of which [shown] is known. */
+/** Returns the state after [action], for a log with the content [shown]. */
 internal fun ViewerState.after(shown: Shown, action: PlaceAction): ViewerState = when (action) {
     is PlaceAction.Open -> copy(place = Place(Viewport(action.full)), stay = Stay())
     is PlaceAction.Grow -> grown(action)

@@ -3,8 +3,8 @@ package badlog.viewer.state
 import badlog.viewer.choices.board.Board
 
 /**
- * What only a shell can do for an action. Its `when` over these has no `else`, so that a new one does not compile until page and window
- * both do it.
+ * A task that only a shell can perform. The shells' `when` has no `else`, so that a new task does not compile until page and window both
+ * perform it.
  */
 sealed interface Request {
     /** Opens the values at the cursor, or closes them. */
@@ -19,7 +19,7 @@ sealed interface Request {
     /**
      * Remembers the board, and shows which graphs are new if they are out of sight.
      *
-     * @property before what was drawn of it before a person has changed it; null if nothing has changed.
+     * @property before the graphs that were drawn before the change; null if nothing has changed.
      * @property moved the graph that a key has moved, which is shown, too; null for none.
      */
     data class Graphs(val before: Board?, val moved: Int? = null) : Request
