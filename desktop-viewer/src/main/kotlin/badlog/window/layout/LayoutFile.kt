@@ -61,7 +61,7 @@ internal fun pathText(file: Path, folder: Path?): String {
     return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()
 }
 
-/** Returns the file that a layout wrote as [text], relative to [folder]; null if that is not a valid path. */
+/** Returns the file that a layout contains as [text], relative to [folder]; null if [text] is not a valid path. */
 internal fun pathOf(text: String, folder: Path?): Path? = try {
     (folder?.toAbsolutePath()?.resolve(text) ?: Path.of(text)).takeIf { it.isAbsolute }?.normalize()
 } catch (_: InvalidPathException) {
