@@ -41,7 +41,7 @@ class FoldedTopicsSpec : FunSpec({
             hasTopics(true)
             findings()
             hasTopics(false)
-            // Before, 355 pixels were left between the axes.
+            // There once were 355 pixels left between the axes.
             onNodeWithContentDescription("Overview").fetchSemanticsNode().size.width shouldBeGreaterThan 600
             findings()
             hasTopics(true)

@@ -30,7 +30,7 @@ import kotlinx.coroutines.MainScope
 class LabelsSpec : FunSpec({
     val match = OpenRecording.read(samples.resolve("qualification-42.bag").toAbsolutePath().normalize(), null)
 
-    /** One with a swerve drive, which has one more panel. */
+    /** A log with a swerve drive, which has one more panel. */
     val swerve by lazy {
         val topics = List(3) { "Measured[$it]" }.flatMap { listOf("$it/speed", "$it/angle/value") }
         recordingOf(bagOf(listOf("Time|xaxis") + topics, listOf("0,1,0,1,0,1,0", "1,1,0,1,0,1,0")))
@@ -46,7 +46,7 @@ class LabelsSpec : FunSpec({
         }
     }
 
-    /** The buttons of the bar at the top and of that above the graphs, by their words, except those that show more than these. */
+    /** The buttons of the bars at the top and above the graphs, by their words, unless they show more than these. */
     val words = mapOf(
         "Logs: the list at the left" to "Logs",
         "Topics" to "Topics",

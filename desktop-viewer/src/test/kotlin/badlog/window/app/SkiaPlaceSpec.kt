@@ -19,13 +19,13 @@ class SkiaPlaceSpec : FunSpec({
         val program = ProcessBuilder(listOf(java) + options + listOf("-cp", System.getProperty("java.class.path"), "badlog.window.app.SkiaPlaceSpecKt"))
         val output = program.redirectErrorStream(true).start().inputStream.reader().use { it.readText() }
         output.trim() shouldBe "drawn"
-        // Windows deletes no library that is loaded.
+        // Windows does not delete loaded libraries.
         if (System.getProperty("os.name").startsWith("Windows")) return@test
         Files.list(temporary).use { files -> files.filter { it.fileName.toString().startsWith("badlog") }.count() } shouldBe 0
     }
 })
 
-/** Draws, as the window does first. */
+/** Draws after the same preparation as the window. */
 fun main() {
     placeSkia()
     Surface.makeRasterN32Premul(1, 1).close()

@@ -113,7 +113,7 @@ class ChartsPaneSpec : FunSpec({
 
     test("a folder of logs that rules cannot look into has a sentence for each chart") {
         val folder = tempdir().toPath()
-        // Rules wait for logs that are written just now.
+        // Rules wait for logs that have just been written.
         Files.setLastModifiedTime(folder.put("a.csv", "Time,Speed\n" + (0..99).joinToString("") { i -> "$i,${i % 7}\n" }), FileTime.fromMillis(1_700_000_000_000))
         onFolder(folder) { viewer ->
             showCharts(viewer)

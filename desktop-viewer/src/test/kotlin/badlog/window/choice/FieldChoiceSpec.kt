@@ -20,7 +20,7 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 
 class FieldChoiceSpec : FunSpec({
-    /** A field in a folder of its own, of this [length] in m. */
+    /** Returns a field in a folder of its own, with this [length] in m. */
     fun fieldOf(length: Int): Path = tempdir().let { folder ->
         ImageIO.write(BufferedImage(40, 20, BufferedImage.TYPE_INT_RGB), "png", File(folder, "f.png"))
         val text = """{"field-image":"f.png","field-corners":{"top-left":[0,0],"bottom-right":[40,20]},"field-size":[$length,8],"field-unit":"m"}"""
@@ -50,7 +50,7 @@ class FieldChoiceSpec : FunSpec({
         viewer.current.recording?.fieldPicture?.width shouldBe 40
         val folder = checkNotNull(viewer.current.recording).file.parent
         viewer.settings.state.fields shouldBe mapOf("$folder" to "$file")
-        // Another log of the folder, and one of another folder.
+        // A selection is for another log of the folder, too, but not for a log of another folder.
         viewer.fields.selectedFor(folder.resolve("b.bag")) shouldBe file
         viewer.fields.selectedFor(tempdir().toPath().resolve("b.bag")).shouldBeNull()
         viewer.menu().map { it.label to it.isOn } shouldBe listOf("Select a field file…" to true, "Deselect the field file" to false)

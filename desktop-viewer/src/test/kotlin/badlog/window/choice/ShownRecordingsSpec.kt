@@ -85,7 +85,7 @@ class ShownRecordingsSpec : FunSpec({
             slow.goOn()
             following.join()
         }
-        // Whoever calculates to the end reads them once more, with what came of them.
+        // A calculation that ends reads the definitions once more, with its results.
         slow.timesRead shouldBe 1
     }
 
@@ -181,13 +181,13 @@ class ShownRecordingsSpec : FunSpec({
     }
 })
 
-/** Definitions of formulas, whose reader waits until [goOn] is called. */
+/** Definitions of formulas, with a reader that waits until [goOn] is called. */
 private class SlowDefinitions(private val all: List<String>) : AbstractList<String>() {
     private val isRead = CountDownLatch(1)
     private val mayGoOn = CountDownLatch(1)
     private val lastReads = AtomicInteger()
 
-    /** How often the last of them was read. */
+    /** The number of times that the last definition was read. */
     val timesRead: Int get() = lastReads.get()
 
     override val size: Int get() = all.size

@@ -42,7 +42,7 @@ class StationChoiceSpec : FunSpec({
         shown.span shouldBe Span(-3.0, 13.98)
         viewer.view.viewport.full shouldBe shown.span
         findingsOf(shown.forRules, log, null).all.flatMap { it.evidence } shouldContain "Driver Station/Battery Voltage"
-        // What a person saves is of the robot's log alone.
+        // A saved part has only the topics of the robot's log.
         partOf(shown, Span(0.0, 1.0)).recording.topics.map { it.name } shouldBe listOf("Time", "Robot/Enabled", "Arm/Angle")
         choosing(viewer) { viewer.stations.choose(false) }
         checkNotNull(viewer.current.recording).run { station.shouldBeNull() }

@@ -28,10 +28,10 @@ import kotlin.time.Duration.Companion.seconds
 class LogFindingsSpec : FunSpec({
     val home = tempdir().toPath()
 
-    /** A window without graphs, which the rules do not wait for. */
+    /** Returns a window without graphs, for which the rules do not wait. */
     fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
 
-    /** The findings of [viewer], found by [find]. */
+    /** Returns the findings of [viewer], as returned by [find]. */
     fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FoundInLog) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, rest = { rest() }, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
@@ -43,7 +43,7 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
-    // Who waits for a change of the state hears of it when a frame is drawn, which nobody does here.
+    // Observers of the state are notified when a frame is drawn, which does not happen here.
     suspend fun change(change: () -> Unit) = withContext(Dispatchers.Main) {
         change()
         Snapshot.sendApplyNotifications()
@@ -98,7 +98,7 @@ class LogFindingsSpec : FunSpec({
 
             change { viewer.findings.showWorst(folder.resolve("never opened.bag")) }
             change { viewer.current.replace(counted(home)) }
-            // Not the findings of the log before, which stay until the window hears of the other one.
+            // The findings of the previous log stay until the window receives the other one.
             eventually(60.seconds) { viewer.findings.state.list?.all?.none { it.rule == "Error" } shouldBe true }
             viewer.findings.selected shouldBe null
         }

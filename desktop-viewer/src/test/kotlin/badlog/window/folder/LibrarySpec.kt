@@ -40,7 +40,7 @@ import java.nio.file.attribute.PosixFilePermissions
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
-/** Symbolic links: on Windows only administrators make them. */
+/** Symbolic links, which only administrators create on Windows. */
 private val IF_LINKS =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows makes symbolic links for administrators only")
 
@@ -54,7 +54,7 @@ class LibrarySpec : FunSpec({
 
     fun newViewer(home: Path = tempdir().toPath()) = Viewer(MainScope(), UserFolders(home, home))
 
-    /** Opens [folder] in [viewer], waits for what [until] wants, and closes it. */
+    /** Opens [folder] in [viewer], runs [steps], and closes the folder. */
     suspend fun watching(folder: Path, viewer: Viewer = newViewer(), steps: suspend (Viewer) -> Unit) {
         try {
             withContext(Dispatchers.Main) {
@@ -147,7 +147,7 @@ class LibrarySpec : FunSpec({
         val file = folder.put("a.bag", bag(100))
         watching(folder, newViewer(home)) { viewer -> eventually(longest) { names(viewer).size shouldBe 1 } }
         eventually(longest) { FolderStore(folder, home.resolve("answers"), BADLOG_VERSION)[LogFile.of(file)].shouldNotBeNull() }
-        // The same size at the same time with other content: who reads it, knows.
+        // Only a reader notices other content of the same size at the same time.
         val written = Files.getLastModifiedTime(file)
         Files.writeString(file, Files.readString(file).replace("System/Battery Voltage", "System/Cattery Voltage"))
         Files.setLastModifiedTime(file, written)
@@ -222,7 +222,7 @@ class LibrarySpec : FunSpec({
         folder.put("b.bag", bag())
         Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("---------"))
         try {
-            // Nothing is closed to an administrator.
+            // An administrator can read every folder.
             if (!Files.isReadable(closed)) {
                 watching(folder) { viewer ->
                     eventually(longest) { names(viewer) shouldContainExactly listOf("b.bag") }

@@ -143,13 +143,13 @@ class NewLogsSpec : FunSpec({
             viewer.panels.change { toggled(MainView.PIT) }
             waitForIdle()
             onNodeWithContentDescription("Pit view").assertExists()
-            // It goes on by itself, so that the bar is not needed.
+            // The pit view shows it by itself, so that the bar is not needed.
             onAllNodesWithContentDescription("New log").assertCountEquals(0)
             onAllNodesWithText("Browned out at 1:33").assertCountEquals(1)
             val last = viewer.library.state.entries.single { it.fileName == "qualification-57.bag.gz" }
             onNodeWithText(verdictText(last.found)).assertExists()
             onNodeWithText("Next: ", substring = true).assertExists()
-            // Somebody who looks at it has seen what has arrived.
+            // A person who looks at the pit view has seen the new logs.
             viewer.newLogs.state.latest shouldBe null
             onNodeWithText("Browned out at 1:33").performClick()
             waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }

@@ -53,7 +53,7 @@ class FormulaSpec : FunSpec({
         reasonFor(open.formulas[0], open).shouldNotBeNull() shouldContain "Arm/Angle"
         reasonFor(open.formulas[1], open) shouldBe null
         open.signal("B").shouldNotBeNull().series.y.last() shouldBe 15.0
-        // A layout that draws it is whole all the same.
+        // A layout that draws the formula still lacks nothing.
         fitted(Board().withGraph(listOf("A", "Power")), open).missing shouldBe emptyList()
         fitted(Board().withGraph(listOf("C", "Power")), open).missing shouldBe listOf("C")
     }

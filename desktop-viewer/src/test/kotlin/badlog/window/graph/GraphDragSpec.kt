@@ -30,7 +30,7 @@ class GraphDragSpec : FunSpec({
         test(viewer)
     }
 
-    /** Takes graph [dragged] by its title to the [share] of the height of graph [onto]. */
+    /** Drags graph [dragged] by its title to the [share] of the height of graph [onto]. */
     fun DesktopComposeUiTest.take(dragged: String, onto: String, share: Float) {
         val from = onNodeWithContentDescription("Graph $dragged").fetchSemanticsNode().boundsInRoot
         val to = onNodeWithContentDescription("Graph $onto").fetchSemanticsNode().boundsInRoot

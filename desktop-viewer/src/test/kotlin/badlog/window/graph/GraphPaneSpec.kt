@@ -89,7 +89,7 @@ class GraphPaneSpec : FunSpec({
             val graph = onNodeWithContentDescription("Graph A/Voltage")
             graph.performMouseInput { moveTo(center) }
             waitForIdle()
-            // Over the plot the legend is read: only the menu is there, beside it.
+            // A person reads the legend over the plot: only the menu is there, beside it.
             onNodeWithContentDescription("More for this graph").assertExists()
             onNodeWithContentDescription("Remove this graph").assertDoesNotExist()
             graph.performMouseInput { moveTo(Offset(300f, 8f)) }

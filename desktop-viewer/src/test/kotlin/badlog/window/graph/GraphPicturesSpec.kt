@@ -13,7 +13,7 @@ import badlog.window.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 
-/** Pictures for a person to look at, under `build/pictures`; the tests tell that the lines of the graphs are in them. */
+/** Pictures for a person to look at, under `build/pictures`; the tests check that they contain the lines of the graphs. */
 @OptIn(ExperimentalTestApi::class)
 class GraphPicturesSpec : FunSpec({
     test("a match in light colors") {
@@ -52,7 +52,7 @@ class GraphPicturesSpec : FunSpec({
     }
 })
 
-/** Expects much of the [palette]'s background, and enough of its first [lines] colors to be lines. */
+/** Expects a large area in the [palette]'s background color, and enough pixels of its first [lines] colors to be lines. */
 private fun ImageBitmap.shouldShow(palette: Palette, lines: Int) {
     val pixels = toPixelMap().buffer.map { Color(it) }.groupingBy { it }.eachCount()
     pixels.getOrDefault(palette.surface, 0) shouldBeGreaterThan width * height / 5

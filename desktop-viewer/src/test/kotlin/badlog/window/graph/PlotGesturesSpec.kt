@@ -30,7 +30,7 @@ import kotlin.math.sin
 class PlotGesturesSpec : FunSpec({
     val recording: OpenRecording by lazy { recordingOf(bagOf(1001) { 10 + sin(it / 50.0) }) }
 
-    /** A graph of 100 s, with what is done over its plot. */
+    /** Runs [test] over a graph of 100 s. */
     fun graph(test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(900, 600) {
         val viewer = viewerOf(recording)
         setContent { TestGraphs(viewer) }

@@ -44,7 +44,7 @@ class SpokenCursorSpec : FunSpec({
                 viewer.view.press(KeyAction.NEXT_SAMPLE)
             }
             onNode(region).assertTextEquals("5.000 V, Voltage 7 V, Current 10 V")
-            // A screen reader ignores what takes no room.
+            // A screen reader ignores elements without a size.
             onNode(region).fetchSemanticsNode().size.width shouldBeGreaterThan 0
 
             onNodeWithContentDescription("Plot Battery").performMouseInput { moveTo(centerLeft) }

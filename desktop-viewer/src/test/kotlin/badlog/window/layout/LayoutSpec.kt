@@ -139,7 +139,7 @@ class LayoutSpec : FunSpec({
     }
 })
 
-/** As badlog wrote it before boards had a form of their own. */
+/** The form in which badlog wrote layouts before boards had a form of their own. */
 private val LAYOUT_1 = """
 {
     "badlog-layout": 1,

@@ -31,7 +31,7 @@ import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
 class LayoutStoreSpec : FunSpec({
-    /** What a new start of the program shows over [folder] once [recording] is opened. */
+    /** Starts the program again over [folder], and runs [then] once [recording] is opened. */
     fun started(home: Path, folder: Path, recording: OpenRecording, then: ComposeUiTest.(Viewer) -> Unit) {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(100, 100) {

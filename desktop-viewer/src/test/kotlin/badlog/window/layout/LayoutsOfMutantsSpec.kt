@@ -25,7 +25,7 @@ class LayoutsOfMutantsSpec : FunSpec({
             try {
                 readLayout(file)
             } catch (_: IOException) {
-                // It says what is wrong.
+                // The message names the mistake.
             }
         }
     }

@@ -36,7 +36,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
-/** What several windows do with the layout of one folder. */
+/** Several windows that use the layout of one folder. */
 @Tags("InCheck")
 class SharedFolderSpec : FunSpec({
     val home = tempdir().toPath()
@@ -45,7 +45,7 @@ class SharedFolderSpec : FunSpec({
 
     fun arm(folder: Path, name: String = "one.bag", change: (String) -> String = { it }): OpenRecording = recordingOf(change(armBag(50)), folder.resolve(name))
 
-    /** Opens a window on [folder], in which [recording] is shown at last, and [before] is done before the folder is known. */
+    /** Opens a window on [folder], which finally shows [recording]; [before] runs before the folder is known. */
     fun window(folder: Path, recording: OpenRecording = arm(folder), before: Viewer.() -> Unit = {}): Viewer = runBlocking(Dispatchers.Swing) {
         val viewer = Viewer(MainScope(), UserFolders(home, home)).apply(before)
         withContext(Dispatchers.IO) { layouts.update(folder) { (it ?: Layout(Layout.VERSION)).copy(panels = LayoutPanels(topics = false)) } }
@@ -59,7 +59,7 @@ class SharedFolderSpec : FunSpec({
 
     fun stored(folder: Path): List<String> = layouts.read(folder)?.graphs?.graphs.orEmpty().map { it.title }
 
-    /** Saves, whether or not something has changed, so that the window takes over what others have changed. */
+    /** Saves, even without a change, so that the window takes over the changes of others. */
     fun Viewer.exchange() {
         panels.change { copy(topics = !topics) }
         this.layouts.saveNow()

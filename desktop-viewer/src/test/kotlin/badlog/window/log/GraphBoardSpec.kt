@@ -81,7 +81,7 @@ class GraphBoardSpec : FunSpec({
         val before = viewer.board.state.graphs.map { it.id }
         viewer.board.pointed = before[2]
         viewer.perform(KeyAction.MOVE_UP)
-        // What is below the pointer now.
+        // The graph below the pointer now.
         viewer.board.pointed = before[1]
         viewer.perform(KeyAction.MOVE_UP)
         viewer.board.state.graphs.first().id shouldBe before[2]

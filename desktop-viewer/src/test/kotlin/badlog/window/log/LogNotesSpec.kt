@@ -66,7 +66,7 @@ class LogNotesSpec : FunSpec({
             onNodeWithText("Remove").performClick()
             waitFor { viewer.notes.all.isEmpty() }
             waitFor { NotesFile.read(log).notes.isEmpty() }
-            // Nothing is ever taken out of the file.
+            // Lines are never removed from the file.
             Files.readAllLines(NotesFile.of(log)).size shouldBe 4
             runOnIdle { viewer.notices.all.last().action?.run?.invoke() }
             waitFor { viewer.notes.all.size == 1 }
@@ -79,7 +79,7 @@ class LogNotesSpec : FunSpec({
     test("a note that is written before those of the log are read replaces none of them") {
         val earlier = listOf(Note(7.0, "from yesterday"))
         NotesFile.update(log, earlier, read = emptyList())
-        // Nothing reads them here.
+        // Notes are not read here.
         val viewer = viewer(CoroutineScope(Dispatchers.Unconfined))
         viewer.notes.write(1.0)
         viewer.notes.type("too early")

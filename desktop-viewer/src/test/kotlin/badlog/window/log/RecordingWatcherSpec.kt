@@ -90,7 +90,7 @@ class RecordingWatcherSpec : FunSpec({
             withContext(Dispatchers.Main) { viewer.loader.open(file) }
             eventually(60.seconds) { size() }
             val before = size()
-            // What is cut is cut inside a record.
+            // A file that is cut off ends inside a record.
             Files.write(file, whole.copyOf(whole.size - 3))
             eventually(60.seconds) {
                 size() shouldBe 99

@@ -46,7 +46,7 @@ import java.awt.event.KeyEvent
 class OpenMenusSpec : FunSpec({
     val keyboard = Keyboard()
 
-    /** A window of [content] that hears keys as the real one does. */
+    /** Shows [content] in a window that receives keys like the real one. */
     @Composable
     fun TestWindow(content: @Composable () -> Unit) = ViewerTheme(Theme.LIGHT) {
         Box(Modifier.fillMaxSize().onPreviewKeyEvent { keyboard.dispatchFirst(it, emptyList()) }) { keyboard.Watch(content) }

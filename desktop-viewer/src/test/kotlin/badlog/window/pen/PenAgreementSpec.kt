@@ -25,8 +25,8 @@ import java.util.Base64
 import kotlin.math.abs
 
 /**
- * The window's pen draws what the one of SVG does: what is seen on the screen is what is in the file. Pictures of charts, and an assistant's,
- * are made of SVG as here.
+ * The window's pen and the SVG pen draw the same: a file shows the same as the screen. Pictures of charts, and an assistant's pictures, are
+ * made of SVG as here.
  */
 class PenAgreementSpec : FunSpec({
     val colors = PenColors.LIGHT
@@ -51,7 +51,7 @@ class PenAgreementSpec : FunSpec({
                     covered.distanceFrom(text.boxFor(widthOf)) shouldBeLessThan TEXT_TOLERANCE
                 }
             }
-            // Not covered by an outline.
+            // The part that an outline does not cover.
             val dark = pens.map { (drawn, _) -> drawn.dark(most = 128) }
             dark.min() shouldBeGreaterThan dark.max() / 2
         }
@@ -64,7 +64,7 @@ class PenAgreementSpec : FunSpec({
                 pen.widthOf(text, 16.0) shouldBeGreaterThan 5.0
                 pen.widthOf(text, 16.0) shouldBeLessThan 160.0
             }
-            // Nothing before its beginning, nor beyond its end.
+            // The text covers no pixel before its beginning or beyond its end.
             val covered = screen.covered().shouldNotBeNull()
             covered.left shouldBeGreaterThan 16.9
             covered.right shouldBeLessThan 190.1
@@ -74,7 +74,7 @@ class PenAgreementSpec : FunSpec({
     test("letters that need no shaping are as wide as if they were shaped") {
         val pen = ruler()
 
-        // The last letter has to be shaped, so all of that text is.
+        // The last letter has to be shaped, and so the whole text is shaped.
         fun shaped(text: String) = pen.widthOf("$text\u0301", 16.0) - pen.widthOf("e\u0301", 16.0) + pen.widthOf("e", 16.0)
         for (text in listOf("12.5e", "0.001e", "-40e")) abs(shaped(text) - pen.widthOf(text, 16.0)) shouldBeLessThan 1.0
     }
@@ -100,5 +100,5 @@ private const val WIDTH = PRIMITIVE_WIDTH
 private const val HEIGHT = PRIMITIVE_HEIGHT
 private const val WHITE = -1
 
-/** Edges are smoothed a little differently. */
+/** The difference between two ways of smoothing edges. */
 private const val TOLERANCE = 0.1

@@ -43,7 +43,7 @@ import kotlin.io.path.copyTo
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** A robot that plays a match, over and over. */
+/** Returns a robot that repeats a match. */
 private fun robot(): ReplayServer {
     val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals, "qualification-42.bag")
     return ReplayServer(match, ReplayOptions(0, speed = 5.0, isLooping = true))
@@ -74,7 +74,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    /** Waits until [text] is shown, or until it no longer [isShown]: the window follows what it shows a moment later. */
+    /** Waits until [text] is shown, or until it no longer [isShown]: the window updates a moment later. */
     fun DesktopComposeUiTest.await(text: String, isShown: Boolean = true) = waitFor { onAllNodesWithText(text, substring = true).fetchSemanticsNodes().isNotEmpty() == isShown }
 
     fun DesktopComposeUiTest.record(choice: String) {
@@ -104,7 +104,7 @@ class RobotRecordingSpec : FunSpec({
                 waitFor { !viewer.live.isStaying }
                 waitFor { viewer.current.recording!!.span.to > here + 0.5 }
                 viewer.view.cursors.pinned shouldBe (begin + here) / 2
-                // A moment that somebody marks is now, wherever they look.
+                // A mark is made at the newest moment, wherever the person looks.
                 runOnUiThread { viewer.view.press(KeyAction.MARK) }
                 waitFor { NotesFile.read(log).notes.any { it.text == "Mark 2" && it.x > here } }
                 onNodeWithContentDescription("Follow the log while it is written (End)").performClick()

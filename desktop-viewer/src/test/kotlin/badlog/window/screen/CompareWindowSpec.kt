@@ -34,7 +34,7 @@ class CompareWindowSpec : FunSpec({
             window.awaitState("the battery") { it.statistics.state.topics == listOf("System/Battery Voltage") }
             window.click("Search topics for the table")
             window.type("total current")
-            // The search is done beside the window's thread.
+            // The search runs off the window's thread.
             window.awaitNo("Statistics of Arm/Angle")
             window.click("Statistics of PDP/Total Current")
             window.awaitState("one more topic") { "PDP/Total Current" in it.statistics.state.topics }

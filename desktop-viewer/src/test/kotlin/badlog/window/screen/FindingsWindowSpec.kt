@@ -68,7 +68,7 @@ class FindingsWindowSpec : FunSpec({
         }
         RealWindow(home, match).use { window ->
             window.awaitState("the formula of last time") { it.current.recording?.signal("twice") != null }
-            // A log is open a moment before the layout of last time is laid over it.
+            // A log is open for a moment before its last layout is applied.
             window.awaitState("its graph") { viewer -> viewer.board.state.graphs.lastOrNull()?.lines?.singleOrNull() == "twice" }
             window.look { it.current.recording }.shouldNotBeNull().formulas.single().error shouldBe null
         }

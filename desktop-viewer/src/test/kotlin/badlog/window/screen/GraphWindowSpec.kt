@@ -15,7 +15,7 @@ import kotlin.math.abs
 class GraphWindowSpec : FunSpec({
     val plot = "Plot Arm/Angle"
 
-    /** The window with a match that is open. */
+    /** Opens the window with a match. */
     fun open() = RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag")).apply {
         awaitState("the match") { it.current.recording != null }
         awaitGraphs()

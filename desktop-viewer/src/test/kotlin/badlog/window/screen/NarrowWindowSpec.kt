@@ -58,7 +58,7 @@ class NarrowWindowSpec : FunSpec({
             window.awaitState("the match") { it.current.recording != null }
             window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
             window.awaitGraphs()
-            // Beside the axis at the right, which the first graph needs.
+            // Beside the axis on the right, which the first graph needs.
             window.awaitState("room for graphs") { viewer -> viewer.graphs.plots.state(viewer.board.state.graphs[0].id).size.width > 240 }
             window.picture("small-window")
             val before = window.look { it.settings.state.panes.details }

@@ -137,10 +137,10 @@ class TroubleWindowSpec : FunSpec({
     }
 })
 
-/** Waits until it reads its file; a machine that stands still just then may only see that it was read. */
+/** Waits until the window reads its file; a machine that stands still just then may only see that it was read. */
 private fun RealWindow.awaitReading() = awaitState("the large file to be read") { it.tasks.all.isNotEmpty() || it.current.recording != null }
 
-/** A bag of 300,000 rows. */
+/** Returns a bag of 300,000 rows. */
 private fun largeBag(folder: Path, name: String): Path {
     val topics = List(12) { if (it == 0) "Time|xaxis" else "Topic $it" }
     val file = folder.put(name, bagOf(topics, emptyList()))
@@ -154,7 +154,7 @@ private fun largeBag(folder: Path, name: String): Path {
     return file
 }
 
-/** A bag of so many topics in folders of a hundred. */
+/** Returns a bag of [count] topics in folders of a hundred. */
 private fun manyTopics(count: Int): String = bagOf(
     topics = listOf("Time|xaxis") + (0 until count).map { "Folder ${it / 100}/Topic ${it % 100}" },
     rows = (0 until 20).map { row -> (0..count).joinToString(",") { "${row + it % 5}" } },

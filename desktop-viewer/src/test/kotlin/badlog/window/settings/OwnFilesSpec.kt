@@ -26,7 +26,7 @@ import java.nio.file.Files
 @OptIn(ExperimentalTestApi::class)
 @Tags("InCheck")
 class OwnFilesSpec : FunSpec({
-    /** Does what is kept for the next start in a window with [folders], and returns what that says. */
+    /** Stores everything for the next start in a window with [folders], and returns the window's notices. */
     fun saidWith(folders: UserFolders, steps: DesktopComposeUiTest.(Viewer) -> Unit = {}): List<String> {
         val viewer = Viewer(MainScope(), folders)
         try {
@@ -38,7 +38,7 @@ class OwnFilesSpec : FunSpec({
                 onNodeWithContentDescription("Theme: system").performClick()
                 steps(viewer)
                 viewer.board.change { withGraph(listOf("Drivetrain/Left Output")) }
-                // As a moment later, by itself.
+                // Saves like the window does by itself a moment later.
                 val saving = viewer.scope.launch { viewer.layouts.save() }
                 waitFor { saving.isCompleted }
             }

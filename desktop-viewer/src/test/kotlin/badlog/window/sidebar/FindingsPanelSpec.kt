@@ -168,7 +168,7 @@ class FindingsPanelSpec : FunSpec({
             onAllNodesWithText(left.first().text).assertCountEquals(0)
             onNodeWithText("${left.size} more findings, part of the incidents").performClick()
             for (finding in left) onAllNodesWithText(finding.text).assertCountEquals(1)
-            // Where a finding is the sentence of an incident, what else is known of it is there.
+            // If a finding is a sentence of an incident, its other details are there.
             onNodeWithContentDescription("Finding, error: Browned out").performClick()
             onNodeWithContentDescription("Next place").assertExists()
         }

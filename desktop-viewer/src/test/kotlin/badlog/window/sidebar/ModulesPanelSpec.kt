@@ -33,7 +33,7 @@ import kotlin.math.PI
 class ModulesPanelSpec : FunSpec({
     val home = tempdir().toPath()
 
-    /** Ten seconds of three modules; module 1 points 10° aside, and 15° from 3 s to 3.5 s. */
+    /** Returns ten seconds of three modules; module 1 points 10° aside, and 15° from 3 s to 3.5 s. */
     fun drive(hasTargets: Boolean): OpenRecording {
         val sides = if (hasTargets) listOf("Measured", "Setpoints") else listOf("Measured")
         val topics = sides.flatMap { side -> List(3) { "$side[$it]" } }.flatMap { listOf("$it/speed", "$it/angle/value") }
@@ -67,11 +67,11 @@ class ModulesPanelSpec : FunSpec({
             ofModule shouldBeGreaterThan 50
             viewer.view.send(PlaceAction.Show(3.1, 3.4))
             waitFor { onAllNodesWithText("15.0° RMS").fetchSemanticsNodes().isNotEmpty() }
-            // A log that has grown has the numbers of before until its own are known.
+            // A log that has grown has its previous numbers until the new ones are known.
             runOnIdle { viewer.current.replace(drive(hasTargets = true)) }
             waitForIdle()
             (onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size > 0) shouldBe true
-            // Another log never has the numbers of the one before.
+            // Another log never has the previous log's numbers.
             runOnIdle { viewer.current.replace(drive(hasTargets = false)) }
             waitForIdle()
             onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0

@@ -9,7 +9,7 @@ import java.io.IOException
 import java.util.concurrent.CountDownLatch
 
 class LongTasksSpec : FunSpec({
-    /** What the window says when a task called Opening ends by [failure]. */
+    /** Returns the window's notices when a task called Opening ends by [failure]. */
     suspend fun saidOf(failure: Throwable): List<String> {
         val notices = Notices()
         coroutineScope {

@@ -26,7 +26,7 @@ class NameTextSpec : FunSpec({
     val name = "Drivetrain/Module 3/Azimuth encoder position of the absolute sensor"
     val style = TextStyle(fontSize = 13.sp)
 
-    /** Runs [check] with what measures letters on a screen. */
+    /** Runs [check] with a measurer of letters on a screen. */
     fun measuring(check: TextMeasurer.() -> Unit) = runDesktopComposeUiTest(100, 100) {
         lateinit var letters: TextMeasurer
         setContent { letters = rememberTextMeasurer() }

@@ -59,7 +59,7 @@ class TodoPaneSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             viewer.scope.launch { viewer.todo.run() }
             viewer.library.open(folder)
-            // What is on the list changes with each log that the rules have examined.
+            // The list changes with each log that the rules have examined.
             waitFor {
                 val state = viewer.library.state
                 val logs = state.ofRobots.filter { !it.isGray }

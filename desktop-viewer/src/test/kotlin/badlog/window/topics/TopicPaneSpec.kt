@@ -126,7 +126,7 @@ class TopicPaneSpec : FunSpec({
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitFor { onAllNodesWithText("Drive").fetchSemanticsNodes().isNotEmpty() }
-            // Every thread that could list the topics anew is busy.
+            // Every thread that could list the topics again is busy.
             val busy = CoroutineScope(Dispatchers.Default)
             repeat(100) { busy.launch { listed.await() } }
             try {

@@ -55,7 +55,7 @@ class VideoPanelSpec : FunSpec({
         waitFor { viewer.video.state.frame != null }
     }
 
-    // On the window’s thread, which frees the picture when it shows others.
+    // On the window’s thread, which frees the picture when it shows another one.
     fun ComposeUiTest.shown(viewer: Viewer) = runOnUiThread { viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } }
 
     test("once “Enabled here” is pressed, the cursor moves the video, and a step of the video moves the cursor") {

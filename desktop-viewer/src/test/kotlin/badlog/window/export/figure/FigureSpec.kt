@@ -75,7 +75,7 @@ class FigureSpec : FunSpec({
         val drawn = svg(graphs, Span(0.0, 12.0), path)
         textsIn(drawn) shouldContainAll listOf("x (m)", "y (m)", "Path", "Drive/Pose", "Target Pose", "Vision/Pose", "Time (s)")
         fun dashed(svg: String) = elements(svg, "path").count { it.hasAttribute("stroke-dasharray") && it.getAttribute("stroke") != EVENT }
-        // On a field, all of it is drawn faintly, and the visible part above.
+        // On a field, the whole path is drawn faintly, and the visible part above it.
         dashed(svg(graphs.take(1), Span(0.0, 12.0), path)) shouldBe 2
         dashed(svg(graphs.take(1), Span(0.0, 12.0), path, path)) shouldBe 4
         picture("figure-path.png", LogFigure(listOf(DrawnRecording(path)), Span(0.0, 12.0)), graphs)
@@ -98,7 +98,7 @@ class FigureSpec : FunSpec({
         val driven = path.paths.plotOf(graphs[0].lines)!!.driven!!
         textsIn(drawn) shouldContain "Drive/Pose ${driven.textAt(9.4, isField = true)}"
         textsIn(drawn).count { it.startsWith("Left the plan at") } shouldBe 1
-        // The robot at the first cursor alone is filled.
+        // Only the robot at the first cursor is filled.
         filled(drawn) shouldBe filled(plain) + 1
         elements(drawn, "path").size shouldBeGreaterThan elements(plain, "path").size + 4
         elements(drawn, "image").single().getAttribute("xlink:href").startsWith("data:image/png;base64,iVBOR") shouldBe true
@@ -125,7 +125,7 @@ class FigureSpec : FunSpec({
     test("a recording is drawn where its offset puts it") {
         val figure = LogFigure(listOf(DrawnRecording(arm), DrawnRecording(arm, 100.0)), Span(0.0, 200.0))
         val (first, moved) = linesIn(svgOf(figure, listOf(joint.copy(lines = listOf("Arm/Angle"))))).map { startOf(it) }
-        // Half of the frame's width of 900 points without its margins.
+        // Half of the frame's width: 900 points without its margins.
         moved - first shouldBe ((900 - 62 - 14) / 2.0 plusOrMinus 1.0)
     }
 
@@ -250,8 +250,8 @@ private fun elements(svg: String, name: String): List<Element> {
 
 private fun textsIn(svg: String) = elements(svg, "text").map { it.textContent.trim() }
 
-/** The lines of a log: the only strokes of this width. */
+/** Returns the lines of a log: the only strokes of this width. */
 private fun linesIn(svg: String) = elements(svg, "path").filter { it.getAttribute("stroke-width") == "1.5" || it.getAttribute("d").length > 2000 }
 
-/** The x of the first point of a path. */
+/** Returns the x of the first point of a path. */
 private fun startOf(path: Element) = path.getAttribute("d").drop(1).substringBefore(' ').toDouble()

@@ -50,7 +50,7 @@ import javax.imageio.ImageIO
 class XyPaneSpec : FunSpec({
     val recording by lazy { sample("wrong-turn.bag") }
 
-    /** The path of the sample, with what is done over it. */
+    /** Runs [test] over the path of the sample. */
     fun path(theme: Theme = Theme.LIGHT, test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(1100, 700) {
         val viewer = viewerOf(recording)
         viewer.board.replace(recording.standardGraphs)
@@ -232,10 +232,10 @@ class XyPaneSpec : FunSpec({
     }
 })
 
-/** What the first graph shows. */
+/** Returns the content of the first graph. */
 private fun pictureOf(viewer: Viewer) = xyPictureOf(viewer.board.state.graphs[0], viewer.compared.drawn)
 
-/** Where a place on the field is on a plot of [width] by [height] pixels that shows all of it. */
+/** Returns the pixel of a place on the field, on a plot of [width] by [height] pixels that shows the whole field. */
 private fun placeOf(viewer: Viewer, x: Double, y: Double, width: Int, height: Int): Offset {
     val plane = pictureOf(viewer).seen(null, width.toDouble(), height.toDouble())!!
     return Offset(plane.xScale(width.toDouble()).placeOf(x).toFloat(), plane.yScale(height.toDouble()).placeOf(y).toFloat())
