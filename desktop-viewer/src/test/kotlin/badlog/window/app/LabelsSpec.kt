@@ -82,7 +82,7 @@ class LabelsSpec : FunSpec({
         }
     }
 
-    test("the words fit also with the modules of a swerve drive, in the narrowest window that has words") {
+    test("the words also fit with the panel for swerve modules, in the narrowest window that has words") {
         fun lastButton(width: Int): DpRect {
             lateinit var bounds: DpRect
             inWindow(width, swerve) {
@@ -98,7 +98,7 @@ class LabelsSpec : FunSpec({
         narrow.right shouldBeLessThan 1700.dp
     }
 
-    test("on a laptop, there are only the icons, whose tooltips say the same") {
+    test("on a laptop, buttons show only icons, and keep their descriptions") {
         inWindow(1366) {
             for ((button, word) in words) {
                 onNodeWithContentDescription(button).assertExists()

@@ -10,7 +10,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 class SkiaPlaceSpec : FunSpec({
-    test("a program whose user has no home folder draws, and leaves nothing behind") {
+    test("the program draws without a home folder, and leaves no files behind") {
         val folder = tempdir().toPath()
         val home = Files.createFile(folder.resolve("home"))
         val temporary = Files.createDirectory(folder.resolve("temporary"))

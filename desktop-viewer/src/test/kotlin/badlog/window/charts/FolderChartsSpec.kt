@@ -48,7 +48,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("a list that grows does not stop the drawing that runs; its own charts follow") {
+    test("a growing list does not stop a drawing; its own charts follow") {
         following { charts, lists, permits ->
             lists.value = some
             until { charts.state.isDrawing }
@@ -63,7 +63,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("a list that is never calm has charts all the same") {
+    test("a list that never stops changing has charts, too") {
         following { charts, lists, permits ->
             permits.release()
             var change = 0
@@ -77,7 +77,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("charts that are right again while others are being drawn are not called stopped") {
+    test("charts that are correct again during another drawing are not reported as stopped") {
         following { charts, lists, permits ->
             permits.release()
             lists.value = some
@@ -91,7 +91,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("charts are not shown as those of a folder that shares no log with them") {
+    test("charts are not shown for a folder that shares no log with them") {
         following { charts, lists, permits ->
             permits.release()
             lists.value = logs.take(1)
@@ -100,7 +100,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("logs over which the rules of today were not run are counted") {
+    test("logs without results of today's rules are counted") {
         drawCharts(logs, { null }) {}.unknown shouldBe logs.size
     }
 })

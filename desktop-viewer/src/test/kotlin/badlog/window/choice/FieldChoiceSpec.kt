@@ -40,7 +40,7 @@ class FieldChoiceSpec : FunSpec({
 
     fun Viewer.menu() = graphActions(graphs, board.state.graphs[0]).flatten().filter { "field file" in it.label }
 
-    test("a field is selected in the menu of a path, remembered for the folder of the logs, and deselected there") {
+    test("a field is selected in the menu of a path, remembered for the folder, and deselected there") {
         val file = fieldOf(20)
         val viewer = viewerOf(ChosenFiles(file), log())
         val plain = viewer.fieldLength()
@@ -59,7 +59,7 @@ class FieldChoiceSpec : FunSpec({
         viewer.settings.state.fields shouldBe emptyMap()
     }
 
-    test("a selected field comes before the one beside the logs") {
+    test("a selected field has priority over the one beside the logs") {
         val folder = tempdir().toPath()
         val beside = fieldOf(18)
         Files.copy(beside, folder.resolve(FieldFile.NAME))
@@ -70,7 +70,7 @@ class FieldChoiceSpec : FunSpec({
         viewer.fieldLength() shouldBe 20.0
     }
 
-    test("a file that is not a field is refused in a sentence, and nothing is remembered; nor is it when a person thinks better of it") {
+    test("a file that is not a field is reported and not remembered; a canceled selection is not remembered either") {
         val wrong = Files.writeString(tempdir().toPath().resolve("wrong.json"), "{}")
         val files = ChosenFiles(wrong)
         val viewer = viewerOf(files, log())
