@@ -49,7 +49,7 @@ class LogFindingsSpec : FunSpec({
         Snapshot.sendApplyNotifications()
     }
 
-    test("the rules run over what is opened, and again when somebody wants it") {
+    test("the rules run over each opened log, and again on request") {
         val folder = tempdir().toPath()
         writeRules(folder, ruleText("Half", "A > 50"))
         over { viewer ->
@@ -62,7 +62,7 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
-    test("a log that grows all the time is not looked at all the time, but its last state is") {
+    test("a log that grows all the time is examined at intervals, including its last state") {
         val folder = tempdir().toPath()
         val runs = AtomicInteger()
         val rests = Channel<Unit>()
@@ -83,7 +83,7 @@ class LogFindingsSpec : FunSpec({
         restAfter(1.seconds) shouldBe 9.seconds
     }
 
-    test("the worst finding of a log that is being opened is gone to when it is known, but not after another one was opened") {
+    test("the worst finding of a log being opened is shown once it is known, unless another log is opened") {
         val folder = tempdir().toPath()
         writeRules(folder, ruleText("Note", "A > 10", "note"), ruleText("Error", "A > 50", "error"))
         val wanted = counted(folder)
@@ -104,7 +104,7 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
-    test("another recording gives up what runs") {
+    test("opening another recording cancels the running rules") {
         val began = CountDownLatch(1)
         val interrupted = CountDownLatch(1)
         over { viewer ->
