@@ -32,7 +32,7 @@ class PenAgreementSpec : FunSpec({
     val colors = PenColors.LIGHT
     val image = SkiaImage(Image.makeFromEncoded(Base64.getDecoder().decode(PRIMITIVE_IMAGE.substringAfter(','))), PRIMITIVE_IMAGE)
     for ((name, draw) in PEN_PRIMITIVES) {
-        test("the window's pen and the file's draw $name alike") {
+        test("the window's pen and the file's pen draw $name alike") {
             val screen = onScreen { draw(it, image) }
             val file = inFile { draw(it, image) }
             val blank = onScreen { }
@@ -42,7 +42,7 @@ class PenAgreementSpec : FunSpec({
     }
 
     for ((name, text) in PEN_TEXTS) {
-        test("the window's pen and the file's write $name where it belongs, as wide as they measure") {
+        test("the window's pen and the file's pen write $name at its place, as wide as they measure") {
             val ruler = ruler()
             val pens = listOf(onScreen(text::writeWith) to ruler::widthOf, inFile(text::writeWith) to SvgRaster::widthOf)
             for ((drawn, widthOf) in pens) {
@@ -57,7 +57,7 @@ class PenAgreementSpec : FunSpec({
         }
     }
 
-    test("a text is drawn between its ends, whether it is written letter by letter or has to be shaped, as Arabic and accents that are letters of their own") {
+    test("a text is drawn between its ends, whether it is written letter by letter or shaped, like Arabic and separate accents") {
         for (text in listOf("-12.5 V", "Größe (µΩ) – Δ", "سلام", "e\u0301", "🤖")) {
             val screen = onScreen { pen ->
                 pen.text(text, 20.0, 50.0, 16.0, colors.line(0), TextSide.RIGHT)
@@ -71,7 +71,7 @@ class PenAgreementSpec : FunSpec({
         }
     }
 
-    test("letters that need no shaping are as wide as if they were shaped") {
+    test("letters that need no shaping are as wide as shaped ones") {
         val pen = ruler()
 
         // The last letter has to be shaped, and so the whole text is shaped.
