@@ -82,7 +82,7 @@ class RobotRecordingSpec : FunSpec({
         onNodeWithText(choice).performClick()
     }
 
-    test("what a robot publishes is recorded, shown at its newest moment while it grows, and marked; then it is an ordinary log") {
+    test("a robot's data is recorded, shown at its newest moment while it grows, and marked; then it is an ordinary log") {
         val folder = tempdir().toPath()
         robot().use { server ->
             server.start()
@@ -119,7 +119,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("a log for each time enabled does not take away what somebody looks at") {
+    test("recording a log for each time enabled does not replace the log that a person looks at") {
         val folder = tempdir().toPath()
         robot().use { server ->
             server.open()
@@ -141,7 +141,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("the graphs arranged for a folder are those of the log that is recorded as soon as it has their topics, and stay arranged") {
+    test("the graphs arranged for a folder appear as soon as the recorded log has their topics, and stay arranged") {
         val folder = tempdir().toPath()
         robot().use { server ->
             server.start()
@@ -163,7 +163,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("without a robot it says where it looks, and makes no file") {
+    test("without a robot, the recording says where it looks, and creates no file") {
         val folder = tempdir().toPath()
         beside(null, folder) { viewer ->
             record("Record until stopped")
@@ -175,7 +175,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("a folder that cannot be written is said, and ends the recording") {
+    test("a folder that cannot be written is reported, and ends the recording") {
         val file = tempdir().toPath().resolve("a-file").also { Files.writeString(it, "x") }
         robot().use { server ->
             server.start()

@@ -12,7 +12,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 class CompareWindowSpec : FunSpec({
-    test("two matches that are checked lie over each other, and a table has their figures").config(
+    test("two checked matches are drawn over each other, and a table has their statistics").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }

@@ -19,7 +19,7 @@ import javax.imageio.ImageIO
 
 @Tags("InCheck")
 class PathWindowSpec : FunSpec({
-    test("a log with poses starts with its path on the picture of the field that lies beside it").config(
+    test("a log with poses starts with its path on the picture of the field beside it").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val folder = Files.createDirectory(tempdir().toPath().resolve("Mill Creek"))

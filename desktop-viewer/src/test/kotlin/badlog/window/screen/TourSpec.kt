@@ -17,7 +17,7 @@ import kotlin.math.abs
 /** The moving picture of the window: a person with a mouse, from a folder of logs to the cause of a failed match. */
 @Tags("InCheck")
 class TourSpec : FunSpec({
-    test("from the table of logs a person comes to the brownout by one click, looks at it closely, and compares it with another match").config(
+    test("one click leads from the table of logs to the brownout, which is looked at closely and compared with another match").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val film = Film(Path.of("build/tour"))
