@@ -53,7 +53,7 @@ class ModulesPanelSpec : FunSpec({
         view.send(PlaceAction.Open(recording.span))
     }
 
-    test("the worst module is named, its largest error takes the cursor there, and the arrows have the modules' colors") {
+    test("the worst module is named, its largest error moves the cursor there, and the arrows have the modules' colors") {
         val viewer = viewerOf(drive(hasTargets = true))
         viewer.panels.change { inspecting(InspectorTab.MODULES) }
         runDesktopComposeUiTest(340, 800) {
@@ -79,7 +79,7 @@ class ModulesPanelSpec : FunSpec({
         }
     }
 
-    test("without targets there are arrows and no errors; without modules there is no button, and the panel says why") {
+    test("without targets, there are arrows and no errors; without modules, there is no button, and the panel says why") {
         val without = viewerOf(drive(hasTargets = false))
         without.panels.change { inspecting(InspectorTab.MODULES) }
         runDesktopComposeUiTest(420, 800) {

@@ -21,7 +21,7 @@ import org.jetbrains.skia.Bitmap
 class LogVideoSpec : FunSpec({
     fun frame(seconds: Double, leads: Boolean) = ReadFrame(VideoFrame(seconds, Bitmap().apply { allocN32Pixels(2, 2) }), 60.0, leads)
 
-    test("a cursor that is moved while a step is still being read stays there, and the video goes there") {
+    test("a cursor moved while a step is being read stays there, and the video follows it") {
         val home = tempdir().toPath()
         val scope = CoroutineScope(Dispatchers.Unconfined + Job())
         val asked = ArrayList<String>()
