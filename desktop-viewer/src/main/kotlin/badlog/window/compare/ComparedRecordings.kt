@@ -25,8 +25,8 @@ internal class ComparedRecordings(
     private val jobs = HashMap<Path, Job>()
 
     /**
-     * The recordings that every graph draws: the open one, then the checked ones that were read, in the order in which they were checked. A
-     * recording that is both is included once. The index in this list selects a recording's color, see [colorOf].
+     * The recordings that every graph draws: the open one, then the checked ones that were read. They are in the order in which they were
+     * checked. A recording that is both is included once. The index in this list selects a recording's color, see [colorOf].
      */
     val drawn: List<DrawnRecording> by derivedStateOf {
         val open = current.recording ?: return@derivedStateOf emptyList()

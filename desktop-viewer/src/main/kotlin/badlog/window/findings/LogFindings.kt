@@ -85,8 +85,8 @@ internal class LogFindings(
     }
 
     /**
-     * Goes to the first result for [log] as soon as the rules have run: the start of its worst incident, or otherwise its worst finding.
-     * The log is open or being opened.
+     * Goes to the first result for [log] as soon as the rules have run. It is the start of its worst incident, or otherwise its worst
+     * finding. The log is open or being opened.
      */
     fun showWorst(log: Path) {
         worstWanted = log
@@ -116,7 +116,7 @@ internal class LogFindings(
         if (refusal == null) runAgain()
     }
 
-    /** Records that the pointer is on [finding], or on none if it is null; if it is on a mark, at the x [place]. */
+    /** Records the [finding] under the pointer; null for none. If the pointer is on its mark, [place] is the x of that. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
     /** Goes to [place], where [finding] was found, see [FindingAction.GoTo]. */

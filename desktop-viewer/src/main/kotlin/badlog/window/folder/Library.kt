@@ -29,7 +29,9 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     private var indexing: Indexing? = null
     private val mutableProgress = MutableStateFlow<IndexProgress?>(null)
 
-    /** The progress of reading the folder, as of [state]; null until it is listed, or if its newest log is not to be shown. */
+    /**
+     * The progress of reading the folder, as of [state]. It is null until the folder is listed, or if its newest log is not to be shown.
+     */
     val progress: StateFlow<IndexProgress?> get() = mutableProgress
 
     /**

@@ -219,7 +219,7 @@ internal fun ReadingLine(library: Library) {
             )
         }
         val reading = state.reading
-        // A growing log is read repeatedly, and its progress matters to no person.
+        // A growing log is read repeatedly, so its progress is not shown.
         if (reading != null && reading.total > 1) {
             NoteLine("Reading ${reading.read} of ${reading.total} logs", "Stop", "Stop reading logs") {
                 library.stopReading()

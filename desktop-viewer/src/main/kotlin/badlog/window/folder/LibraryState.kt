@@ -41,10 +41,10 @@ internal data class LibraryState(
     /** The readable logs of robots, in no particular order. */
     val ofRobots: List<LogEntry> get() = logsOfRobots(entries) { LogName.of(it).isOnlyOfLogs }
 
-    /** The latest log of a robot by its date: the latest that is not idle, or otherwise of all; null if there are none. */
+    /** The latest log of a robot by its date, if possible one that is not idle; null if there are none. */
     val newest: LogEntry? get() = ofRobots.filter { !it.isGray }.maxWithOrNull(AGE) ?: ofRobots.maxWithOrNull(AGE)
 
-    /** Whether there is certainly no log to show: no folder is open, or the open one has been read and has no logs. */
+    /** Whether there is certainly no log to show. Either no folder is open, or the open one has been read and has no logs. */
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
 
     /** Returns the state for another [folder], still without logs, listed like this one but unfiltered. */

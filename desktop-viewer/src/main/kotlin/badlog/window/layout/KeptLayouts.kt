@@ -25,8 +25,8 @@ import java.nio.file.Path
 internal data class LayoutsOfFolder(val files: Map<String, Path> = emptyMap(), val shown: String? = null)
 
 /**
- * The layouts in the folder of logs, which a key shows in turn: files that a person has saved there under names of their own. Use it only
- * on the window's thread.
+ * The layouts in the folder of logs, which a key shows in turn. They are files that a person has saved there under names of their own. Use
+ * it only on the window's thread.
  */
 internal class KeptLayouts(
     private val library: Library,

@@ -55,7 +55,7 @@ private val JSON = Json {
     explicitNulls = false
 }
 
-/** Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */
+/** Returns [file] in the form for a layout: relative to [folder] if it is in it. Its parts are separated by `/` on every system. */
 internal fun pathText(file: Path, folder: Path?): String {
     val base = folder?.toAbsolutePath()?.normalize()
     return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()

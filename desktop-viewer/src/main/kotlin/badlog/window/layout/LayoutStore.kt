@@ -255,8 +255,8 @@ internal class LayoutStore(
     }
 
     /**
-     * Stores the changes, merged with the stored changes of other windows. If they store more while both are merged on the window's thread,
-     * it does so again.
+     * Stores the changes, merged with the stored changes of other windows. Both are merged on the window's thread; if the others store more
+     * meanwhile, that is repeated.
      */
     private suspend fun store() {
         val place = folder ?: return

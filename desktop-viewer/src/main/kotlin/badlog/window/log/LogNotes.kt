@@ -38,7 +38,7 @@ internal class LogNotes(
 ) : StateHolder<StoredNotes>(StoredNotes()) {
     private var waiting = 0
 
-    /** The notes, in the order of x. It does not change while a note is being written. */
+    /** The notes, in the order of x. The list does not change while a note is being written. */
     val all: List<Note> by derivedStateOf { state.notebook.notes }
 
     /** The note that is being written, or changed; null for none. */

@@ -11,7 +11,7 @@ import java.nio.file.Path
  * @property overTime whether it is drawn over its time if it names no x axis.
  * @property station the Driver Station's log of the same match that is shown with it; null for none.
  * @property field the file of the field on which its paths are drawn; null for the field beside the log.
- * @property fieldSelections the number of a person's selections of a field: the same file may have another content each time.
+ * @property fieldSelections the number of a person's selections of a field: the same file may have changed in between.
  */
 internal data class RecordingChoices(
     val definitions: List<String> = emptyList(),

@@ -87,7 +87,7 @@ internal class RecordingWatcher(
         /** The number of checks after which a missing file counts as gone: a program that replaces it takes a moment. */
         const val MISSES = 5
 
-        /** The time without a change after which a file is read to its end; a recorder with nothing to record writes the time each 5 s. */
+        /** The time without a change after which a file is read to its end. A recorder with nothing to record writes the time each 5 s. */
         val SETTLED = 6000.milliseconds
     }
 }

@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.dp
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** The line at the bottom of the window while it records: the log, its amount of data, and the connection to the robot. */
+/** The line at the bottom of the window while it records: log, amount of data, and connection to the robot. */
 @Composable
 internal fun RecordingLine(recording: RobotRecording) {
     val state = recording.state

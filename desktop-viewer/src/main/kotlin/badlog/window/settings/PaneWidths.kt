@@ -45,8 +45,8 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
 
     companion object {
         /**
-         * Returns whether topics and a panel on the right, of their default widths, leave the graphs at least half of a window [room] wide.
-         * The widths to which a person drags them do not count: no part may vanish under the pointer.
+         * Returns whether topics and a panel leave the graphs at least half of a window [room] wide. Their default widths count, not the
+         * widths to which a person drags them: no part may vanish under the pointer.
          */
         fun leaveHalf(room: Float, hasLogs: Boolean): Boolean =
             PaneWidths().only(hasLogs, hasTopics = true, hasDetails = true).sum <= room / 2

@@ -101,7 +101,7 @@ internal class FolderTodo(
 
     private fun examinedLogs() = library.state.ofRobots.filter { !it.isGray && it.found?.rules != null }
 
-    /** Adds to the list that [by] did [deed] to [subject]. It is visible at once, and in the file soon. */
+    /** Records that [by] did [deed] to [subject]: at once on the list, and soon in the file. */
     fun write(subject: TodoSubject, deed: TodoDeed, by: String = author) {
         val folder = state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
         val made = newChange(subject, deed, by, lastLog(), state.files.changes + state.written)

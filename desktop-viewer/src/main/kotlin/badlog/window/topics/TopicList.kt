@@ -32,7 +32,7 @@ internal data class TopicList(
         target = null,
     )
 
-    /** From now on, a click adds a topic to graph [id] or removes it; for null, it draws the topic in its own graph again. */
+    /** From now on, a click adds a topic to graph [id] or removes it. For null, it draws the topic in its own graph again. */
     fun adding(id: Int?): TopicList = copy(target = id)
 
     /** Closes or opens folder [path]. */
@@ -44,7 +44,7 @@ internal data class TopicList(
     /** Searches for [query]; no result has the keyboard focus. */
     fun searching(query: String): TopicList = copy(query = query, marked = null)
 
-    /** Moves the keyboard focus [steps] down in [rows], or to the first row if none has it; to none if there are no rows. */
+    /** Moves the keyboard focus [steps] down in [rows], or to the first row if none has it. Without rows, none has it. */
     fun marking(steps: Int, rows: List<TopicRow>): TopicList {
         val listed = rows.mapNotNull { it.name }
         val at = listed.indexOf(marked)

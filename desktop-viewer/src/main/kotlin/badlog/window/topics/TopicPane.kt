@@ -139,7 +139,7 @@ private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRow
     offersXy = list.target == null,
 )
 
-/** Handles keys in the search field: the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
+/** Handles keys in the search field. The arrow keys move through the list, and Enter draws the focused topic, or the first one. */
 private fun handlesKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when (event.key) {

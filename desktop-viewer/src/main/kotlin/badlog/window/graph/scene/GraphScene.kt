@@ -71,7 +71,7 @@ internal class GraphScene(
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)
 
-    /** The visible parts of the planes of graphs of y over x, by the graph's id; a graph without one shows all of its plane. */
+    /** The visible parts of the planes of graphs of y over x, by the graph's id. A graph without one shows all of its plane. */
     val planes = mutableStateMapOf<Int, Plane>()
 
     private val hasRightAxis by derivedStateOf { board.state.graphs.any { !it.isXy && unitsOf(it) > 1 } }

@@ -106,7 +106,7 @@ private fun DrawScope.drawCovered(start: PlotPointer, at: PlotPointer, palette: 
 private val BELOW = 20.dp
 private const val COVERED = 0.16f
 
-/** Stores the visible part of the plane of [spec] on the board once gestures have ended, and shows the part that the board has. */
+/** Stores the visible part of the plane of [spec] on the board once gestures have ended. If the board gets another part, shows that. */
 @Composable
 private fun KeptPlane(scene: GraphScene, spec: BoardGraph) {
     LaunchedEffect(scene, spec.id, spec.plane) {
