@@ -29,7 +29,7 @@ internal object RecordingMessage {
 
     /** Returns the buffers of [recording] to transfer. */
     fun buffersOf(recording: Recording): Array<dynamic> {
-        // Topics may share their times, and empty columns share one array: no buffer may be transferred twice.
+        // Topics may share times, and empty columns share one array, but no buffer may be transferred twice.
         val buffers = js("new Set()")
         for (topic in recording.topics) {
             for (array in arrayOf<dynamic>(topic.samples, topic.times, topic.texts.rows, topic.texts.ids)) {
