@@ -14,7 +14,7 @@ import java.nio.file.Files
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 
-/** Logs that arrive in a folder into which the browser lets the page look again: what says so, and the view for pits. */
+/** Logs that arrive in a folder into which the page may look again: the announcement, and the view for pits. */
 @Tags("InCheck")
 internal class ArrivalSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-arrival") }
@@ -37,7 +37,7 @@ internal class ArrivalSpec : PageSpec({
         awaitState("ready")
     }
 
-    // Rows are made anew while logs are read.
+    // Rows are recreated while logs are read.
     fun OpenPage.openListed(file: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", file)
 
     fun OpenPage.news() = texts(".arrival p").singleOrNull().orEmpty()
@@ -116,7 +116,7 @@ internal class ArrivalSpec : PageSpec({
                     number("return document.querySelector('.arrival').offsetHeight")
             }
             focused() shouldBe "only-errors"
-            // The news is there before the list's next row.
+            // The announcement appears before the list's next row.
             await("the row of the new log") { texts("[data-column='FILE']").any { "qualification-42.bag" in it } }
             elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
             press("a")

@@ -11,19 +11,19 @@ import java.util.Locale
 internal class AxisSpec : PageSpec({
     fun OpenPage.numbers(name: String) = drawnTexts(name).filter { it.text.toDoubleOrNull() != null }.distinct()
 
-    /** The numbers beside the frame of the graph [name], from top to bottom. */
+    /** Returns the numbers beside the frame of the graph [name], from top to bottom. */
     fun OpenPage.yTicks(name: String): List<DrawnText> {
         val edge = frameLeft(name)
         return numbers(name).filter { it.right <= edge }.sortedBy { it.y }
     }
 
-    /** The numbers below the frame, from left to right. */
+    /** Returns the numbers below the frame, from left to right. */
     fun OpenPage.xTicks(name: String): List<DrawnText> {
         val edge = frameLeft(name)
         return numbers(name).filter { it.right > edge }.sortedBy { it.left }
     }
 
-    /** Does [action], after which the page shows its log again, and waits for that. */
+    /** Runs [action] and waits until the page shows its log again. */
     fun OpenPage.showAgain(action: () -> Unit) {
         script("document.querySelector('.log-page').isOld = true")
         action()

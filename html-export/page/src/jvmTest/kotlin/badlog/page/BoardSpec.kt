@@ -44,14 +44,14 @@ internal class BoardSpec : PageSpec({
         settle()
     }
 
-    /** Opens the menu of a graph of the board, and presses what is called [entry] there. */
+    /** Opens the menu of a graph of the board, and selects [entry]. */
     fun OpenPage.choose(graph: Int, entry: String) {
         elements("#board .graph-menu")[graph].click()
         settle()
         click("#board .menu button") { entry in it.text }
     }
 
-    /** Drags the title of a graph of the board to the share [down] of another one's height. */
+    /** Drags the title of a graph of the board to the share [down] of another graph's height. */
     fun OpenPage.dragTitle(from: Int, to: Int, down: Double) {
         val places = script(
             """
@@ -150,7 +150,7 @@ internal class BoardSpec : PageSpec({
             titles() shouldBe listOf("Speed", "Amp")
             lines(0) shouldBe listOf("Speed", "Volt")
             texts("#board .board-graph .legend .unit").filter { it.isNotEmpty() } shouldContain "V, right"
-            // The legend says which unit is whose, so the title names none.
+            // The legend has the unit of each line, so the title has none.
             number("return document.querySelectorAll('#board .board-graph')[0].querySelectorAll('.graph-head > .unit').length") shouldBe 0.0
             keepScreenshot("board-axes")
             graph("Speed").pixelsOfLine(0) shouldBeGreaterThan 300
@@ -203,7 +203,7 @@ internal class BoardSpec : PageSpec({
             choose(0, "Add topics")
             element("#topic-search").sendKeys("volt over amp")
             texts(".topic-list button") shouldBe emptyList()
-            // The first empties the search.
+            // The first press empties the search.
             press(Keys.ESCAPE)
             press(Keys.ESCAPE)
             click("#add-topics")
@@ -312,7 +312,7 @@ internal class BoardSpec : PageSpec({
                 click(".incident .pin")
                 titles().size shouldBeGreaterThan before
                 keepScreenshot("board-pinned-${screen.width}")
-                // A notice about what was added is over the lower edge for some seconds.
+                // A notice covers the lower edge for some seconds.
                 script("document.getElementById('add-topics').scrollIntoView({ block: 'center' })")
                 click("#add-topics")
                 keepScreenshot("board-topics-${screen.width}")

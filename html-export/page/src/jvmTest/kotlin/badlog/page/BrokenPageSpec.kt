@@ -12,7 +12,7 @@ import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Pages that were cut in copying, and browsers that cannot show them. Nobody is left with an empty window. */
+/** Pages that were cut in copying, and browsers that cannot show them. No reader gets an empty window. */
 @Tags("InCheck")
 internal class BrokenPageSpec : PageSpec({
     fun cut(page: Path, bytes: Int): Path {
@@ -78,7 +78,7 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    // Any character of the log's own text, which begins behind its start tag.
+    // Any character of the log's own text, which begins after its start tag.
     fun changedLog(page: Path, place: (text: String) -> Int) = changed(page, "id=\"recording\"") { element ->
         val start = element.indexOf('>') + 1
         val at = start + place(element.substring(start))

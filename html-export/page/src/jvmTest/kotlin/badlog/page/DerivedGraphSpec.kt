@@ -57,7 +57,7 @@ internal class DerivedGraphSpec : PageSpec({
         TestPages.of(bagOf(topics, 101) { row, column -> if (column == 0) row else 100 + row / 10.0 })
     }
 
-    /** The highest and the lowest place of the line, as shares of the frame from its top. */
+    /** Returns the highest and lowest position of the line, as shares of the frame from its top. */
     fun OpenPage.heights(name: String): Pair<Double, Double> {
         val rows = graph(name).picture.rowsOf(color("--line-0"))
         val drawn = rows.indices.filter { rows[it] > 0 }

@@ -33,7 +33,7 @@ internal class EmptyPageSpec : PageSpec({
         awaitState("ready")
     }
 
-    /** Opens the page, and waits until a person can choose. */
+    /** Opens the page, and waits until it accepts files. */
     fun onEmptyPage(test: OpenPage.() -> Unit) = onPage(page, state = "empty", test = test)
 
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 11) { row, column -> if (column == 0) row / 10.0 else 12.0 }
@@ -88,7 +88,7 @@ internal class EmptyPageSpec : PageSpec({
             drop("own.bag" to bag)
             choose("Compare with this log")
             await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
-            // That loads the page again, so that there is nothing to settle.
+            // This loads the page again, so there is nothing to settle.
             element("#go-back").click()
             awaitLog("own.bag")
         }

@@ -23,7 +23,7 @@ internal class EventSpec : PageSpec({
         )
     }
 
-    /** How many pixels around a place of the graph have the color of events. */
+    /** Returns the number of pixels with the color of events, around a place of the graph. */
     fun OpenPage.eventPixels(across: Double): Int {
         val columns = graph("Angle").picture.columnsOf(color("--event"))
         val middle = (columns.size * across).toInt()
@@ -36,7 +36,7 @@ internal class EventSpec : PageSpec({
             texts(".event td.event-text") shouldBe listOf("autonomous", "brownout")
             graph("Angle").hover(0.9)
             texts(".event-readout").single() shouldBe "8.000  brownout"
-            // Less than a mark's width before the second one, which has not happened yet.
+            // Less than a mark's width before the second event, which has not happened yet.
             graph("Angle").hover(0.797)
             texts(".event-readout").single() shouldBe "1.500  autonomous"
         }

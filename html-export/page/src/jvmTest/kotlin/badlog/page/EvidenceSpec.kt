@@ -18,14 +18,14 @@ import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import kotlin.math.abs
 
-/** From a finding to its reason: what shows it is on one screen. */
+/** From a finding to its reason: all evidence is on one screen. */
 @Tags("InCheck")
 internal class EvidenceSpec : PageSpec({
     fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
 
     fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
 
-    /** The names of the graphs of which all is on the screen, below the bar, and of their lines. */
+    /** Returns the names of the graphs that are fully on the screen below the bar, with their lines. */
     fun OpenPage.inSight(): String = script(
         """
         const top = document.querySelector('.zoom-bar').getBoundingClientRect().bottom
@@ -36,7 +36,7 @@ internal class EvidenceSpec : PageSpec({
         """.trimIndent(),
     ) as String
 
-    /** Of how many graphs not all is on the screen, below the bar. */
+    /** Returns the number of graphs that are not fully on the screen below the bar. */
     fun OpenPage.outOfSight() = elements("#evidence .graph").size - inSight().lines().count { it.isNotEmpty() }
 
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
@@ -74,11 +74,11 @@ internal class EvidenceSpec : PageSpec({
             reload()
             script(focused) as String shouldContain "browned out"
             script(focused) as String shouldStartWith "incident|"
-            // The evidence is on the screen: the focus scrolls nothing.
+            // The evidence is on the screen, so focusing it scrolls nothing.
             await("the evidence in sight") { outOfSight() == 0 }
             press(Keys.ENTER)
             cursor() shouldBe (93.7 plusOrMinus 0.1)
-            // Somebody who began a search while the rules ran goes on with it.
+            // A reader who began a search while the rules ran can continue it.
             val begun = "document.addEventListener('DOMContentLoaded', () => " +
                 "new MutationObserver(() => document.querySelector('#search')?.focus()).observe(document.documentElement, {attributes: true, attributeFilter: ['data-state']}))"
             runFirst(begun)
@@ -103,7 +103,7 @@ internal class EvidenceSpec : PageSpec({
         """.trimIndent(),
     ).rules
 
-    // Low at 5, 15, 25, … s, each time by another voltage.
+    // Low at 5, 15, 25, … s, each time with a different voltage.
     val bag by lazy {
         bagOf(listOf(TIME, BagTopic("Voltage", "V"), BagTopic("Other", "A")), 4001) { row, column ->
             val time = row / 10.0
@@ -128,7 +128,7 @@ internal class EvidenceSpec : PageSpec({
             sentence() shouldBe "first of two"
             script("location.hash = '#t=3&finding=Second'")
             await("the sentence of the other") { sentence() == "second of two" }
-            // The bar above is a frame later.
+            // The bar above is updated a frame later.
             settle()
             address() shouldBe "#t=3&finding=Second"
             texts(".event-readout").single() shouldContain "second of two"

@@ -144,12 +144,12 @@ internal class ExportSpec : PageSpec({
     }
 
     browserTest("a table that takes long is made while the page goes on; it says how far it is, and is cancelled by closing that") {
-        // Every look at the clock takes 50 ms, as a row of a log of many thousand topics may.
+        // Each read of the clock takes 50 ms, as a row of a log of many thousand topics may.
         val slow = "{ let late = 0; const now = Date.now.bind(Date); Date.now = () => now() + (window.isSlow ? late += 50 : late) }"
         val bag = bagOf(listOf(TIME, BagTopic("A", "V")), 200) { row, column -> if (column == 0) row / 50.0 else row }
         onPage(TestPages.of(bag, "large.bag"), script = slow) {
             fun said() = texts(".notice p").single()
-            // The page itself cancels, since the table may be done before a test can.
+            // The page itself cancels, because the table may be done before a test can.
             script(
                 """
                 window.isSlow = true
@@ -166,7 +166,7 @@ internal class ExportSpec : PageSpec({
             await("a first part") { script("return window.share ?? null") != null }
             settle()
             said() shouldBe ""
-            // What was cancelled comes no more: the next file with this name is a whole one.
+            // The canceled file does not appear later: the next file with this name is complete.
             exported("Visible range as a table (CSV)", "large range.csv").decodeToString().trimEnd().lines().size shouldBe 201
             said() shouldBe ""
         }

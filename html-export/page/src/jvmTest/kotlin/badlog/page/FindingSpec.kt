@@ -118,7 +118,7 @@ internal class FindingSpec : PageSpec({
                 cursor()
             }
             times shouldBe listOf(2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0)
-            // All of it, to point between two of them.
+            // The whole range, to point between two findings.
             press("0")
             graph("Angle").hover(0.4)
             press("n")

@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
 
-/** What is seen without scrolling: what was found, and a graph that shows it. */
+/** The screen before any scrolling: the findings, and a graph that shows one. */
 @Tags("InCheck")
 internal class FirstScreenSpec : PageSpec({
     val laptop = Screen(1366, 768)
@@ -51,7 +51,7 @@ internal class FirstScreenSpec : PageSpec({
             press("nn")
             incidents().last().text shouldContain "the loop stood still"
             incidents().last().getDomAttribute("aria-current") shouldBe "true"
-            // Nobody tabs to a list without rows.
+            // A list without rows is not in the tab order.
             element(".findings-list").getDomAttribute("tabindex") shouldBe null
             elements(".finding").count { it.isDisplayed } shouldBe 0
         }

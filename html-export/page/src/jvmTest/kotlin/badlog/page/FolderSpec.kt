@@ -26,7 +26,7 @@ internal class FolderSpec : PageSpec({
 
     fun OpenPage.toggle(folder: String) = click(".folder[data-name='$folder'] .folder-toggle")
 
-    /** Every canvas on the page is as wide as the card it stands in leaves room for. */
+    /** Checks that every canvas on the page fills the width of its card. */
     fun OpenPage.checkWidths() {
         for (name in graphNames) {
             val card = graph(name).scrollTo().card
@@ -54,7 +54,7 @@ internal class FolderSpec : PageSpec({
     browserTest("a folder that another tab closes or opens stays so when this one closes its own") {
         onPage(page) {
             toggle("Arm")
-            // As another tab does that opens one and closes one.
+            // Like another tab that opens one folder and closes one.
             val key = "const key = Object.keys(localStorage).find(k => k.startsWith('badlog:closed:')); "
             script(key + "localStorage[key] = 'Elevator'")
             toggle("Drivetrain")

@@ -13,7 +13,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 
-/** What a page does with the logs of a folder besides opening them. */
+/** The page's actions on the logs of a folder besides opening them. */
 @Tags("InCheck")
 internal class FolderToolsSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-folder") }
@@ -121,7 +121,7 @@ internal class FolderToolsSpec : PageSpec({
             texts(".page-head h1") shouldContainExactly listOf("pit")
             script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
             await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
-            // It is read when it has stopped growing, so not at the first look.
+            // A log is read once it has stopped growing, so not at the first look.
             await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
             script(putIntoFolder(mapOf("two.bag" to log(12))))
             await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }

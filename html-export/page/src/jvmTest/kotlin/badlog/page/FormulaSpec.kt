@@ -15,7 +15,7 @@ internal class FormulaSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Power/Voltage", "V"), BagTopic("Power/Current"), BagTopic("9 lives"))
     val bag = bagOf(topics, 101) { row, column -> if (column == 0) row / 10.0 else row * column }
 
-    /** Waits until the formula called [name] is calculated: a slow machine does that in several slices. */
+    /** Waits until the formula [name] is calculated, which takes several slices on a slow machine. */
     fun OpenPage.awaitGraph(name: String) = await("the graph of $name") { name in graphNames }
 
     browserTest("the formulas of a page are graphs in their folders, may build on each other, and a wrong one is shown with its mistake") {
@@ -137,7 +137,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    /** Every look at the clock takes 200 ms, and timers wait until they are released, as for a log of many million samples. */
+    /** Each read of the clock takes 200 ms, and timers wait until they are released, as for a log of many million samples. */
     val slow = """
         (() => {
             const now = performance.now.bind(performance), set = window.setTimeout
@@ -160,7 +160,7 @@ internal class FormulaSpec : PageSpec({
             graphNames shouldNotContain "F1"
             script("document.querySelector('.notice button').click(); release(99); window.isSlow = false")
             graphNames shouldNotContain "F1"
-            // The page goes on, also with the same formulas.
+            // The page continues, also with the same formulas.
             addFormula("F1 = Voltage * 1")
             graphNames shouldContain "F1"
             script("location.hash = '#f=$five&t=4'")
@@ -177,7 +177,7 @@ internal class FormulaSpec : PageSpec({
             await("the formulas") { graphNames.containsAll(isAllThere) }
             reload()
             graphNames.filter { it in isAllThere + listOf("Half", "Quarter") } shouldBe listOf("Half", "Quarter") + isAllThere
-            // Those of the link are not the reader's own until he changes something.
+            // The link's formulas become the reader's own only when the reader changes something.
             script("history.replaceState(null, '', location.pathname)")
             reload()
             graphNames shouldContain "Quarter"

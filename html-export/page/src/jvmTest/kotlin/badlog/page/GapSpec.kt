@@ -22,7 +22,7 @@ internal class GapSpec : PageSpec({
         )
     }
 
-    /** The share of the frame's columns between [from] and [to] in which the line is drawn. */
+    /** Returns the number of the frame's pixel columns with the line, between the shares [from] and [to] of its width. */
     fun OpenPage.drawnBetween(name: String, from: Double, to: Double): Int = graph(name).scrollTo().lineColumns().let { columns ->
         columns.subList((columns.size * from).toInt(), (columns.size * to).toInt()).count { it > 0 }
     }

@@ -5,12 +5,12 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
-/** Boards that a reader keeps under names, and between which a key switches. */
+/** Boards that a reader stores under names, and between which a key switches. */
 @Tags("InCheck")
 internal class LayoutSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 
-    /** Puts the graph called [title] alone on the board, and keeps that as [name]. */
+    /** Puts the graph [title] alone on the board, and stores the board as [name]. */
     fun OpenPage.keep(title: String, name: String) {
         if (titles().isNotEmpty()) click("#clear-board")
         graph(title).scrollTo().hover(0.5)

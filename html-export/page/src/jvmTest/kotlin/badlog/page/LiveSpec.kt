@@ -32,7 +32,7 @@ internal class LiveSpec : RunningLogSpec({
             graph("Count").value("Count") shouldBe "749"
             keepScreenshot("live-phone")
             isLive() shouldBe true
-            // Neither a touch, nor the pointer over a graph, nor the values that stay open go elsewhere.
+            // A touch, the pointer over a graph, and the open list of values do not go elsewhere in the log.
             for (type in listOf("pointerdown", "pointerup")) script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('$type', {bubbles: true}))")
             graph("Count").scrollTo().hover(0.5)
             script("scrollTo(0, 0)")
@@ -54,7 +54,7 @@ internal class LiveSpec : RunningLogSpec({
             element("#live").click()
             await("21 s") { visibleRange.endInclusive > 20.9 }
             awaitReady()
-            // As far in as before.
+            // The zoom is the same as before.
             visibleRange.start shouldBeGreaterThan 5.0
         }
     }
@@ -103,7 +103,7 @@ internal class LiveSpec : RunningLogSpec({
 
     browserTest("who begins a formula, or unfolds what the next page would not show unfolded, is not interrupted by a log that grows") {
         onRunningLog("begun") { robot ->
-            // What was written meanwhile makes the page anew, with other buttons.
+            // Rows written meanwhile recreate the page, with other buttons.
             fun follow() {
                 element("#live").click()
                 await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
@@ -129,7 +129,7 @@ internal class LiveSpec : RunningLogSpec({
     }
 
     browserTest("a row that arrives in parts is shown when it is whole, so that 12.4 is never read as 1") {
-        // In a table, whose x axis is the number of the row, a last row needs no end of its line.
+        // In a table whose x axis is the row number, the last row needs no line end.
         val file = logs("parts") / "running.csv"
         file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
         onLogIn(file.parent) {
@@ -217,7 +217,7 @@ internal class LiveSpec : RunningLogSpec({
     browserTest("an enabled robot is followed on; the end of following is said where it was asked for: the robot is on the field") {
         val options = LogServerOptions()
         onFollowedLog("end", options, says = listOf("ERR_")) { robot ->
-            // An enabled robot's log is sent if it was written in the last ten seconds.
+            // The log of an enabled robot is sent if it was written in the last ten seconds.
             robot.write(1)
             options.isEnabled = BooleanSupplier { true }
             robot.write(249)
@@ -239,7 +239,7 @@ internal class LiveSpec : RunningLogSpec({
             isLive() shouldBe false
             options.isEnabled = BooleanSupplier { false }
             element("#live").click()
-            // What was wrong is not said any more.
+            // The earlier problem is no longer shown.
             texts("#live") shouldBe listOf("Live")
             await("110 s") { visibleRange.endInclusive > 109.9 }
             isLive() shouldBe true
@@ -265,7 +265,7 @@ internal class LiveSpec : RunningLogSpec({
                 openRunning()
                 element("#live").click()
                 val others = ArrayList<InputStream>()
-                // The page's own questions need places, too.
+                // The page's own requests need places, too.
                 await("two downloads") {
                     runCatching { others += URI("${address}logs/long.bag").toURL().openStream().apply { read() } }
                     others.size == 2

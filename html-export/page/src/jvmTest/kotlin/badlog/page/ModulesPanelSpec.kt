@@ -12,7 +12,7 @@ import kotlin.math.PI
 /** The panel with the modules of a swerve drive. */
 @Tags("InCheck")
 internal class ModulesPanelSpec : PageSpec({
-    /** Ten seconds of four modules, the second of which points 10° aside, and 15° from 3 s to 3.5 s. */
+    /** Ten seconds of four modules. The second module points 10° aside, and 15° from 3 s to 3.5 s. */
     val page by lazy {
         val names = listOf("Measured", "Setpoints").flatMap { side -> List(4) { "$side[$it]" } }
         val topics = listOf(TIME) + names.flatMap { listOf(BagTopic("$it/speed", "m/s"), BagTopic("$it/angle/value", "rad")) }

@@ -18,7 +18,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.UUID
 
-/** What people wrote in the window, on an exported page. */
+/** Notes written in the window, on an exported page. */
 @Tags("InCheck")
 internal class NotesSpec : PageSpec({
     fun pageOf(folder: Path, prepare: (log: Path) -> Unit): Path {
@@ -98,7 +98,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    /** Remembers [text] for the log in the browser, under [key], as another tab does. */
+    /** Stores [text] for the log in the browser, under [key], as another tab does. */
     fun OpenPage.remember(key: String, text: String) {
         script(
             "const key = 'badlog:' + arguments[0] + ':match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
@@ -118,7 +118,7 @@ internal class NotesSpec : PageSpec({
             graph("Step 1").click(0.5)
             write("of this tab")
             texts("#notes .note-text") shouldBe listOf("second there", "of this tab", "of the other tab")
-            // Although the clock of the other tab is ahead.
+            // It works although the clock of the other tab is ahead.
             elements("#notes .note-tools button")[0].click()
             press(" and here", Keys.ENTER)
             settle()
@@ -179,7 +179,7 @@ internal class NotesSpec : PageSpec({
             go(page, "first changed in the copy", "fourth")
             rewrite(0, " and back")
             go(copy, "first changed in the copy and back", "fourth")
-            // Another browser knows only what the copy was made with.
+            // Another browser knows only the notes in the copy.
             script("localStorage.clear()")
             go(copy, "first", "second", "third")
         }
@@ -197,7 +197,7 @@ internal class NotesSpec : PageSpec({
             texts("#notes .note-text") shouldBe listOf("hit </script> by 254")
             texts(".board .graph-title") shouldBe listOf("Step 2")
             saved("test.bag") { click("#download") } shouldBe stepBag(graphs = 2)
-            // A copy of a copy is the same page once more.
+            // A copy of a copy is the same page.
             val again = exported("A copy of this page, with your notes and board", "test.html")
             again shouldBe Files.readAllBytes(copy)
         }

@@ -139,7 +139,7 @@ internal class OpenedFolderSpec : PageSpec({
             script("return document.activeElement.textContent") shouldBe "practice.bag"
             elements("#theme").size shouldBe 1
             script("return document.documentElement.dataset.rules ?? null") shouldBe null
-            // The folder's own name finds nothing.
+            // The folder's own name matches nothing.
             element("#search").sendKeys("event practice")
             settle()
             text shouldContain "No log matches “"
@@ -270,7 +270,7 @@ internal class OpenedFolderSpec : PageSpec({
         val many = folder("many") { folder -> for (i in 1..350) (folder / "FRC_20260314_100000_TEST_Q$i.bag").writeText("{\"topics\":[],\"values\":[]}\n\n") }
         onFolder(many) {
             elements(".log-table tbody tr").size shouldBe 300
-            // By a script: while logs are read, the table changes under a pointer.
+            // Clicked by a script, because the table changes under a pointer while logs are read.
             script("document.querySelector('.log-table .more').click()")
             elements(".log-table tbody tr").size shouldBe 350
             column("NUMBER").first { it.isNotEmpty() }.length shouldBeGreaterThan 0

@@ -12,7 +12,7 @@ import java.nio.file.Path
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 
-/** What carries a board from one page to another: a link, and a layout file. */
+/** The two ways to bring a board from one page to another: a link, and a layout file. */
 @Tags("InCheck")
 internal class PageLinkSpec : PageSpec({
     val bag by lazy {
@@ -26,7 +26,7 @@ internal class PageLinkSpec : PageSpec({
 
     fun OpenPage.notice() = texts(".notice p").single()
 
-    /** Drops a file with this [name] and [text], and waits until the page [says] what came of it. */
+    /** Drops a file with this [name] and [text], and waits until the page shows the sentence [says]. */
     fun OpenPage.drop(name: String, text: String, says: String) {
         script(
             """
@@ -79,7 +79,7 @@ internal class PageLinkSpec : PageSpec({
         onPage(page) {
             titles() shouldBe emptyList()
             script("location.hash = arguments[0]", link)
-            // Formulas may take several slices, and what follows in the link waits for them.
+            // Formulas may take several slices, and the rest of the link waits for them.
             await("the board of the link") { titles() == listOf("Current", "Power") }
             await("its moment") { texts(".cursor-readout").single() == "4.0000 s" }
             visibleRange.start shouldBe (link.substringAfter("x=").substringBefore(':').toDouble() plusOrMinus 0.001)
@@ -91,7 +91,7 @@ internal class PageLinkSpec : PageSpec({
             titles() shouldBe emptyList()
             reload()
             titles() shouldBe emptyList()
-            // What uses them may be the reader's own by now.
+            // Formulas that use them may be the reader's own by now.
             script(remembered) as String shouldContain "Power [W] = Voltage * Current"
         }
         onPage(page) {

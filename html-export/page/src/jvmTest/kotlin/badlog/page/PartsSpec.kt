@@ -8,7 +8,9 @@ import java.nio.file.Files
 
 private const val ROWS = 120_000
 
-/** Some megabytes, so that the page carries several parts; rows end anywhere in them, and texts hold commas, quotes and newlines. */
+/**
+ * A log of some megabytes, so that the page has several parts. Parts end anywhere in rows, and texts contain commas, quotes and newlines.
+ */
 private val HEADER = """
     {"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Angle","unit":"deg","attrs":["differentiate"]},
     {"name":"Current","unit":"A"},{"name":"State"},{"name":"Enabled"},{"name":"Log","attrs":["log"]}]}
@@ -35,7 +37,7 @@ private val DAMAGED = HEADER + (0 until ROWS).joinToString("") {
     }
 }.dropLast(7)
 
-/** Pages of logs that several workers read at a time. */
+/** Pages of logs that several workers read at the same time. */
 @Tags("InCheck")
 internal class PartsSpec : PageSpec({
     fun cores(count: Int) = "Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => $count })"
@@ -99,8 +101,8 @@ internal class PartsSpec : PageSpec({
     }
 
     browserTest("fast workers wait for a slow one, so that no more than a few parts are held") {
-        // The answer of one part is held back until the other worker has nothing more to do: all else that was sent is answered, twice in a
-        // row, between which the page has looked again for what is still to be sent.
+        // The answer of one part is held until all other parts are answered, twice in a row. In between, the page looks again for text to
+        // send.
         val held = """
             ${cores(2)};
             window.sent = 0; window.answered = 0;

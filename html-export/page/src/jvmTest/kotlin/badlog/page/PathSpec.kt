@@ -42,7 +42,7 @@ internal class PathSpec : PageSpec({
             fun picture() = script("return document.querySelector('.xy').toDataURL()")
             fun pictures() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
             val untouched = pictures()
-            // A frame as well as a move.
+            // A drag draws a frame; with Shift, it moves the plane.
             for (key in listOf("", Keys.SHIFT)) {
                 act {
                     if (key.isNotEmpty()) keyDown(key)
@@ -107,7 +107,7 @@ internal class PathSpec : PageSpec({
 
     browserTest("the picture of the field lies behind the path, as large as its corners say") {
         val picture = ByteArrayOutputStream().also { out ->
-            // Nothing else on the page is so green.
+            // Nothing else on the page has this green.
             val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
             for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
             ImageIO.write(image, "png", out)
@@ -131,7 +131,7 @@ internal class PathSpec : PageSpec({
 
     browserTest("a trace is hidden by its legend, and that is remembered") {
         onPage(page) {
-            // The red alliance's wall is of nearly the same color.
+            // The wall of the red alliance has nearly the same color.
             val planned = pathPixels(1)
             elements("#board .legend-entry")[1].click()
             settle()
@@ -148,7 +148,7 @@ internal class PathSpec : PageSpec({
             script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
             reload()
             texts("#board .graph-title").size shouldBe 2
-            // Its cursors have a canvas of their own.
+            // The cursors have their own canvas.
             elements("#board .xy").size shouldBe 2
             elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
         }

@@ -25,7 +25,7 @@ import java.time.Duration
 internal class PhoneSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }
 
-    /** Puts down one finger for each path, moves it along, and lifts it. All paths have as many points. */
+    /** Puts down one finger for each path, moves it along the path, and lifts it. All paths have the same number of points. */
     fun OpenPage.touch(vararg paths: List<Pair<Int, Int>>) {
         val fingers = paths.mapIndexed { index, path ->
             val finger = PointerInput(Kind.TOUCH, "finger $index")
@@ -97,7 +97,7 @@ internal class PhoneSpec : PageSpec({
 
     browserTest("a finger that rests sets the second cursor, and takes it away where it rests on it again") {
         onPage(page, Screen.PHONE) {
-            // Not by actions of WebDriver: of a finger that one list of them puts down, the next one does not lift it.
+            // Not by actions of WebDriver, because a list of actions cannot lift a finger that an earlier list put down.
             fun finger(type: String, vararg places: Pair<Int, Int>) = driver.executeCdpCommand("Input.dispatchTouchEvent", mapOf("type" to type, "touchPoints" to places.map { (x, y) -> mapOf("x" to x, "y" to y) }))
 
             fun rest(share: Double, beside: Int, isSecondShown: Boolean) {
@@ -157,7 +157,7 @@ internal class PhoneSpec : PageSpec({
             touch(between(whole.at(0.25), whole.at(0.1)), between(whole.at(0.35), whole.at(0.9)))
             val range = visibleRange
             range.endInclusive - range.start shouldBeLessThan 3.0
-            // The step was in their middle.
+            // The step was halfway between the fingers.
             graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.06)
             taps(List(2) { whole.at(0.5) }, pause = 0.1)
             visibleRange shouldBe 0.0..10.0

@@ -10,7 +10,7 @@ import badlog.protocol.PageSeries
 import io.kotest.core.annotation.Tags
 import org.openqa.selenium.Keys
 
-/** Keeps pictures of the page under `build/screenshots`, for people to look at. */
+/** Saves pictures of the page under `build/screenshots` for review. */
 @Tags("InCheck")
 internal class PicturesSpec : PageSpec({
     val match = "qualification-42.bag"

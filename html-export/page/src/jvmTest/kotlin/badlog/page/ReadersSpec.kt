@@ -10,7 +10,7 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.Keys
 
-/** What people need who hear the page, see few differences of colors, or have no mouse. */
+/** The needs of readers with a screen reader, with weak color vision, or without a mouse. */
 @Tags("InCheck")
 internal class ReadersSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(listOf("Power = Battery Voltage * Total Current"), RuleSet.BUILT_IN)) }

@@ -102,7 +102,7 @@ internal class RulesSpec : PageSpec({
         val embedded = finding("Comparison", Severity.NOTE, "as the last match", 20.0)
         onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN, findings = listOf(embedded)))) {
             awaitRules()
-            // First the two incidents.
+            // The two incidents come first.
             press("n", "n", "n")
             element(".finding[aria-current]").text shouldContain "as the last match"
             press("/")

@@ -30,7 +30,7 @@ internal class SearchSpec : PageSpec({
         )
     }
 
-    /** Types [text] in place of what is in the field that has the focus. */
+    /** Replaces the text of the focused field by [text]. */
     fun OpenPage.retype(text: String) = act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL).sendKeys(text) }
 
     val all = listOf("Drivetrain/Left Position", "Drivetrain/Right Position", "Elevator/Position", "Elevator/Current")

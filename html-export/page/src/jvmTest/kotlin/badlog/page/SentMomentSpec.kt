@@ -23,7 +23,7 @@ internal class SentMomentSpec : PageSpec({
             script("return window.sent.files[0].type") shouldBe "image/png"
             number("return window.sent.files[0].size").toInt() shouldBeGreaterThan 10_000
 
-            // A dialog that was closed is the end of it.
+            // After a reader has closed the dialog, nothing else happens.
             script(
                 "navigator.share = () => { window.asked = true; return Promise.reject(new DOMException('', 'AbortError')) };" +
                     "navigator.clipboard.write = async items => { window.copied = items }",

@@ -24,7 +24,7 @@ import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
-/** The page that a web server on a robot shows. */
+/** The page that a web server on a robot serves. */
 @Tags("InCheck")
 internal class ServedPageSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-served") }
@@ -47,7 +47,7 @@ internal class ServedPageSpec : PageSpec({
 
     fun OpenPage.column(name: String) = texts("[data-column='$name']")
 
-    /** By a script: rows are made anew while logs are read. */
+    /** Clicked by a script, because rows are recreated while logs are read. */
     fun OpenPage.openRow(row: Int) = script("document.querySelectorAll(\"[data-column='FILE'] button\")[arguments[0]].click()", row)
 
     fun OpenPage.awaitLog(title: String) {
@@ -93,7 +93,7 @@ internal class ServedPageSpec : PageSpec({
                 click("#go-back")
                 awaitList()
                 await("what was opened to be read") { "6.73 V" in column("BATTERY") }
-                // Rows are made anew while logs are read.
+                // Rows are recreated while logs are read.
                 script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes('img')).click()")
                 awaitLog("<img src=x onerror=alert(1)> #1%.bag")
             }
@@ -177,7 +177,7 @@ internal class ServedPageSpec : PageSpec({
         withRobot(logs) { address ->
             onServedPage(address, Screen.PHONE) {
                 awaitList()
-                // The list is asked for again every 15 s, from the moment when it is shown.
+                // The page requests the list again every 15 s, starting when the list is shown.
                 script("const set = window.setTimeout; window.keepsTime = true; window.setTimeout = (work, delay, ...more) => set(work, Math.min(delay, 200), ...more)")
                 passTime()
                 for (isShown in listOf(false, true)) {
@@ -187,7 +187,7 @@ internal class ServedPageSpec : PageSpec({
                     click("#go-back")
                     awaitList()
                 }
-                // Whole at once: half a log that nobody writes any more would be announced as well.
+                // Complete at once, because half a log that is no longer written would be announced as well.
                 SAMPLES.resolve("qualification-42.bag").copyTo(logs / "new.part").moveTo(logs / "FRC_20260307_140212_OHCL_Q42.bag")
                 await("the news") { texts(".arrival p").single() != "" }
                 texts(".arrival p").single() shouldContain "Qualification 42 arrived: "
@@ -206,7 +206,7 @@ internal class ServedPageSpec : PageSpec({
     browserTest("when the robot is enabled during a download, the page says that, and not that the Wi-Fi is gone") {
         val options = LogServerOptions()
         val folder = folder("broken/logs") {
-            // Some seconds, as the server sends it.
+            // The server sends it for some seconds.
             val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 600_000) { row, column -> if (column == 0) row / 10.0 else row }
             (it / "long.bag").writeBytes(long)
         }
@@ -246,7 +246,7 @@ internal class ServedPageSpec : PageSpec({
                 awaitList()
                 column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
                 column("FILE").drop(2) shouldContainExactlyInAnyOrder listOf("bench.bag", "<img src=x onerror=alert(1)> #1%.bag")
-                // Nobody knows when they were written.
+                // Their times are unknown.
                 column("DATE").drop(2) shouldContainExactly listOf("", "")
                 keepScreenshot("served-wpilib-phone")
                 click("[data-column='FILE'] button") { "img" in it.text }

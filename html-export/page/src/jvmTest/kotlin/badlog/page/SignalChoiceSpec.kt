@@ -17,7 +17,7 @@ import java.nio.file.Files
 import kotlin.io.path.deleteExisting
 import kotlin.io.path.writeBytes
 
-/** Which topic a signal is that the rules lack, said on the page. */
+/** The assignment of topics to signals that the rules lack, on the page. */
 @Tags("InCheck")
 internal class SignalChoiceSpec : PageSpec({
     val bag = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Arm", "m")), rows = 60) { row, column ->
@@ -31,7 +31,7 @@ internal class SignalChoiceSpec : PageSpec({
 
     fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
 
-    /** Says that [signal] is [topic], as a person types it. */
+    /** Assigns [topic] to [signal] by typing it, as a reader does. */
     fun OpenPage.say(signal: String, topic: String) {
         if (element(".findings-skipped").getAttribute("open") == null) click(".findings-skipped summary")
         val field = elements(".signals-lacking").single { "“$signal”" in it.text }.findElement(By.tagName("input"))
@@ -102,7 +102,7 @@ internal class SignalChoiceSpec : PageSpec({
             awaitRules()
             say("battery", "Power/My Volts")
             awaitRules()
-            // As another tab does that forgets it, and names another one.
+            // Like another tab that removes this assignment and adds another one.
             script("localStorage.setItem('badlog:signals', 'total current\\0Amps')")
             say("loop time", "Lap")
             val stored = script("return localStorage.getItem('badlog:signals')").toString()

@@ -10,7 +10,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
-/** The board that a log begins with, and whose changes to it count. */
+/** The board with which a log begins, and whose changes to it take effect. */
 @Tags("InCheck")
 internal class StartBoardSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
@@ -29,7 +29,7 @@ internal class StartBoardSpec : PageSpec({
             texts(".board .graph-title") shouldBe listOf("Step 3")
             reload()
             texts(".board .graph-title") shouldBe listOf("Step 3")
-            // As another tab does that has the same graph.
+            // Like another tab that has the same graph.
             val (before, after) = listOf("[\"Step 3\"]", "[\"Step 3\",\"Step 1\"]").map { "\"lines\":$it" }
             script(key + "localStorage.setItem(key, localStorage.getItem(key).replace(arguments[0], arguments[1]))", before, after)
             graph("Step 2").scrollTo().hover(0.5)
@@ -65,7 +65,7 @@ internal class StartBoardSpec : PageSpec({
             titles().first() shouldBe "Battery Voltage"
             titles().size shouldBe 24
         }
-        // And one in between with what explains most of a match, and what its findings point at.
+        // A log with a board of usual graphs of a match, and the topics of its findings.
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
             settle()

@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldNotBe
 
 @Tags("InCheck")
 internal class ThemeSpec : PageSpec({
-    /** Selectors of what must be readable. */
+    /** Selectors of the texts that must be readable. */
     val texts = listOf(
         "h1", ".facts", ".fact", ".problems-toggle", ".problem-text", ".problem-place", ".severity", ".search-input",
         ".range-readout", ".cursor-readout", ".event-readout", "#download", ".folder-link-name", ".count",
@@ -17,7 +17,7 @@ internal class ThemeSpec : PageSpec({
         ".event-go", ".event-text", ".events thead th", "#info summary", ".text-button", ".event-label",
     )
 
-    /** The contrast of a text with what is behind it, by the rule of WCAG; null where there is no such text. */
+    /** Returns the contrast between a text and its background, as defined by WCAG; null if there is no such text. */
     fun OpenPage.contrast(selector: String): Double? = script(
         """
         const all = [...document.querySelectorAll(arguments[0])];

@@ -55,7 +55,7 @@ internal class TimeLinkSpec : PageSpec({
             follow("t=7")
             number("return scrollY") shouldBe top
             (graph(script("return document.activeElement.closest('.graph').dataset.name") as String).isOnScreen) shouldBe true
-            // What keys do next begins there, and is spoken.
+            // The next keys start there, and the place is spoken.
             press(Keys.ARROW_RIGHT)
             texts("#spoken").single() shouldContain "7."
         }

@@ -12,10 +12,10 @@ import io.kotest.matchers.string.shouldNotContain
 private const val HEADER =
     """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]}],"values":[]}"""
 
-/** Files that no robot should write, and robots do. The page opens, and says what there is to say. */
+/** Files that no robot should write, but robots write. The page opens, and reports their problems. */
 @Tags("InCheck")
 internal class UnusualFilesSpec : PageSpec({
-    /** The kinds of the problems that the page shows. */
+    /** Returns the kinds of the problems that the page shows. */
     fun OpenPage.problems(): List<String> {
         if (!element("#problems").isDisplayed) return emptyList()
         if (!element(".problem-list").isDisplayed) click(".problems-toggle")

@@ -35,17 +35,17 @@ internal class VideoSpec : PageSpec({
     fun OpenPage.pick() {
         script(CountedVideo.pick)
         awaitVideo()
-        // Only a person may begin to play what has a sound.
+        // A browser lets only a person start a video with sound.
         script("document.querySelector('#video video').muted = true")
         settle()
     }
 
     fun OpenPage.shown() = number("return ${CountedVideo.SHOWN}").toInt()
 
-    /** Where the cursor is, in seconds; NaN where it has no place. */
+    /** Returns the position of the cursor, in seconds; NaN if it is not placed. */
     fun OpenPage.cursor() = texts(".cursor-readout").single().removeSuffix(" s").toDoubleOrNull() ?: Double.NaN
 
-    /** Waits until the video shows frame [number], the browser has reported it, and what follows from that is on the screen. */
+    /** Waits until the video shows frame [number], the browser has reported it, and the screen has followed. */
     fun OpenPage.awaitFrame(number: Int) {
         await("frame $number") {
             shown() == number && abs(number("return reports.last") * CountedVideo.FRAMES_PER_SECOND - number) < 0.5 && script("return video().seeking") == false
@@ -53,7 +53,7 @@ internal class VideoSpec : PageSpec({
         settle()
     }
 
-    /** Goes to frame [number] by the video's own means. */
+    /** Goes to frame [number] with the video's own controls. */
     fun OpenPage.goToFrame(number: Int) {
         script("document.querySelector('#video video').currentTime = arguments[0]", (number + 0.5) / CountedVideo.FRAMES_PER_SECOND)
         awaitFrame(number)
@@ -69,7 +69,7 @@ internal class VideoSpec : PageSpec({
         script("const s = document.querySelector('#video-speed'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", speed)
     }
 
-    /** Whether the cursor is within a frame of the picture, and the video stands. */
+    /** Returns whether the cursor is within a frame of the picture, and the video is paused. */
     fun OpenPage.isAtCursor() = abs((cursor() - 5) * CountedVideo.FRAMES_PER_SECOND - shown()) <= 1 && script("return video().seeking") == false
 
     fun videoTest(name: String, page: () -> Path, screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = browserTest(name) {
@@ -81,7 +81,7 @@ internal class VideoSpec : PageSpec({
         pick()
         element("#video").isDisplayed shouldBe true
         texts("#video h2").single() shouldBe "match.webm"
-        // The end of a long name is what tells videos apart.
+        // The end of a long name distinguishes videos.
         script("document.querySelector('#video h2 bdi').textContent = 'match-'.repeat(40) + '42.webm'")
         number(
             """const [all, name] = ['h2', 'h2 bdi'].map(it => document.querySelector('#video ' + it).getBoundingClientRect());
@@ -143,7 +143,7 @@ internal class VideoSpec : PageSpec({
     videoTest("at its end the video shows its last frame, the cursor is there, and it plays again from its start", { page }) {
         openAligned()
         goToFrame(585)
-        // Most frames are skipped, so the page cannot know how long one is; nor is the last one reported.
+        // Most frames are skipped, so the page cannot know the length of a frame, and the last one is not reported.
         setSpeed("4")
         script("reports.areLost = true; video().play()")
         await("the last picture and cursor") { shown() == CountedVideo.FRAMES - 1 && abs(cursor() - 5 - (CountedVideo.FRAMES - 1) / 30.0) < 0.002 }
@@ -231,7 +231,7 @@ internal class VideoSpec : PageSpec({
             script(DROP)
             await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
             texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
-            // A video that can be played takes the place of it.
+            // A playable video takes its place.
             pick()
             texts("#video [role=status]").single() shouldContain "Find the first frame"
         }
@@ -292,7 +292,7 @@ internal class VideoSpec : PageSpec({
     }
 })
 
-/** Drops a file that is called a video. */
+/** Drops a file with the name of a video. */
 private const val DROP = """(() => {
 const data = new DataTransfer()
 data.items.add(new File(['no pictures'], 'phone.mov', {type: 'video/quicktime'}))
@@ -300,9 +300,9 @@ document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: 
 })()"""
 
 /**
- * Lets the browser report frames `reports.delay` milliseconds late, and while `reports.areLost` not at all; if that is true, only until the
- * next seek. After `sample()`, keeps for each frame that comes to the screen when it begins and where the page says that the cursor is. Its
- * picture can be read only when the video stands still: a canvas may be given the next one already.
+ * Lets the browser report frames `reports.delay` milliseconds late, and not at all while `reports.areLost`; if that is true, only until the
+ * next seek. After `sample()`, records for each displayed frame its start and the page's cursor. The picture can be read only while the
+ * video is paused, because a canvas may already get the next one.
  */
 private const val REPORTS = """
 window.video = () => document.querySelector('#video video')

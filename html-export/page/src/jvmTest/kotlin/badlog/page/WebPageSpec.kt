@@ -18,7 +18,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
-/** The page on a web site: links name logs, and other programs hand them over. */
+/** The page on a web site. Links name logs, and other programs hand logs over. */
 @Tags("InCheck")
 internal class WebPageSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-web") }
@@ -29,7 +29,7 @@ internal class WebPageSpec : PageSpec({
 
     fun site() = WebServer { it.send(page.readBytes(), "text/html") }
 
-    /** A host of logs that lets any site read them, without cookies. */
+    /** Returns a host of logs that lets any site read them, without cookies. */
     fun logs(length: Long? = null, code: Int = 200, isOpen: Boolean = true) = WebServer {
         if (isOpen) it.responseHeaders.set("Access-Control-Allow-Origin", "*")
         try {
@@ -127,7 +127,7 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    /** Sends [data], an expression, as if another program had; returns what it was answered. */
+    /** Sends [data], an expression, like another program; returns the answers. */
     fun OpenPage.hand(data: String, origin: String = "https://scout.example"): List<*> {
         script(
             "window.frame ??= document.body.appendChild(document.createElement('iframe'));" +

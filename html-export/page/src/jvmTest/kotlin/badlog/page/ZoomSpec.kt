@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldNotBe
 import org.openqa.selenium.Keys
 import org.openqa.selenium.interactions.WheelInput.ScrollOrigin
 
-/** Every graph steps at 3 s of 10 s, so that where the step is drawn tells which part of x a canvas shows. */
+/** Zooming. Every graph steps at 3 s of 10 s, so the position of the step shows which part of x a canvas shows. */
 @Tags("InCheck")
 internal class ZoomSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }

@@ -11,7 +11,7 @@ import java.nio.file.Files
 import java.util.Base64
 import kotlin.io.path.createTempDirectory
 
-/** Where the compiler puts what the script exports. */
+/** The object to which the compiler adds the exports of the script. */
 private const val READER = "globalThis['badlog:page_conformance'].badlog.page.conformance"
 
 @Tags("InCheck")
