@@ -18,7 +18,7 @@ class RawEmbeddingSpec : FunSpec({
     val parsed = ByteArrayOutputStream()
     val progress = ArrayList<Long>()
 
-    // Java's own reader checks the sum and the length, and that nothing follows.
+    // Java's own reader checks the checksum and the length, and that nothing follows.
     fun embedAndInflate(bytes: ByteArray): ByteArray {
         parsed.reset()
         progress.clear()

@@ -11,7 +11,7 @@ import java.time.Duration
 
 private val PATIENCE = Duration.ofSeconds(60)
 
-/** What is learned from a Driver Station that answers with [body]. */
+/** Returns the address learned from a Driver Station that answers with [body]. */
 private fun learned(body: String, status: Int = 200): String? {
     val server = HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0)
     server.createContext("/ip") { exchange ->

@@ -32,7 +32,7 @@ private val LARGE = "a,b\n" + "1,2\n".repeat(500_000)
 /** A table of two rows, compressed with xz. */
 private val XZ_OF_TABLE = Base64.getDecoder().decode("/Td6WFoAAAFpIt42AgAhAQwAAACPmEGcAQALYSxiCjEsMgozLDQKAOXp1s4AASAMot20vJBCmQ0BAAAAAAFZWg==")
 
-/** Does [work] while Java's folder for temporary files is [folder]. */
+/** Runs [work] while Java's folder for temporary files is [folder]. */
 private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
     val before = System.setProperty("java.io.tmpdir", "$folder")
     try {
@@ -46,7 +46,7 @@ private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
 class FetchTroubleSpec : FunSpec({
     test("a connection that is lost in the middle is tried again, and the copy goes on where it was") {
         inPit { pit, robot ->
-            // More than is requested ahead, so that something is left to be lost.
+            // More than is requested ahead, so that the connection is lost before the end.
             val content = LARGE.repeat(4)
             robot.log("log.csv", content)
             var isLost = false
@@ -101,7 +101,7 @@ class FetchTroubleSpec : FunSpec({
             val log = pit.fetch(robot).fetched.single()
             log.resumedAt shouldBeGreaterThan 300_000
             log.file.readText() shouldBe LARGE
-            // The first connection may be given what it requested ahead even after its end.
+            // The first connection may receive the bytes that it requested ahead even after its end.
             robot.servedByConnection.last() shouldBeLessThan LARGE.length.toLong()
         }
     }
@@ -152,7 +152,7 @@ class FetchTroubleSpec : FunSpec({
                     val copy = LogCopy(pit.folder, BandwidthLimit(null), room = { if (left < 1_000_000) left else 10_000_000 }, write = { file, bytes ->
                         if (bytes.remaining() > left) {
                             left = 0
-                            // As a system writes what still fits.
+                            // Like a system that writes the bytes that still fit.
                             file.write(bytes.limit(bytes.position() + 100))
                             throw IOException("No space left on device")
                         }
@@ -182,7 +182,7 @@ class FetchTroubleSpec : FunSpec({
             }
             cut("log.csv", LARGE)
             pit.fetch(robot)
-            // The robot's stick may be out for a while.
+            // The robot's stick may be removed for a while.
             pit.parts() shouldHaveSize 1
             cut("noise.csv", "\u0000".repeat(2_000_000))
             for (part in pit.parts()) Files.setLastModifiedTime(pit.folder / part, FileTime.from(Instant.now().minus(Duration.ofHours(25))))

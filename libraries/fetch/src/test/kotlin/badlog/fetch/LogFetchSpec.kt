@@ -36,10 +36,10 @@ internal class Pit(private val work: Path) {
 
     fun options(deleteOlderThan: Duration? = null, anyway: Boolean = true, password: String? = null, accepts: Boolean = false, folders: List<String>? = null) = FetchOptions(folder, folders, anyway, deleteOlderThan = deleteOlderThan, password = password, acceptsNewHostKeys = accepts)
 
-    /** All logs here, seen from the folder. */
+    /** Returns all logs here, relative to the folder. */
     fun logs(): List<String> = files().filter { !it.substringAfterLast('/').startsWith(".") }
 
-    /** What is hidden besides the list of fetched logs. */
+    /** Returns the hidden files besides the list of fetched logs. */
     fun parts(): List<String> = files().filter { it.endsWith(".part") }
 
     private fun files() = Files.walk(folder).use { all ->
@@ -56,11 +56,11 @@ internal fun inPit(robotKey: KeyPair = FakeRobot.newKey(), passwords: Map<String
     }
 }
 
-/** Symbolic links: on Windows only administrators make them. */
+/** Symbolic links: on Windows only administrators can create them. */
 private val IF_LINKS =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows makes symbolic links for administrators only")
 
-/** Whether this thread waits within [function] of [type]. */
+/** Returns whether this thread waits within [function] of [type]. */
 private fun Thread.isIn(type: Class<*>, function: String) = state == Thread.State.WAITING && stackTrace.any { it.className == type.name && it.methodName == function }
 
 @Tags("InCheck")

@@ -19,7 +19,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
-/** Where pages are written, and of which files. */
+/** The places of pages, and the files that have pages. */
 class PagePlacesSpec : FunSpec({
     test("an output is one by its ending, whether it exists or not") {
         inFolder { folder ->
