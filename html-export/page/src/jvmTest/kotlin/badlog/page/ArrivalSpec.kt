@@ -46,7 +46,7 @@ internal class ArrivalSpec : PageSpec({
 
     fun OpenPage.isWithinScreen() = number("return document.documentElement.scrollWidth - innerWidth") <= 0
 
-    browserTest("a log that arrives beside one that is shown is announced with the worst in it, takes nothing away, and is shown on demand") {
+    browserTest("a log that arrives while another is shown is announced with its worst finding, and shown only on request") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             news() shouldBe ""
@@ -77,7 +77,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("what somebody puts off, or opens from the list, is not announced any more, and neither is a log of a folder that was left") {
+    browserTest("a log that was postponed, or opened from the list, is not announced again; neither is a log of a folder that was left") {
         onPage(page, state = "empty", script = watchedFolder(before)) {
             openFolder()
             script(putIntoFolder(after))
@@ -100,7 +100,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("no log is gone while one cannot be read that could be; a new one is announced over a check box, which lists only errors") {
+    browserTest("an unreadable file removes no logs from the list; a new log is announced without hiding the page or moving the focus") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             script(
@@ -124,7 +124,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("the pit view shows the last match in large letters, what to do next, batteries and the ones before, and goes on by itself") {
+    browserTest("the pit view shows the last match in large letters, the next step, batteries and earlier matches, and updates itself") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             press("i")
@@ -164,7 +164,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("above the findings is how a match is unlike those before it in the folder; a click draws it over the last of them") {
+    browserTest("differences from earlier matches of the folder are above the findings, and a click draws the match over the last of them") {
         onPage(page, laptop, state = "empty", script = watchedFolder(UNLIKE_MATCHES)) {
             openFolder()
             openListed("Q7")

@@ -44,7 +44,7 @@ internal class ComparedPathSpec : PageSpec({
 
     fun OpenPage.legend() = texts("#board .graph[data-name='Path'] .legend-name")
 
-    browserTest("a compared log has its path on the same field, its robot and its values at the cursor, until it goes") {
+    browserTest("a compared log has its path on the same field, its robot and its values at the cursor, until it is removed") {
         onPage(page) {
             for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
                 show(screen)
@@ -71,7 +71,7 @@ internal class ComparedPathSpec : PageSpec({
         }
     }
 
-    browserTest("a compared robot is where it was at its own moment, when its log is moved") {
+    browserTest("a compared robot moves along with its log's offset") {
         onPage(page) {
             compareWith(log(100.0, 6.0))
             hoverPath(0.5, 0.68)
@@ -88,7 +88,7 @@ internal class ComparedPathSpec : PageSpec({
         }
     }
 
-    browserTest("an XY plot has the samples and the result of each log, and its figure says which is which") {
+    browserTest("an XY plot has the samples and the result of each log, and its figure names each") {
         onPage(page, script = NOTING_TEXTS) {
             script("location.hash = '#board=Current,Voltage,p='")
             reload()
@@ -104,7 +104,7 @@ internal class ComparedPathSpec : PageSpec({
         }
     }
 
-    browserTest("a line that is hidden is hidden in all logs") {
+    browserTest("a hidden line is hidden in all logs") {
         onPage(page) {
             compareWith(log(100.0, 6.0))
             val drawn = pathPixels(1)

@@ -27,7 +27,7 @@ internal class DerivedGraphSpec : PageSpec({
 
     fun OpenPage.unitOf(title: String) = partOf(title, ".graph-unit")
 
-    browserTest("derivative, delta and integral are those worked out by hand, read at their own samples, and each has its unit") {
+    browserTest("derivative, delta and integral equal values calculated by hand, at their own samples and with their own units") {
         onPage(derived) {
             unitOf("[ Position Derivative ]") shouldBe "m/s"
             unitOf("[ Position Delta ]") shouldBe "m"
@@ -64,7 +64,7 @@ internal class DerivedGraphSpec : PageSpec({
         return drawn.first().toDouble() / rows.size to drawn.last().toDouble() / rows.size
     }
 
-    browserTest("zero puts 0 on the y axis, and nothing else does; area fills what is below the line") {
+    browserTest("zero only adds 0 to the y axis, and area fills the space below the line") {
         onPage(shapes) {
             val (plainTop, plainBottom) = heights("Plain")
             plainTop shouldBe (0.06 plusOrMinus 0.06)

@@ -42,7 +42,7 @@ internal class EvidenceSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
 
     for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
-        browserTest("why Qualification 42 browned out takes one click, ${screen.width}×${screen.height}") {
+        browserTest("the reason for the brownout in Qualification 42 is one click away, ${screen.width}×${screen.height}") {
             onPage(match, screen) {
                 awaitRules()
                 elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
@@ -59,7 +59,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("a link to a finding gives its row the keyboard's focus when the rules have found it, unless a person has gone on") {
+    browserTest("a link to a finding focuses its row once the rules have found it, unless the reader has moved the focus") {
         val focused = "const e = document.activeElement; return (e.closest('.incident, .finding')?.className ?? '') + '|' + " +
             "(e.closest('p, .finding')?.textContent ?? e.id)"
         onPage(match) {
@@ -115,7 +115,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("of findings that begin together, a link and N name the one that is meant, also in a copied link") {
+    browserTest("a link and N select the right one of two findings that begin together, and its address names it") {
         val both = listOf(
             finding("First", Severity.ERROR, "first of two", 3.0),
             finding("Second", Severity.WARNING, "second of two", 3.0),
@@ -143,7 +143,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("each place is stepped to and named with its own figures, not with those of a worse one nearby") {
+    browserTest("each place of a finding has its own text and numbers, not those of a worse place nearby") {
         onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
             awaitRules()
             elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
@@ -161,7 +161,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("N opens an incident as a whole, with more one press away; it can be closed, and a link to its time opens it again") {
+    browserTest("N opens a whole incident, with more graphs one click away; it can be closed, and a link to its time opens it again") {
         onPage(match) {
             awaitRules()
             press("n")
@@ -187,7 +187,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("what nothing in the log shows has its sentence, and hurts nothing") {
+    browserTest("a finding without topics in the log has its sentence and no graphs") {
         val findings = listOf(finding("Hook", Severity.ERROR, "as it said", 3.0, further = listOf(Span(8.0, 9.0))))
         onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = findings))) {
             press("n")

@@ -49,7 +49,7 @@ internal class FolderToolsSpec : PageSpec({
 
     fun OpenPage.check(name: String) = click("[aria-label='Compare $name']")
 
-    browserTest("logs are grouped by event, each with the number of its logs, if there are several events") {
+    browserTest("logs are grouped by event with the number of logs, if there are several events") {
         onPage(page, state = "empty") {
             choose(season())
             click("#sort-FILE")
@@ -61,7 +61,7 @@ internal class FolderToolsSpec : PageSpec({
         }
     }
 
-    browserTest("statistics of the checked logs stand beside each other, topic by topic, and are searched") {
+    browserTest("statistics of the checked logs are side by side, topic by topic, and can be searched") {
         onPage(page, state = "empty") {
             choose(season())
             element(".log-statistics").isDisplayed shouldBe false
@@ -86,7 +86,7 @@ internal class FolderToolsSpec : PageSpec({
 
     val counting = "window.started = 0; const Original = Worker; window.Worker = function (...all) { window.started++; return new Original(...all) }"
 
-    browserTest("what was learned of a folder is known when the page is opened again, without reading the logs") {
+    browserTest("the results for a folder are known when the page is opened again, without reading the logs") {
         val folder = season()
         onPage(page, state = "empty", script = counting) {
             choose(folder)
@@ -107,14 +107,14 @@ internal class FolderToolsSpec : PageSpec({
         }
     }
 
-    browserTest("a browser that keeps nothing reads the logs each time") {
+    browserTest("a browser without storage reads the logs each time") {
         onPage(page, state = "empty", script = "Object.defineProperty(window, 'indexedDB', {get() { throw new Error('forbidden') }})") {
             choose(season())
             texts("[data-column='FILE']").size shouldBe 4
         }
     }
 
-    browserTest("a folder that the browser lets the page look into again shows new logs, those that grew, and none that is gone") {
+    browserTest("a folder into which the page may look again shows new and grown logs, and no removed ones") {
         onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
             click("#open-folder")
             await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
@@ -128,7 +128,7 @@ internal class FolderToolsSpec : PageSpec({
         }
     }
 
-    browserTest("a person who closes the folder dialog without choosing is where they were") {
+    browserTest("closing the folder dialog without a choice changes nothing") {
         val picker = "window.showDirectoryPicker = async () => { throw new DOMException('', 'AbortError') }"
         onPage(page, state = "empty", script = picker) {
             click("#open-folder")

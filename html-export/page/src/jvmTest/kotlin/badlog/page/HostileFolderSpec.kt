@@ -56,7 +56,7 @@ internal class HostileFolderSpec : PageSpec({
         }
     }
 
-    browserTest("logs of a folder that vanishes are said to be unreadable, and the page goes on") {
+    browserTest("logs of a folder that disappears are reported as unreadable, and the page continues") {
         val gone = folder("gone") { folder -> repeat(40) { Files.write(folder / "$it.bag", bag) } }
         onPage(page, state = "empty", script = "window.Worker = class { constructor() { throw new Error() } }") {
             choose(gone)
@@ -71,7 +71,7 @@ internal class HostileFolderSpec : PageSpec({
         }
     }
 
-    browserTest("a log that shrinks after it was chosen is said to be unreadable") {
+    browserTest("a log that shrinks after it was chosen is reported as unreadable") {
         val file = (temporary / "shrinks.bag").also { it.writeBytes(bag) }
         onPage(page, state = "empty") {
             element("input[type=file]").sendKeys("$file")

@@ -136,7 +136,7 @@ internal class HostileTextSpec : PageSpec({
         }
     }
 
-    browserTest("hostile formulas stay text where they are reported as wrong, and where they are not") {
+    browserTest("hostile formulas stay text, whether they are reported as wrong or not") {
         val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
         val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
         onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
@@ -160,7 +160,7 @@ internal class HostileTextSpec : PageSpec({
         }
     }
 
-    browserTest("a hostile header that is not a bag's stays text where it is reported") {
+    browserTest("a hostile header that is not a bag's stays text in the report") {
         onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
             checkTame()
         }

@@ -52,7 +52,7 @@ internal class LogNeedSpec : PageSpec({
     fun OpenPage.choose(file: Path) = element("input[type=file]").sendKeys("$file")
 
     for ((name, file) in listOf("bag" to { bag }, "WPILOG" to { wpilog })) {
-        browserTest("before a $name that is too large for the device, the page asks, and offers the topics that rules look at") {
+        browserTest("before a $name that is too large for the device, the page asks, and offers only the topics that rules use") {
             onPage(page, state = "empty", script = device("0.25")) {
                 choose(file())
                 awaitState("failed")

@@ -27,7 +27,7 @@ internal class NotesSpec : PageSpec({
         return folder.resolve("match.html").also { HtmlExporter().export(log, it) }
     }
 
-    browserTest("notes beside a log are listed and lead to their moments; a key marks the cursor's, without a dialog, and says where") {
+    browserTest("notes beside a log are listed with links to their moments; a key marks the cursor's moment without a dialog, and reports it") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline")), read = emptyList()) }
         onPage(page) {
             texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "second\nline")
@@ -59,7 +59,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("damaged notes are a problem that the page lists, and nothing else changes") {
+    browserTest("damaged notes are listed as a problem, and nothing else changes") {
         onPage(pageOf(tempdir().toPath()) { Files.writeString(NotesFile.beginningOf(it), "{") }) {
             element("#notes").isDisplayed shouldBe false
             text shouldContain "notes in match.bag.notes.json are damaged"
@@ -74,7 +74,7 @@ internal class NotesSpec : PageSpec({
         settle()
     }
 
-    browserTest("a note is written at the cursor, changed and removed, and the page opens with it again") {
+    browserTest("a note is written at the cursor, changed and removed, and is still there when the page is opened again") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             element("#notes").isDisplayed shouldBe false
             graph("Step 1").click(0.3)
@@ -108,7 +108,7 @@ internal class NotesSpec : PageSpec({
         )
     }
 
-    browserTest("what two tabs write and remove is in the notes of both, whichever of them writes last") {
+    browserTest("the changes of two tabs are merged in both, whichever tab writes last") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "first"), Note(2.0, "second")), read = emptyList()) }
         onPage(page) {
             val beginning = NoteHistory.of(listOf(Note(1.0, "first"), Note(2.0, "second")), emptyList())
@@ -128,7 +128,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("notes that pages of an older badlog remember are still there, can be changed, and are not doubled by a copy") {
+    browserTest("notes stored by pages of an older badlog are still there, and can be changed and removed") {
         val beside = listOf(Note(1.0, "first"), Note(2.0, "second"), Note(4.0, "hit"))
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, beside, read = emptyList()) }
         onPage(page) {
@@ -146,7 +146,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("a note is once in a page and its copy in one browser: as it was changed last, or not at all if it was removed last") {
+    browserTest("a page and its copy in one browser show each note once, with its last change, and no removed note") {
         val page = TestPages.of(stepBag(graphs = 1))
         val copy = tempdir().toPath().resolve("copy.html")
 
@@ -185,7 +185,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("a copy of the page has the notes, the board and the log's very bytes, and needs nothing of the browser that made it") {
+    browserTest("a copy of the page has the notes, the board and the log's exact bytes, and needs no storage of the original's browser") {
         val copy = tempdir().toPath().resolve("copy.html")
         onPage(TestPages.of(stepBag(graphs = 2))) {
             graph("Step 2").click(0.3)

@@ -56,7 +56,7 @@ internal class PartsSpec : PageSpec({
     }
 
     for ((name, log) in mapOf("whole" to CLEAN, "damaged" to DAMAGED)) {
-        browserTest("a $name log that several workers read shows what it shows when one reads it") {
+        browserTest("several workers read a $name log with the same result as one") {
             val page = TestPages.of(log)
             var expected = emptyList<Any?>()
             onPage(page, script = cores(1)) {
@@ -72,7 +72,7 @@ internal class PartsSpec : PageSpec({
         }
     }
 
-    browserTest("a large log is read while the rest of its page is still to come") {
+    browserTest("a large log is read while the rest of its page is still loading") {
         val text = Files.readString(TestPages.of(CLEAN))
         val middle = text.indexOf("id=\"recording\"").let { it + (text.indexOf("</script>", it) - it) / 2 }
         onPage(TestPages.of("a\n1\n", "b.csv")) {
@@ -132,7 +132,7 @@ internal class PartsSpec : PageSpec({
         }
     }
 
-    browserTest("a page with a damaged part is read in one go, as far as that goes, once its reader wants to see that") {
+    browserTest("a page with a damaged part is read as one stream, up to the damage, if its reader asks for it") {
         val text = Files.readString(TestPages.of(CLEAN))
         val from = text.indexOf("id=\"recording\"")
         val middle = from + (text.indexOf("</script>", from) - from) / 2

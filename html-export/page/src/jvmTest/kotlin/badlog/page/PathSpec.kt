@@ -36,7 +36,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("Escape gives up a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
+    browserTest("Escape cancels a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
         onPage(page) {
             val (x, y, width, height) = pathBox()
             fun picture() = script("return document.querySelector('.xy').toDataURL()")
@@ -72,7 +72,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("Shift+click on the path sets the second cursor, where a ring is, and the legend says both places") {
+    browserTest("Shift+click on the path sets the second cursor with a ring, and the legend has both places") {
         onPage(page) {
             val (x, y, width, height) = pathBox()
             fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
@@ -85,7 +85,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("what is seen of a path and its origin are in the link, and a double click shows everything") {
+    browserTest("the visible part of a path and its origin are in the link, and a double click shows everything") {
         onPage(page) {
             fun picture() = script("return document.querySelector('.xy').toDataURL()")
             val whole = picture()
@@ -105,7 +105,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("the picture of the field lies behind the path, as large as its corners say") {
+    browserTest("the picture of the field is behind the path, in the size given by its corners") {
         val picture = ByteArrayOutputStream().also { out ->
             // Nothing else on the page has this green.
             val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
@@ -129,7 +129,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("a trace is hidden by its legend, and that is remembered") {
+    browserTest("a click in the legend hides a trace, which is remembered") {
         onPage(page) {
             // The wall of the red alliance has nearly the same color.
             val planned = pathPixels(1)
@@ -141,7 +141,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("of a graph that has states, too, the path is drawn once, and the states are lanes") {
+    browserTest("a graph with a path and states draws the path once, and the states as lanes") {
         val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
         val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
         onPage(TestPages.of(log)) {
@@ -154,7 +154,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("two topics of the board are drawn over each other by its menu") {
+    browserTest("the menu draws two topics of the board over each other") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
             reload()

@@ -57,7 +57,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("the words in the bar are not cut, what is pressed is large enough for a finger, the event log is one tap away") {
+    browserTest("words in the bar are not cut, buttons are large enough for a finger, and the event log is one tap away") {
         onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
             for ((selector, text) in listOf(".search-input" to "placeholder", ".folder-choice" to "value")) {
                 number(
@@ -83,7 +83,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("all that the bar can have is in two rows above the cursor's place, also on a narrow phone") {
+    browserTest("the full bar takes two rows above the cursor's place, also on a narrow phone") {
         val modules = listOf("Measured", "Setpoints").flatMap { side -> List(4) { "$side[$it]" } }
             .flatMap { listOf(BagTopic("$it/speed", "m/s"), BagTopic("$it/angle/value", "rad")) }
         val topics = listOf(TIME) + modules + BagTopic("Log", attributes = listOf("log"))
@@ -95,7 +95,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a finger that rests sets the second cursor, and takes it away where it rests on it again") {
+    browserTest("a resting finger sets the second cursor, and removes it when it rests there again") {
         onPage(page, Screen.PHONE) {
             // Not by actions of WebDriver, because a list of actions cannot lift a finger that an earlier list put down.
             fun finger(type: String, vararg places: Pair<Int, Int>) = driver.executeCdpCommand("Input.dispatchTouchEvent", mapOf("type" to type, "touchPoints" to places.map { (x, y) -> mapOf("x" to x, "y" to y) }))
@@ -117,7 +117,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a tap sets the cursor, and on a finding's mark says what was found; the page is no wider than the phone") {
+    browserTest("a tap sets the cursor, and on a finding's mark shows its text; the page is no wider than the phone") {
         val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
         val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
@@ -143,7 +143,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a finger zooms, and moves what is zoomed; two that part zoom into what is between them; a double tap shows everything") {
+    browserTest("a finger zooms, or moves a zoomed range; two fingers that move apart zoom in; a double tap shows everything") {
         onPage(page, Screen.PHONE) {
             val frame = graph("Step 1").scrollTo().frame
             touch(between(frame.at(0.2), frame.at(0.6)))
@@ -164,7 +164,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("two fingers zoom a path, which a double tap shows whole again") {
+    browserTest("two fingers zoom a path, and a double tap shows all of it") {
         onPage(TestPages.ofSample("wrong-turn.bag"), Screen.PHONE) {
             script("document.querySelector('.xy').scrollIntoView({block: 'center', behavior: 'instant'})")
             settle()

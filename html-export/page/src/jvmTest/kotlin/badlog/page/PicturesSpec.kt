@@ -79,7 +79,7 @@ internal class PicturesSpec : PageSpec({
         }
     }
 
-    browserTest("the brownout, zoomed in on") {
+    browserTest("the brownout, zoomed in") {
         onPage(TestPages.ofSample(match)) {
             graph("System/Battery Voltage").scrollTo().drag(0.56, 0.66)
             graph("System/Battery Voltage").hover(0.4)
@@ -98,7 +98,7 @@ internal class PicturesSpec : PageSpec({
         onPage(TestPages.ofSample("practice.bag")) { keepScreenshot("cut") }
     }
 
-    browserTest("the statistics and the info, the help, a search, and one that finds nothing") {
+    browserTest("the statistics and the info, the help, a search, and a search without matches") {
         onPage(TestPages.ofSample(match)) {
             val graph = graph("System/Battery Voltage").scrollTo()
             script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)

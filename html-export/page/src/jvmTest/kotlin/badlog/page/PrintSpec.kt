@@ -73,7 +73,7 @@ internal class PrintSpec : PageSpec({
         }
     }
 
-    printTest("a page without a board prints its graphs, and is dark again afterwards where it was dark") {
+    printTest("a page without a board prints its graphs, and a dark page is dark again afterwards") {
         onPage(TestPages.of(stepBag(graphs = 9)), Screen(1366, 768, isDark = true)) {
             val before = color("--surface")
             val pdf = print()
@@ -85,7 +85,7 @@ internal class PrintSpec : PageSpec({
         }
     }
 
-    printTest("what is printed says which part of the log it is, and has the values at the cursor") {
+    printTest("the printed page names its part of the log, and has the values at the cursor") {
         onPage(match, Screen.PHONE) {
             awaitRules()
             script("location.hash = '#t=93.7&x=90:100'")

@@ -11,7 +11,7 @@ import io.kotest.matchers.string.shouldStartWith
 /** A moment that a person sends to others. */
 @Tags("InCheck")
 internal class SentMomentSpec : PageSpec({
-    browserTest("a moment is sent by the system's dialog, or copied where there is none, or saved where a page may not even copy") {
+    browserTest("a moment is sent by the system's dialog, otherwise copied, otherwise saved") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             press("n")
             await("the evidence") { element("#evidence").isDisplayed }

@@ -15,7 +15,7 @@ import org.openqa.selenium.Keys
 internal class StartBoardSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 
-    browserTest("what two tabs change on a board stays, also when this one undoes its own, and so does a graph that this one cannot draw") {
+    browserTest("a board keeps the changes of two tabs, also after this tab's undo, and a graph that this tab cannot draw") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val key = "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes; "
             script(
@@ -44,7 +44,7 @@ internal class StartBoardSpec : PageSpec({
         }
     }
 
-    browserTest("the start board brings back what the page begins with, and is undone like any change") {
+    browserTest("the start board restores the page's first board, and can be undone like any change") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val before = texts(".board .graph-title")
             graph("Step 2").scrollTo().hover(0.5)
@@ -58,7 +58,7 @@ internal class StartBoardSpec : PageSpec({
         }
     }
 
-    browserTest("a large log begins with a board of what such logs are asked for, a small one with an empty one") {
+    browserTest("a large log begins with a board of the usual graphs, a small one with an empty board") {
         val many = listOf(TIME, BagTopic("Battery Voltage", "V")) + List(70) { BagTopic("Topic $it", "V") }
         val large = bagOf(many, 101) { row, column -> if (column == 0) row / 10.0 else row % 7 + 8 }
         onPage(TestPages.of(large, additions = PageAdditions(rules = RuleSet.BUILT_IN))) {

@@ -47,7 +47,7 @@ internal class ThemeSpec : PageSpec({
 
     for (isDark in listOf(false, true)) {
         val name = if (isDark) "dark" else "light"
-        browserTest("a system that is $name gets a $name page whose texts stand out by 4.5 to 1") {
+        browserTest("a $name system gets a $name page with a contrast of texts of at least 4.5 to 1") {
             onPage(TestPages.ofSample("practice.bag"), Screen.WIDE.copy(isDark = isDark)) {
                 element("html").getDomAttribute("data-theme") shouldBe name
                 graph(graphNames.first()).scrollTo().hover(0.5)
@@ -60,7 +60,7 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the page follows when the system changes, and its graphs are drawn in the new colors") {
+    browserTest("the page follows a change of the system's theme, and redraws its graphs in the new colors") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val light = graph("Step 1").canvas
             show(Screen.WIDE.copy(isDark = true))
@@ -72,7 +72,7 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the button selects light and dark, and that is kept over a reload") {
+    browserTest("the button selects light and dark, also after a reload") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             click("#theme")
             element("html").getDomAttribute("data-theme") shouldBe "light"

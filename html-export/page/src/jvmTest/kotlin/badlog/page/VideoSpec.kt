@@ -76,7 +76,7 @@ internal class VideoSpec : PageSpec({
         onPage(page(), screen, script = REPORTS, test = test)
     }
 
-    videoTest("one button says that the robot is enabled in this frame: from then the video moves the cursor, and the cursor the video", { page }) {
+    videoTest("one button marks the frame in which the robot is enabled; from then on, video and cursor move each other", { page }) {
         element("#video").isDisplayed shouldBe false
         pick()
         element("#video").isDisplayed shouldBe true
@@ -104,7 +104,7 @@ internal class VideoSpec : PageSpec({
         keepScreenshot("video")
     }
 
-    videoTest("the frame stays within one of the cursor over the video’s whole length, at four times and a quarter of its speed", { page }) {
+    videoTest("frame and cursor differ by at most one frame over the whole video, at four times and a quarter of its speed", { page }) {
         openAligned()
         for ((speed, halts) in listOf("4" to listOf(2.0, 5.0, 9.0, 13.0, 17.0, 19.0), "1" to listOf(0.7, 1.4), "0.25" to listOf(0.4, 0.8))) {
             goToFrame(0)
@@ -127,7 +127,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    videoTest("a pause puts the cursor at the frame that is shown, even if a busy browser has not reported that frame", { page }) {
+    videoTest("a pause puts the cursor at the displayed frame, even if a busy browser has not reported that frame", { page }) {
         openAligned()
         goToFrame(30)
         await("the cursor at frame 30") { isAtCursor() }
@@ -140,7 +140,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    videoTest("at its end the video shows its last frame, the cursor is there, and it plays again from its start", { page }) {
+    videoTest("at its end the video and the cursor are at the last frame, and it plays again from its start", { page }) {
         openAligned()
         goToFrame(585)
         // Most frames are skipped, so the page cannot know the length of a frame, and the last one is not reported.
@@ -163,7 +163,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    videoTest("the frame that is shown is the one that is aligned, even if a busy browser has not reported it yet", { page }) {
+    videoTest("the displayed frame is aligned, even if a busy browser has not reported it yet", { page }) {
         pick()
         goToFrame(30)
         script("reports.areLost = 'for long'; video().currentTime = 35.5 / 30")
@@ -174,7 +174,7 @@ internal class VideoSpec : PageSpec({
         await("the cursor a second after the robot was enabled") { abs(cursor() - 8) < 0.035 }
     }
 
-    videoTest("the keys , and . and their buttons step by exactly one frame, and the cursor goes with it", { page }) {
+    videoTest("the keys , and . and their buttons step by exactly one frame, and the cursor follows", { page }) {
         openAligned()
         goToFrame(100)
         for ((key, frame) in listOf("." to 101, "." to 102, "." to 103, "," to 102, "," to 101, "." to 102)) {
@@ -188,7 +188,7 @@ internal class VideoSpec : PageSpec({
         awaitFrame(102)
     }
 
-    videoTest("video and cursor part, and this frame is put where the cursor is: that is remembered, and in the link", { page }) {
+    videoTest("video and cursor are unlinked and aligned again at this frame, which is remembered and part of the link", { page }) {
         openAligned()
         goToFrame(90)
         await("the cursor at 8 s") { abs(cursor() - 8) < 0.02 }
@@ -212,7 +212,7 @@ internal class VideoSpec : PageSpec({
         await("the cursor where it was put") { abs(cursor() - at) < 0.02 }
     }
 
-    videoTest("where each of two videos starts is remembered", { page }) {
+    videoTest("the alignment of each of two videos is remembered", { page }) {
         script(
             "const key = 'badlog:video:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
                 "localStorage.setItem(key, '3 pit.webm')",
@@ -226,7 +226,7 @@ internal class VideoSpec : PageSpec({
             .toString().lines().map { it.substringAfter(' ') } shouldBe listOf("pit.webm", "match.webm")
     }
 
-    browserTest("a file that the browser cannot play is said to be one, a dropped one too, and a layout is still opened") {
+    browserTest("a video that the browser cannot play is reported, also a dropped one, and a layout is still opened") {
         onPage(page) {
             script(DROP)
             await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
@@ -248,7 +248,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("on a phone held sideways the video is beside the graphs, and so are the values at the cursor") {
+    browserTest("on a phone held sideways, the video and the values at the cursor are beside the graphs") {
         onPage(page, Screen(844, 390, density = 2.0, isPhone = true, isDark = true)) {
             openAligned()
             press("v")
@@ -262,7 +262,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("video and values at the cursor share the right side, and nothing lies over the graphs or the bar’s texts") {
+    browserTest("video and values at the cursor share the right side, and nothing covers the graphs or the bar’s texts") {
         val match = TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))
         for (isDark in listOf(false, true)) {
             onPage(match, Screen(1366, 768, isDark = isDark)) {
@@ -283,7 +283,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("a page whose log has no time on x offers no video, and says why it does not show one that is dropped") {
+    browserTest("a page without time on x offers no video, and gives the reason when one is dropped") {
         onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
             element("#video-button").isDisplayed shouldBe false
             script(DROP)

@@ -64,7 +64,7 @@ internal class WpilogSpec : PageSpec({
         }
     }
 
-    browserTest("each topic is drawn at its own times, the cursor reads what held there, arrow keys go to the next sample of any") {
+    browserTest("each topic is drawn at its own times, the cursor reads the latest value, and arrow keys go to the next sample of any topic") {
         onPage(TestPages.of(wpilog(), "run.wpilog")) {
             graph("/Arm/Angle").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
             graph("/Arm/Angle").steepest() shouldBe (0.5 plusOrMinus 0.02)

@@ -26,12 +26,12 @@ internal abstract class ConformanceInBrowsersSpec(vararg browsers: Browser) : Fu
     val names = bags.map { it.nameWithoutExtension }
     val expected = bags.map { comparable(it.resolveSibling("${it.nameWithoutExtension}.json").readText()) }
 
-    test("the corpus is there") {
+    test("the corpus has files") {
         names.size shouldBeGreaterThan 45
     }
 
     for (browser in browsers) {
-        test("${browser.name}: every log of the corpus is read as its JSON says, whole, byte by byte and in pieces of 7")
+        test("${browser.name}: every log of the corpus is read as its JSON says, as a whole, byte by byte and in pieces of 7")
             .config(enabledOrReasonIf = { browser.enabled }) {
                 val folder = createTempDirectory("badlog-corpus")
                 try {

@@ -41,7 +41,7 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
         }
 
-        browserTest("a page opens from disk, inflates its log, draws it, for paper anew, and gives the file back byte for byte") {
+        browserTest("a page opens from disk, inflates and draws its log, redraws it for paper, and saves the file byte for byte") {
             openPage(steps)
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldBe "Step 1,Step 2,Step 3"
             awaitThat { stepAt() shouldBe (0.3 plusOrMinus 0.01) }
@@ -59,13 +59,13 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             }
         }
 
-        browserTest("a log that was gzipped and cut opens with what there is, and says so") {
+        browserTest("a gzipped log that was cut opens with its readable part, and reports the cut") {
             openPage(TestPages.ofSample("qualification-57.bag.gz"))
             evaluate("document.querySelectorAll('.graph').length > 10") shouldBe "true"
             evaluate("document.querySelector('.problem-list')?.textContent ?? document.body.innerText") shouldContain "cut"
         }
 
-        browserTest("a drag zooms to what it covers, also that of a finger, and a click on the button shows everything") {
+        browserTest("a drag with mouse or finger zooms to its range, and a click on the button shows everything") {
             openPage(steps)
             perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.2), placeAt(0.4), placeAt(0.6)))))
             awaitThat { visibleRange() shouldBe "2–6" }
@@ -76,14 +76,14 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             awaitThat { visibleRange() shouldBe "2–6" }
         }
 
-        browserTest("a link carries moment, range and formulas") {
+        browserTest("a link contains moment, range and formulas") {
             openPage(steps, "#t=4&x=2:6&f=Twice+~003d+2*Step+1")
             awaitThat { visibleRange() shouldBe "2–6" }
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldContain "Twice"
             awaitThat { stepAt() shouldBe (0.25 plusOrMinus 0.01) }
         }
 
-        browserTest("a formula that is typed becomes a graph") {
+        browserTest("a typed formula becomes a graph") {
             openPage(steps)
             type("f")
             await("document.activeElement.closest('#formula-dialog') != null")
@@ -109,7 +109,7 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             }
         }
 
-        test("${browser.name}: a video beside the page plays from disk and over HTTP, where the policy of the page says so")
+        test("${browser.name}: a video beside the page plays from disk and over HTTP if the page's policy allows it")
             .config(enabledOrReasonIf = { drawn(browser) }) {
                 browser.tab.run {
                     val page = TestPages.withVideo(stepBag(graphs = 1), "match 1.webm", CountedVideo.bytes)

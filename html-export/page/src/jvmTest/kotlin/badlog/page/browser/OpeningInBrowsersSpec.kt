@@ -90,7 +90,7 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             }
         }
 
-        browserTest("from a web site, it fetches a log that a link names, after a click") {
+        browserTest("from a web site, it fetches the log in a link after a click") {
             val web = (temporary / EmptyPage.WEB_NAME).also { EmptyPage().write(it, PageNetwork.WEB) }
             WebServer { it.send(Files.readAllBytes(web), "text/html") }.use { site ->
                 val host = WebServer {
