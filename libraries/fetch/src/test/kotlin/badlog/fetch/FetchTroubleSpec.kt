@@ -44,7 +44,7 @@ private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
 
 @Tags("InCheck")
 class FetchTroubleSpec : FunSpec({
-    test("a connection that is lost in the middle is tried again, and the copy goes on where it was") {
+    test("a lost connection is retried, and the copy resumes") {
         inPit { pit, robot ->
             // More than is requested ahead, so that the connection is lost before the end.
             val content = LARGE.repeat(4)
@@ -64,7 +64,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a robot that falls silent is given up, without a log that is not whole; the next fetch goes on") {
+    test("a silent robot is given up without an incomplete log, and the next fetch resumes") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             val patience = Patience(
@@ -92,7 +92,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("an end of the program leaves a part, and the next fetch goes on with it") {
+    test("a fetch that ends early leaves a part, and the next fetch resumes it") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             class End : Exception()
@@ -106,7 +106,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a part of a log that was written anew is not gone on with") {
+    test("a part of a log that was rewritten is not resumed") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             class End : Exception()
@@ -126,7 +126,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a log that does not fit the disk is not begun") {
+    test("a log that does not fit the disk is not started") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             Files.createDirectories(pit.folder)
@@ -142,7 +142,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a disk that becomes full in the middle is reported, and the next fetch goes on with what has come") {
+    test("a disk that becomes full during a copy is reported, and the next fetch resumes") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             Files.createDirectories(pit.folder)
@@ -172,7 +172,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("the part of a log that has gone from the robot becomes a log of its own after a day, and one without anything goes") {
+    test("a day after its log was removed from the robot, a part becomes a log, or is removed if it has no samples") {
         inPit { pit, robot ->
             class End : Exception()
             fun cut(name: String, text: String) {
@@ -195,7 +195,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a log that finds no room for temporary files stays a part, also when it has gone from the robot, until it can be read") {
+    test("a log without room for temporary files stays a part until it can be read, also if the robot no longer has it") {
         inPit { pit, robot ->
             val log = robot.log("log.wpilogxz", XZ_OF_TABLE)
             val missing = pit.folder / "gone"
@@ -218,7 +218,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("names that reach elsewhere, break lines or cannot be on this system stay in the folder") {
+    test("names with paths, with line breaks, or invalid on this system stay in the folder") {
         inPit { pit, robot ->
             robot.log("two\nlines.csv", "a,b\n3,4\n")
             robot.log("CON.csv", "a,b\n5,6\n")
@@ -235,7 +235,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("10,000 logs are listed, and those that are here do not come again") {
+    test("10,000 logs are listed, and those already here are not fetched again") {
         inPit { pit, robot ->
             val names = (0 until 10_000).map { "log$it.csv" }
             for (name in names) robot.log(name, "")
@@ -250,7 +250,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a list of fetched logs with half a line is read and gone on with") {
+    test("a list of fetched logs that ends in half a line is read and continued") {
         inPit { pit, robot ->
             robot.log("a.csv", "a,b\n1,2\n")
             pit.fetch(robot)
@@ -261,7 +261,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("two programs do not fetch into one folder at a time") {
+    test("two programs cannot fetch into one folder at the same time") {
         inPit { pit, robot ->
             FetchedLogs.open(pit.folder).use {
                 shouldThrow<NoRoomException> { pit.fetch(robot) }.message shouldContain "Another badlog is fetching into"
@@ -269,7 +269,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a folder that is a file is one sentence") {
+    test("a file in place of the folder is reported in one sentence") {
         inPit { pit, robot ->
             pit.folder.writeText("")
             shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldContain "is a file, not a folder; rename that file."
