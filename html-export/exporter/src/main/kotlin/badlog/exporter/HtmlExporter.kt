@@ -36,9 +36,9 @@ class HtmlExporter(
     private val readable = ConcurrentHashMap.newKeySet<Path>()
 
     /**
-     * Makes the page [output] from the log [input]: a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with gzip.
-     * If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced only by a
-     * complete page; its folder is created if necessary.
+     * Makes the page [output] from the log [input]. That is a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
+     * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced only by
+     * a complete page; its folder is created if necessary.
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *

@@ -137,7 +137,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    /** Each read of the clock takes 200 ms, and timers wait until they are released, as for a log of many million samples. */
+    /** Each read of the clock takes 200 ms, as for a log of many million samples. Timers wait until they are released. */
     val slow = """
         (() => {
             const now = performance.now.bind(performance), set = window.setTimeout

@@ -1,6 +1,6 @@
 package badlog.page
 
-/** Waits until the browser has stored the page's results so far; it stores them in the order in which it receives them. */
+/** Waits until the browser has stored the page's results so far. It stores them in the order in which it receives them. */
 internal fun OpenPage.awaitKept() {
     driver.executeAsyncScript(
         """

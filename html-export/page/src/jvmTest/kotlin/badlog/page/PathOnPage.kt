@@ -1,6 +1,9 @@
 package badlog.page
 
-/** Returns the number of pixels with the color of line [index] in the first graph of y over x: below the cursors, or in their [layer] 1. */
+/**
+ * Returns the number of pixels with the color of line [index] in the first graph of y over x. The pixels are below the cursors, or in their
+ * [layer] 1.
+ */
 internal fun OpenPage.pathPixels(index: Int, layer: Int = 0): Int {
     val color = color("--line-$index")
     return number(

@@ -54,7 +54,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         }
     }
 
-    /** Does the same with a log of 10 s in the folder [name], which grows when the test lets its robot write. */
+    /** Does the same with a log of 10 s in the folder [name]. It grows when the test lets its robot write. */
     fun onRunningLog(
         name: String,
         options: LogServerOptions = LogServerOptions(),

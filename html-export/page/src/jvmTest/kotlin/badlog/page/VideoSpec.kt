@@ -300,8 +300,8 @@ document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: 
 })()"""
 
 /**
- * Lets the browser report frames `reports.delay` milliseconds late, and not at all while `reports.areLost`; if that is true, only until the
- * next seek. After `sample()`, records for each displayed frame its start and the page's cursor. The picture can be read only while the
+ * Lets the browser report frames `reports.delay` milliseconds late. While `reports.areLost`, it reports none; if that is true, only until
+ * the next seek. After `sample()`, records for each displayed frame its start and the page's cursor. The picture can be read only while the
  * video is paused, because a canvas may already get the next one.
  */
 private const val REPORTS = """

@@ -3,8 +3,8 @@ package badlog.page
 import java.util.Base64
 
 /**
- * Returns a script for a page whose browser gives it a folder `pit` with [files], into which the page may look again. It looks without the
- * pause of some seconds, which no test needs.
+ * Returns a script that gives the page a folder `pit` with [files], into which it may look again. It looks without the pause of some
+ * seconds, which no test needs.
  */
 internal fun watchedFolder(files: Map<String, ByteArray>): String = "$OFTEN${putIntoFolder(files)}" +
     "window.showDirectoryPicker = async () => ({name: 'pit', values: async function* () {" +

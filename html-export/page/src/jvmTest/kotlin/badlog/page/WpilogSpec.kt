@@ -13,7 +13,7 @@ import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Returns four seconds of a robot: a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
+/** Returns four seconds of a robot. They have a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
 internal fun wpilog(): ByteArray {
     val out = ByteArrayOutputStream()
     fun bytes(size: Int, fill: ByteBuffer.() -> Unit) = out.write(ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(fill).array())

@@ -16,7 +16,7 @@ internal object Chromium {
     private val driverProgram = onPath("chromedriver")
     private val isRequired = System.getenv("BADLOG_BROWSER") == "required"
 
-    /** Whether page tests can run here, otherwise the reason; printed once for all tests, in a line that the build passes on. */
+    /** Whether page tests can run here, otherwise the reason. It is printed once for all tests, in a line that the build passes on. */
     val enabled: Enabled by lazy {
         val missing = listOfNotNull(
             "Chromium".takeIf { program == null },

@@ -6,7 +6,7 @@ import java.util.Base64
 import kotlin.math.roundToInt
 
 /**
- * A WebM video with the number of each frame in its picture, in binary: a white square is a one, and the leftmost is worth 1. Chromium
+ * A WebM video with the number of each frame in its picture, in binary. A white square is a one, and the leftmost is worth 1. Chromium
  * encodes the pictures, because a lossy WebP picture is a key frame of VP8.
  */
 internal object CountedVideo {

@@ -16,8 +16,8 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * A page in the one tab of all tests, because a new tab would start a process that compiles the page's script again. Only a page that is
- * opened beside another page has its own tab.
+ * A page in the one tab of all tests. A new tab would start a process that compiles the page's script again. Only a page that is opened
+ * beside another page has its own tab.
  *
  * @param before the tab of the page beside which it is opened; null if there is none.
  */

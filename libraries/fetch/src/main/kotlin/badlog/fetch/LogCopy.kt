@@ -128,7 +128,7 @@ internal class LogCopy(
     }
 
     /**
-     * Returns the parts that will never be complete: they belong to logs of [robot] that are not among [logs], and have not grown for a
+     * Returns the parts that will never be complete. They belong to logs of [robot] that are not among [logs], and have not grown for a
      * day. A robot's USB stick may be removed for a while.
      */
     fun leftParts(robot: String, logs: List<RemoteLog>): List<Path> {

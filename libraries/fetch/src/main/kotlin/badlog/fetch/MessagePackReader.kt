@@ -2,7 +2,7 @@ package badlog.fetch
 
 import java.nio.ByteBuffer
 
-/** Reads the subset of MessagePack in [bytes] that NetworkTables uses for topics of whole numbers, or of a struct of 64 bits. */
+/** Reads MessagePack in [bytes] as NetworkTables sends it for topics of whole numbers, or of a 64-bit struct. */
 internal class MessagePackReader(private val bytes: ByteBuffer) {
     /** Whether there are bytes left. */
     val hasNext: Boolean get() = bytes.hasRemaining()

@@ -26,7 +26,9 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
     AutoCloseable {
     private val sftp: SftpClient = talking { SftpClientFactory.instance().createSftpClient(session) }
 
-    /** Returns the logs in and below those [folders] that exist, and the bags directly in [homes], which contain other files, too. */
+    /**
+     * Returns the logs in and below those [folders] that exist. Also returns the bags directly in [homes], which contain other files, too.
+     */
     fun list(folders: List<String>, homes: List<String> = emptyList()): RemoteListing = talking {
         val found = LinkedHashSet<String>()
         for (folder in folders) realPath(folder)?.let(found::add)

@@ -145,8 +145,8 @@ internal class Transfer(
     }
 
     /**
-     * Turns [part], a log that is no longer on the robot, into a log if it contains any samples; otherwise removes it. If it cannot be read
-     * now, it stays, because it is the only copy.
+     * Turns [part], whose log is no longer on the robot, into a log. Removes it if it contains no samples. If it cannot be read now, it
+     * stays, because it is the only copy.
      */
     private fun keepUnfinished(part: Path) {
         val read = readLog(part, LOG_FORMATS)
@@ -168,7 +168,7 @@ internal class Transfer(
         listener.skipped(options.folder.relativize(file).joinToString("/"), message, isGrowing = false)
     }
 
-    /** Returns the start of the log, in s since 1970 on a wall clock here; null if the log does not contain it. */
+    /** Returns the start of the log, in s since 1970 on a wall clock here; null if unknown. */
     private fun startOf(recording: Recording): Long? = recording.values.find { it.name == START_VALUE }?.let { dateInText(it.text) }
 
     private fun matchOf(recording: Recording, name: String) = RuleSet.BUILT_IN.signals.matchOf(recording, name)
@@ -242,7 +242,7 @@ internal class Transfer(
         /** The folders into which loggers write: on a USB stick, and in the homes of the robots' users. */
         val FOLDERS = listOf("/u/logs", "/U/logs", "/V/logs", "/home/lvuser/logs", "/home/systemcore/logs", "/home/lvuser/log")
 
-        /** The folders with bags of programs that use the original badlog, beside other files: the user's home, and a USB stick. */
+        /** The folders with bags of the original badlog, beside other files: the user's home, and a USB stick. */
         val HOMES = listOf("/home/lvuser", "/media/sda1")
         val BELIEVABLE: Instant = Instant.parse("2015-01-01T00:00:00Z")
     }

@@ -23,11 +23,11 @@ import kotlin.js.Promise
 public fun penPictures(): Array<String> = (PEN_PRIMITIVES.keys + PEN_TEXTS.keys).toTypedArray()
 
 /**
- * Promises two differences for the picture [name] on a canvas of the page's pen: from a blank canvas, and from the browser's picture of the
- * common pen's SVG.
+ * Promises two differences for the picture [name] on a canvas of the page's pen. They are those from a blank canvas, and from the browser's
+ * picture of the common pen's SVG.
  *
- * Each is the mean difference of a color component, 0 to 255. For a text, two more numbers follow, for the canvas and for the SVG: the pixels
- * by which the covered rectangle differs from the rectangle that the page's pen measures; NaN if the text covers nothing.
+ * Each is the mean difference of a color component, 0 to 255. For a text, two more numbers follow, for the canvas and for the SVG: the
+ * pixels by which the covered rectangle differs from the rectangle that the page's pen measures; NaN if the text covers nothing.
  */
 @OptIn(ExperimentalJsExport::class)
 @JsExport

@@ -40,7 +40,7 @@ internal class PageRules(
     }
 
     /**
-     * Runs the rules on [logged], at the earliest [PAUSE] ms after their last run, because a followed log is drawn more often.
+     * Runs the rules on [logged], at the earliest [PAUSE] ms after their last run. A followed log is drawn more often.
      *
      * @param onFound called with the findings and their incidents once they are listed.
      */

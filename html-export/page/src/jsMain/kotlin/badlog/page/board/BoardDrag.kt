@@ -19,8 +19,8 @@ import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
 /**
- * Drags a graph by its title with the mouse: onto another graph to combine them, or between graphs of the board to place it there. Touch
- * and keyboard users have menus instead.
+ * Drags a graph by its title with the mouse. Dropped on another graph, it is combined with that; dropped between graphs of the board, it is
+ * placed there. Touch and keyboard users have menus instead.
  */
 internal class BoardDrag(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
     private var dragged: GraphCard? = null

@@ -17,7 +17,7 @@ import org.w3c.dom.events.KeyboardEvent
 internal class MenuEntry(val label: String, val isChecked: Boolean? = null, val action: () -> Unit)
 
 /**
- * Opens a menu with [entries] below [button], as a child of [host], which must be positioned and not clip its content. Arrow keys move
+ * Opens a menu with [entries] below [button], as a child of [host]. The host must be positioned and not clip its content. Arrow keys move
  * within it; Escape, or moving the focus elsewhere, closes it.
  */
 internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<MenuEntry>) {

@@ -7,8 +7,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Returns the markup for the log in [files], the same as the exporter's: its gzip stream in base64, and the facts about it. A gzipped file
- * is embedded unchanged.
+ * Returns the markup for the log in [files], the same as the exporter's. It consists of the log's gzip stream in base64, and the facts
+ * about it. A gzipped file is embedded unchanged.
  *
  * @param version the version of badlog that wrote this page.
  */

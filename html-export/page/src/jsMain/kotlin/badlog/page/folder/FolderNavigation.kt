@@ -13,7 +13,7 @@ import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
 
-/** Navigation between the folders: a tree beside them on a wide screen, a drop-down list in the bar on a narrow one. */
+/** The navigation between the folders. It is a tree beside them on a wide screen, and a drop-down list in the bar on a narrow one. */
 internal class FolderNavigation(private val folders: FolderList) {
     private val links = ArrayList<Pair<HTMLElement, FolderSection>>()
     private val counts = ArrayList<Pair<HTMLElement, FolderSection>>()

@@ -49,7 +49,7 @@ internal class FormulaGraphs(
         }
     }
 
-    /** Adds the valid ones of [definitions], from a link or a layout; then calls [then] with the reasons why others are skipped. */
+    /** Adds the valid ones of [definitions], from a link or a layout. Then calls [then] with the reasons why others are skipped. */
     fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<String>) -> Unit) {
         val others = definitions.filterNot(formulas::has)
         formulas.addAll(others, isRemembered) { mistakes ->

@@ -21,8 +21,8 @@ import badlog.viewer.choices.formula.usersOf
 import badlog.viewer.choices.mergedWith
 
 /**
- * The calculated topics of the page: those it was made with, and those of its reader, which the browser remembers for the file. Each
- * calculation is done in slices. Before a second one begins, the first is finished at once.
+ * The calculated topics of the page: its own, and those of its reader, which the browser remembers for the file. Each calculation is done
+ * in slices. Before a second one begins, the first is finished at once.
  *
  * @property logged the recording as it was logged.
  * @property signals the vocabulary of signals; formulas may use them.

@@ -13,7 +13,7 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * The drawing of a card in [host], present while [host] is near the screen: [xy] if it is not empty, otherwise lines or lanes.
+ * The drawing of a card in [host], present while [host] is near the screen. It shows [xy] if that is not empty, otherwise lines or lanes.
  *
  * @param lines returns the current lines of the graph.
  * @param look returns the graph's current settings.

@@ -22,7 +22,7 @@ import badlog.viewer.draw.plot.dotAt
 import badlog.viewer.draw.plot.plotOf
 
 /**
- * The content of a graph's frame: the lines of [card], or its lanes of states, which keep their places when they are hidden.
+ * The content of a graph's frame: the lines of [card], or its lanes of states. Lanes keep their places when they are hidden.
  *
  * @param look returns the current settings of the graph.
  */

@@ -12,7 +12,7 @@ import badlog.protocol.PageAdditions
  */
 internal class AdditionProblem(val message: String, val pointer: String? = null)
 
-/** Returns all problems with [additions], which are null if they cannot be read, with [layout], and with the definitions of [formulas]. */
+/** Returns all problems with [additions], [layout], and the definitions of [formulas]. The additions are null if they cannot be read. */
 internal fun additionProblems(formulas: Formulas, additions: PageAdditions?, layout: GivenLayout): List<AdditionProblem> {
     val problems = ArrayList<AdditionProblem>()
     if (additions == null) {

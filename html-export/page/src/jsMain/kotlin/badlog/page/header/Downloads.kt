@@ -60,7 +60,9 @@ internal class Downloads(private val about: About, private val bytes: LogBytes, 
     /** Returns the extension, by which the two files of one log differ: `.dslog` and `.dsevents`. */
     private fun ending(name: String): String = ".${name.removeSuffix(".gz").substringAfterLast('.')}"
 
-    /** Returns the file's own text if it has rows and no damage; otherwise the recording, with damaged parts skipped or repaired. */
+    /**
+     * Returns the file's own text if it has rows and no damage. Otherwise returns the recording, with damaged parts skipped or repaired.
+     */
     private fun csv(): Promise<Blob?> {
         val own = if (read.isSalvaged || !read.format.hasRows) null else bytes.text(CsvPart(read.headerLine != null)::filter)
         return own ?: fileOf(CsvDraft.ofAll(LogView.of(read)), notice)

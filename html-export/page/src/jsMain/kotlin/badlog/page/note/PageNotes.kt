@@ -12,8 +12,8 @@ import badlog.viewer.choices.note.toLines
 import kotlin.js.Date
 
 /**
- * The notes about moments of the recording: the page's own, with the reader's changes, which the browser remembers for the file. Other tabs
- * may show the same page, or a copy of it.
+ * The notes about moments of the recording: the page's own, with the reader's changes. The browser remembers the changes for the file.
+ * Other tabs may show the same page, or a copy of it.
  *
  * @param given the additions that the page was made with.
  */

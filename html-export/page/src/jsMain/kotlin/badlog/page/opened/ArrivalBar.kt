@@ -16,7 +16,7 @@ import org.w3c.dom.events.FocusEvent
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * The bar at the lower edge of every screen that announces a new log and its worst finding, until a person shows it or postpones it.
+ * The announcement of a new log and its worst finding. It is at the lower edge of every screen, until a person shows or postpones the log.
  *
  * @param onShow called to show that log.
  * @param onLater called to postpone it.

@@ -10,7 +10,7 @@ import org.w3c.dom.Worker
 import kotlin.js.Promise
 
 /**
- * Reads the logs of a folder and runs [rules] over them: in workers if the browser allows them, otherwise on the page, one log after the
+ * Reads the logs of a folder and runs [rules] over them. Uses workers if the browser allows them, otherwise the page, one log after the
  * other.
  *
  * @param cache stores the results.

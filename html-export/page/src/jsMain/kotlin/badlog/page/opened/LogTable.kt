@@ -18,7 +18,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 
 /**
- * A table of logs, with the same columns as in the window.
+ * A table of logs, with the columns of the window except [UNSEEN].
  *
  * @param onSort called with the column by which to sort.
  * @param onCheck called when a log is checked or unchecked.

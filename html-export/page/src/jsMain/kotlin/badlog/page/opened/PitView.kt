@@ -19,7 +19,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
 
 /**
- * The view for the pit between two matches: the last log, batteries, and the logs before it, in letters readable from two meters.
+ * The view for the pit between two matches, in letters readable from two meters. It shows the last log, batteries, and the logs before it.
  *
  * @param onOpen called with a log to show its worst finding.
  */

@@ -10,8 +10,8 @@ import badlog.core.recording.Value
 import badlog.formats.RECORDING_FORMATS
 
 /**
- * A recording as a message between the worker and the page: plain arrays and objects, which the browser can copy, with
- * the samples in buffers that are transferred instead of copied.
+ * A recording as a message between the worker and the page. It consists of plain arrays and objects, which the browser can copy, and of
+ * buffers with the samples, which are transferred instead of copied.
  */
 internal object RecordingMessage {
     /** Returns [recording] as a message. */

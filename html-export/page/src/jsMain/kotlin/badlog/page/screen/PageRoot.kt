@@ -3,7 +3,9 @@ package badlog.page.screen
 import badlog.page.dom.PageEvents
 import org.w3c.dom.HTMLElement
 
-/** The [root] of the page, which shows one thing at a time: a log, the progress of reading, or the reason why it cannot be shown. */
+/**
+ * The [root] of the page, which shows one thing at a time. That is a log, the progress of reading, or the reason why it cannot be shown.
+ */
 internal class PageRoot(private val root: HTMLElement) {
     /** Empties the page, and ends the listeners and the work of the previous content. */
     fun clear() {

@@ -16,7 +16,10 @@ internal class ServedFile(val address: String, val size: Double)
 /** The place of this file on a server; null for a file that is here. */
 internal val File.served: ServedFile? get() = asDynamic().served.unsafeCast<ServedFile?>()
 
-/** Returns an empty file that represents [served] in lists, named [name] at [place], last written at [modified], in ms since 1970. */
+/**
+ * Returns an empty file that represents [served] in lists. It is named [name] at [place], and was last written at [modified], in ms since
+ * 1970.
+ */
 internal fun fileFor(served: ServedFile, name: String, place: String, modified: Double): File =
     File(emptyArray(), name, json("lastModified" to modified).unsafeCast<FilePropertyBag>()).also {
         it.place = place

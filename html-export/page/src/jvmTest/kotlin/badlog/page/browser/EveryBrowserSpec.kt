@@ -158,7 +158,7 @@ private fun BrowserTab.visibleRange(): String {
 
 private fun BrowserTab.numbers(expression: String): List<Double> = evaluate(expression).split(',').map(String::toDouble)
 
-/** Returns the pixel at the share [across] of the width, in the middle of the height, of the element that matches [selector]. */
+/** Returns a pixel in the element that matches [selector], at the share [across] of the width and in the middle of the height. */
 private fun BrowserTab.placeAt(across: Double, selector: String = ".graph .plot-frame"): Pair<Int, Int> {
     val (x, y, width, height) = numbers("(b => [b.x, b.y, b.width, b.height])(document.querySelector('$selector').getBoundingClientRect())")
     return (x + width * across).roundToInt() to (y + height / 2).roundToInt()
