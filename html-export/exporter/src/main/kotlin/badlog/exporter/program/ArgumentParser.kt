@@ -24,7 +24,7 @@ import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.clikt.parameters.types.path
 
 internal class ArgumentParser {
-    /** What the command line asks for: to do something, or to print something and exit. */
+    /** The request of a command line: to make pages, or to print a text and exit. */
     sealed interface Result {
         /** Make pages. */
         class Run(val arguments: Arguments) : Result
