@@ -24,7 +24,7 @@ import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import kotlin.math.sin
 
-/** From 2027 on, a robot's clock counts from the boot of its computer, so that a log may begin after a day. */
+/** From 2027 on, a robot's clock counts from the boot of its computer. A log may then begin after a day. */
 private const val BOOT = 86_400.0
 
 /** A column without a sample is NaN, which equals nothing in JavaScript. */

@@ -6,7 +6,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class LogDateSpec : FunSpec({
-    // On a clock on the wall: 16 March 2024, 10:41:07.
+    // 16 March 2024, 10:41:07, on a local wall clock.
     val time = 1_710_585_667L
     val written = 1_735_787_045L
 

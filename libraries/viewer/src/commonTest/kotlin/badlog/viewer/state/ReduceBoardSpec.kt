@@ -106,7 +106,7 @@ class ReduceBoardSpec : FunSpec({
         gone.lines() shouldBe listOf("C")
         gone.after(undo).lines() shouldBe listOf("B", "C")
         beginning.outcome(BoardAction.Forget(setOf("A"))).request shouldBe Request.Graphs(abc)
-        // Whoever removes a formula that is on no graph has not changed the board, which is then not remembered.
+        // Removing a formula that is on no graph does not change the board, which is then not remembered.
         beginning.outcome(BoardAction.Forget(setOf("D"))).request shouldBe null
     }
 

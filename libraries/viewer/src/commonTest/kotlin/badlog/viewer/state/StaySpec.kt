@@ -9,7 +9,7 @@ class StaySpec : FunSpec({
     val end = Place(Viewport(Span(0.0, 10.0)).showing(5.0, 10.0)).atEnd()
     val stay = Stay().begun(end)
 
-    /** [place] when the log has grown to [to], before anybody moves it. */
+    /** [place] when the log has grown to [to], before any move. */
     fun grown(place: Place, to: Double) = place.copy(range = place.range.grown(Span(0.0, to)))
 
     test("hovering, and zooming with the end in sight, stay at the end; the next growth goes to the new one, as far in as before") {

@@ -117,7 +117,7 @@ class TodoListSpec : FunSpec({
     test("numbers of one event are compared without a clock, and those of logs without a type, too") {
         fun done(before: String, seen: Long?, event: String?) = change(brownout, TodoDeed.Done(before = before), seen).copy(event = event)
         fun isAgain(done: TodoChange, log: FoundLog) = TodoList.of(listOf(done), listOf(log)).open.isNotEmpty()
-        // The clock of the robot was in 2031 when it was done.
+        // The robot's clock was in 2031 when the item was done.
         val wrong = done("Qualification 58", 1_900_000_000, "Mill Creek")
         listOf(57, 58).map { isAgain(wrong, log(it, error)) } shouldBe listOf(false, true)
         val ofOther = log(59, error).copy(match = MatchOfLog("Elm City", "Qualification", "59"))
@@ -131,7 +131,7 @@ class TodoListSpec : FunSpec({
         date(now + 3600, DateSource.VALUES) shouldBe true
         date(now + 2 * 86_400, DateSource.VALUES) shouldBe false
         date(now - 3600, DateSource.FILE_TIME) shouldBe false
-        // A laptop in 1970 does not know what the future is.
+        // A laptop in 1970 cannot recognize a date in the future.
         FoundLog.of("a", MatchOfLog(), LogDate(now, DateSource.VALUES), 5).isDated shouldBe true
         val done = change(brownout, TodoDeed.Done(before = "Qualification 58"), seen = 5)
         fun undated(number: Int) = log(number, error, second = 1_900_000_000).copy(isDated = false)
@@ -163,7 +163,7 @@ class TodoListSpec : FunSpec({
         val named = said(61)
         isTicked(listOf(unnamed, named), log(58)) shouldBe true
         isTicked(listOf(unnamed, named, change(Check("Battery in", "Qualification 61"), TodoDeed.Open)), log(58)) shouldBe false
-        // The next one after that, although no log came between.
+        // This is the next match after that, although no log came between.
         isTicked(listOf(unnamed, named, said(65)), log(58)) shouldBe false
         isTicked(listOf(unnamed, said(65)), log(58), log(60)) shouldBe false
         val ticked = change(Check("Battery in", "Qualification 12"), TodoDeed.Done(), seen = log(10).second).copy(event = "Mill Creek")
@@ -201,7 +201,7 @@ class TodoListSpec : FunSpec({
                         else -> TodoDeed.Done("deed $i", "Qualification ${random.nextInt(5)}")
                     }
                     val subject = if (random.nextInt(6) == 0) NextMatch("Qualification ${random.nextInt(5)}") else subjects.random(random)
-                    // The same id twice is what a damaged file, or a copied one, may hold.
+                    // A damaged file, or a copied one, may have the same id twice.
                     val id = if (random.nextInt(8) == 0) "id" else "$laptop-$i"
                     val time = "2026-03-07T14:0${random.nextInt(3)}:00.000Z"
                     TodoChange(id, time, "P$laptop", subject, deed, seen = random.nextLong(1_000_000, 1_003_000))

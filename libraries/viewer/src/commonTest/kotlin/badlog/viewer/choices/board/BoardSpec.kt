@@ -30,7 +30,7 @@ class BoardSpec : FunSpec({
         Arb.element("Arm/Angle", "t=1", "a,b;c", "~0041", "+", "Größe [m]", "\uD800", "\u2028", "角度", "\"quoted\"", "null", "\n"),
         Arb.element("I[0]", "I[1]", "I[2]", "I[11]", "I[01]", "I[0]/x", "I[1]/x", "I[1][0]", "[2]", "I[", "I[]", "I]0[", "I[-1]", "I[4294967297]", "I[2147483647]", "I:0:"),
     )
-    // Adding zero makes 0 of -0, whose sign JavaScript does not write.
+    // Adding zero makes 0 of -0: JavaScript does not write the sign of -0.
     val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
     val graph = arbitrary {
         val lines = Arb.list(name, 0..5).bind().distinct()

@@ -10,7 +10,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
-/** What several tabs or windows do with one remembered board. */
+/** The actions of several tabs or windows on one remembered board. */
 class MergedBoardSpec : FunSpec({
     class Store(var board: Board) {
         var lastId = 1000
@@ -28,14 +28,14 @@ class MergedBoardSpec : FunSpec({
 
         fun change(step: Board.() -> Board) = take { changed(now.step()) }
 
-        /** As a window does, which writes after a pause. */
+        /** Writes after a pause, as a window does. */
         fun later(step: BoardHistory.() -> BoardHistory) {
             history = history.step()
         }
 
         fun save() {
             history = history.mergedWith(store.board, known)
-            // As a file is written and read.
+            // Writes and reads the board, as a file does.
             known = boardOfJson(history.now.toJson(haveIds = true))
             store.board = known
         }
@@ -51,7 +51,7 @@ class MergedBoardSpec : FunSpec({
         checkAll(deeds) { all ->
             val store = Store(start)
             val tabs = List(3) { Tab(store) }
-            // What the last writer of each part of each graph wanted.
+            // The last written value of each part of each graph.
             val wanted = LinkedHashMap(start.graphs.associate { it.title to it.copy(id = 0) })
             all.forEachIndexed { i, deed ->
                 val tab = tabs[deed.tab]
@@ -62,7 +62,7 @@ class MergedBoardSpec : FunSpec({
                     tab.change { withGraph(listOf("New $i")) }
                     wanted["New $i"] = BoardGraph(0, "New $i", listOf("New $i"))
                 }
-                // What another tab has removed, this one does not change: that would bring it back.
+                // This tab does not change a graph that another one has removed: that would bring it back.
                 if (seen == null || title == null || before == null) return@forEachIndexed
                 when (deed.kind) {
                     1 -> {
@@ -72,7 +72,7 @@ class MergedBoardSpec : FunSpec({
 
                     2 -> {
                         tab.change { resized(seen.id, deed.value) }
-                        // What shows the same is not a change.
+                        // A board that shows the same is not a change.
                         if (seen.height != deed.value) wanted[title] = before.copy(height = deed.value)
                     }
 
@@ -101,7 +101,7 @@ class MergedBoardSpec : FunSpec({
 
     fun Board.idOf(title: String) = checkNotNull(named(title)).id
 
-    /** What a tab does with the graph of a title, and whether that is on a board. */
+    /** A tab's change of the graph with a title, and whether that is on a board. */
     class Edit(val what: String, val done: Board.(String) -> Board, val isDone: Board.(String) -> Boolean)
 
     val edits = listOf(
@@ -191,7 +191,7 @@ class MergedBoardSpec : FunSpec({
             val tabs = List(3) { Tab(store) }
             for (deed in all) {
                 val tab = tabs[deed.tab]
-                // Each tab has a graph of its own, of which nobody else takes anything back.
+                // Each tab has a graph of its own, and no other tab undoes anything in it.
                 val id = start.graphs[deed.tab].id
                 when (deed.kind) {
                     0 -> tab.later { changed(now.withGraph(listOf("New ${deed.tab} ${deed.value}"))) }
@@ -203,7 +203,7 @@ class MergedBoardSpec : FunSpec({
                     else -> tab.save()
                 }
             }
-            // What each has done and undone of its own is what is there in the end.
+            // At the end, the boards have each tab's own changes that it has not undone.
             val wanted = tabs.mapIndexed { i, tab -> tab.board.graphs.filter { it.id == start.graphs[i].id || "New $i" in it.title }.map { it.copy(id = 0) }.toSet() }
             repeat(2) { tabs.forEach(Tab::save) }
             tabs.map { it.board }.toSet().size shouldBe 1

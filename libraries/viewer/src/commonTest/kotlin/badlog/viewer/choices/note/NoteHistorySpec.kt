@@ -18,7 +18,7 @@ class NoteHistorySpec : FunSpec({
         return maxOf("2026-03-07T14:05:${thousandths.take(2)}.${thousandths.drop(2)}Z", last.orEmpty())
     }
 
-    /** What a tab does that shows these notes. */
+    /** The changes of a tab that shows these notes. */
     fun NoteHistory.changed(step: Notebook.() -> Notebook) = changesTo(Notebook(notes).step().notes, notes, "Ada", ::time) {
         "id-${clock++}"
     }
@@ -42,7 +42,7 @@ class NoteHistorySpec : FunSpec({
                 val tab = tabs[deed.tab]
                 val seen = tab.notes.getOrNull(deed.note)
                 val made = when {
-                    // A copy is opened, in which the notes are that the tab showed.
+                    // A copy is opened with the notes that the tab showed.
                     deed.kind == 3 -> emptyList<NoteChange>().also { given[(deed.tab + 1) % 3] = tab }
 
                     deed.kind == 0 -> tab.changed { begun(10.0 + i).typed("new $i").kept() }.also { wanted[10.0 + i] = "new $i" }

@@ -52,7 +52,7 @@ class TicksSpec : FunSpec({
 
     test("whatever is shown, no two ticks read the same, none is too long, and each reads as its place") {
         checkAll(Arb.double(-1e9, 1e9), Arb.double(-12.0, 12.0), Arb.double(10.0, 2_000.0)) { from, decades, room ->
-            // As narrow as a visible range can become.
+            // The narrowest visible range.
             val width = maxOf(10.0.pow(decades), abs(from) * 1e-11)
             for ((ticks, letters) in listOf(Ticks.ofX(Span(from, from + width), room) to 12, Ticks.ofY(Span(from, from + width), room) to 8)) {
                 ticks.texts.shouldBeUnique()

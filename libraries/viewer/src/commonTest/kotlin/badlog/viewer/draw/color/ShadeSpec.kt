@@ -8,7 +8,7 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import kotlin.math.pow
 
-/** How far apart two colors are in brightness, from 1 to 21, as the guidelines for accessible pages count it. */
+/** The contrast of two colors, from 1 to 21, as the guidelines for accessible pages define it. */
 private fun contrast(one: Int, other: Int): Double {
     val brightness = listOf(one, other).map { color ->
         val (red, green, blue) = listOf(16, 8, 0).map { shift ->
@@ -20,7 +20,7 @@ private fun contrast(one: Int, other: Int): Double {
     return (brightness.max() + 0.05) / (brightness.min() + 0.05)
 }
 
-/** [share] of [color] over [ground]. */
+/** The color of [color] with the opacity [share] over [ground]. */
 private fun mixed(color: Int, ground: Int, share: Double): Int {
     var mixed = 0
     for (shift in listOf(16, 8, 0)) {
@@ -64,7 +64,7 @@ class ShadeSpec : FunSpec({
                 contrast(Shade.TEXT.of(isDark), ground) shouldBeGreaterThan 7.0
                 for (index in 0 until LINE_COLORS) contrast(lineColor(index, isDark), ground) shouldBeGreaterThan 2.0
             }
-            // Blue against yellow, which people distinguish who cannot distinguish green from red.
+            // Blue against yellow: people who cannot distinguish green from red can distinguish these.
             (grounds[0] and 0xFF) shouldBeLessThan (grounds[1] and 0xFF) - 15
         }
 

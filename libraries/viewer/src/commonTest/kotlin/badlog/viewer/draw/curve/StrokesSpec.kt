@@ -57,7 +57,7 @@ class StrokesSpec : FunSpec({
         }
         once.strokes() shouldBe twice.strokes()
         once.dotList() shouldBe twice.dotList()
-        // Far out of sight is near enough to be drawn.
+        // A place far outside the screen is still near enough to be drawn.
         once.strokes() shouldBe listOf(listOf(10.0 to 30.0, 40.0 to 10.0), listOf(100.0 to -2000.0))
     }
 })

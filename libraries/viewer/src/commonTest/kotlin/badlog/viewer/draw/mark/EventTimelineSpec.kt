@@ -77,7 +77,7 @@ class EventTimelineSpec : FunSpec({
             marks.place(all, span, width.toDouble(), 1.0)
             val pixels = List(marks.size) { marks.pixelOf(it) }
 
-            // The parser has rounded the places, which it read from text.
+            // The parser has rounded the places while reading the text.
             fun pixelsOf(indices: List<Int>) = indices.map { all.x[it] }.filter { it in span }.map { floor((it - 2.0) / 6.0 * width) }.distinct()
             pixels shouldBe pixelsOf((0 until all.size).toList())
             val seriousPixels = pixelsOf((0 until all.size).filter { "WARN" in all.textOf(it) })

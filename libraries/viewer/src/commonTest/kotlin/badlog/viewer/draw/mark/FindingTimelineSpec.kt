@@ -77,7 +77,7 @@ class FindingTimelineSpec : FunSpec({
         marks.runCount + marks.size shouldBe 0
     }
 
-    /** What remains of [pixels], which ascend, without those that would hide the one before. */
+    /** The [pixels], which ascend, without those that would hide the one before. */
     fun apart(pixels: List<Double>, distance: Double) = pixels.fold(emptyList<Double>()) { kept, pixel -> if (kept.isEmpty() || pixel - kept.last() >= distance) kept + pixel else kept }
 
     test("places that begin in sight have the glyph of their severity, the worst drawn last; glyphs and lines keep their distance") {

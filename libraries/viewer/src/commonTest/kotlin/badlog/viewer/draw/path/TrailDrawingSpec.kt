@@ -43,7 +43,7 @@ class TrailDrawingSpec : FunSpec({
         return strokes
     }
 
-    /** How far ([x], [y]) is from all that was drawn. */
+    /** The distance of ([x], [y]) from everything that was drawn. */
     fun Strokes.distanceTo(x: Double, y: Double): Double {
         var least = Double.POSITIVE_INFINITY
         for (i in 0 until dotsSize step 2) least = minOf(least, sqrt((dots[i] - x) * (dots[i] - x) + (dots[i + 1] - y) * (dots[i + 1] - y)))

@@ -53,7 +53,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    /** The pixels that every sample from [start] until [end], and every way between two of them, is in. */
+    /** The pixels of every sample from [start] until [end], and of every way between two of them. */
     fun allPixels(trail: Trail, start: Int, end: Int, plane: Plane, isJoined: Boolean): BooleanArray {
         val pixels = BooleanArray(WIDTH * HEIGHT)
         val x = plane.xScale(WIDTH.toDouble())
@@ -82,7 +82,7 @@ class TrailPyramidSpec : FunSpec({
         return pixels
     }
 
-    /** The number of pixels of [one] that are more than a pixel away from those of [other]. */
+    /** The number of pixels of [one] that are more than a pixel away from all pixels of [other]. */
     fun missing(one: BooleanArray, other: BooleanArray): Int = one.indices.count { i ->
         one[i] && (-1..1).none { down ->
             (-1..1).any { right ->
@@ -152,7 +152,7 @@ class TrailPyramidSpec : FunSpec({
             for (column in columns) pixels[y + column] = true
             expected[y + columns.first] shouldBe true
             expected[y + columns.last] shouldBe true
-            // Dots are so wide that the gaps between them cannot be seen.
+            // Dots are so wide that the gaps between them are invisible.
             columns.windowed(3).count { gap -> gap.none { expected[y + it] } } shouldBe 0
         }
         expected.indices.filter { expected[it] && !pixels[it] }.shouldBeEmpty()

@@ -31,7 +31,7 @@ class XyPictureSpec : FunSpec({
     /** A robot that drives for 2 s along x from [x], 1 m from the wall. */
     fun drive(x: Double, start: Double = 0.0) = view(pathTopics("Pose", Triple(start, x, 1.0), Triple(start + 1, x + 1, 1.0), Triple(start + 2, x + 2, 1.0)))
 
-    /** The volts of a battery of so many [ohms]. */
+    /** The voltages of a battery with this resistance in [ohms]. */
     fun battery(ohms: Double) = timedView(
         timedTopic("Current", *Array(50) { it * 1.0 to it * 4.0 }).copy(unit = "A"),
         timedTopic("Voltage", *Array(50) { it * 1.0 to 12 - it * 4 * ohms }),
@@ -39,7 +39,7 @@ class XyPictureSpec : FunSpec({
 
     fun picture(lines: List<String>, vararg logs: XyLog) = XyPicture(lines, FieldOrigin.BLUE, logs.toList())
 
-    /** What [draw] draws, on a frame of 400 by 200 pixels, primitive by primitive. */
+    /** The text of [draw] on a frame of 400 by 200 pixels, primitive by primitive. */
     fun XyPicture.drawn(colors: PenColors = PenColors.LIGHT, draw: XyPicture.(XyFrame) -> Unit): List<String> {
         val pen = SvgPen({ text, letters, _ -> text.length * letters / 2 })
         draw(XyFrame(pen, seen(null, 400.0, 200.0).shouldNotBeNull(), 400.0, 200.0, colors))

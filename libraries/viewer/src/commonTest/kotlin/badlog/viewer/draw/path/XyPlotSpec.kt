@@ -32,7 +32,7 @@ class XyPlotSpec : FunSpec({
         driven.headingAt(0.5) shouldBe (PI / 2 plusOrMinus 1e-12)
         driven.textAt(1.0, isField = true) shouldBe "4.00, 3.00 m · 90°"
         driven.textAt(-1.0, isField = true) shouldBe ""
-        // It faces up the field: its front is above its middle.
+        // The robot faces up the field: its front is above its middle.
         driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
     }
 

@@ -20,7 +20,7 @@ import badlog.viewer.shown.cursor.Cursors
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** What a plot draws, primitive by primitive, with letters of a fixed width. */
+/** The text of a drawn plot, primitive by primitive, with letters of a fixed width. */
 class PlotDrawingSpec : FunSpec({
     val colors = PenColors.LIGHT
     val frame = PlotMargins.frameOf(width = 276, height = 132, Span(0.0, 10.0), density = 1.0)

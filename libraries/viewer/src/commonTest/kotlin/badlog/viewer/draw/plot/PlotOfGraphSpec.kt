@@ -91,7 +91,7 @@ class PlotOfGraphSpec : FunSpec({
         fun paths(cursor: Double) = SvgPen({ text, letters, _ -> text.length * letters / 2 })
             .apply { drawSamples(frame, made, listOf(one, late), cursor, PenColors.LIGHT) }
             .document(100.0, 72.0, PenColors.LIGHT[Shade.SURFACE]).split("<path").size
-        // Each is a dot on a larger one in the color of the background.
+        // Each dot is on top of a larger one in the color of the background.
         paths(7.0) - paths(11.0) shouldBe 4
         paths(1.0) - paths(11.0) shouldBe 2
     }

@@ -13,7 +13,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 
-/** What the picture of a swerve drive draws, primitive by primitive, with letters of a fixed width. */
+/** The text of a swerve drive's picture, primitive by primitive, with letters of a fixed width. */
 class DrivePictureSpec : FunSpec({
     fun states(name: String, count: Int, angle: Double) = List(count) { i ->
         listOf(

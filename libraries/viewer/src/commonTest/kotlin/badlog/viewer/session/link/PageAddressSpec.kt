@@ -90,7 +90,8 @@ class PageAddressSpec : FunSpec({
         PageAddress().toText() shouldBe ""
     }
 
-    // On a log of up to a quarter of an hour, a person puts the cursors anywhere, and zooms to anything between a millisecond and all.
+    // The log is up to a quarter of an hour long. A person puts the cursors anywhere, and zooms to anything between a millisecond and
+    // all.
     val looked = arbitrary {
         val width = 10.0.pow(Arb.numericDouble(-3.0, 2.9).bind())
         val from = Arb.numericDouble(0.0, 900.0).bind()

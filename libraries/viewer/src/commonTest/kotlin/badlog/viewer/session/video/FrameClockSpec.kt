@@ -15,7 +15,7 @@ import kotlin.math.round
 class FrameClockSpec : FunSpec({
     val rates = Arb.element(15.0, 24.0, 25.0, 29.97, 30.0, 50.0, 59.94, 60.0, 120.0)
 
-    /** When frame [index] begins in a file that keeps whole milliseconds, as WebM does. */
+    /** The time when frame [index] begins in a file that stores whole milliseconds, as WebM does. */
     fun begin(index: Int, rate: Double) = round(index / rate * 1000) / 1000
 
     /** The frame that a player shows at [seconds]. */

@@ -10,7 +10,7 @@ import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 import kotlin.math.sin
 
-/** Which module is named as the worst, and which healthy ones are not. */
+/** Tests which module is named as the worst, and which healthy ones are not. */
 class WorstModuleSpec : FunSpec({
     val times = List(501) { it / 50.0 }
     val degree = PI / 180
@@ -35,7 +35,7 @@ class WorstModuleSpec : FunSpec({
         return SwerveDrive.of(timedView(*topics.toTypedArray()))!!.errors!!.within(Span(0.0, 10.0))
     }
 
-    /** The robot turns around a place near module 0, whose target turns four times as far as the others, to and fro. */
+    /** The robot turns to and fro around a place near module 0. That module's target turns four times as far as the others. */
     fun pivot(module: Int, time: Double) = sin(3 * time) * if (module == 0) 1.6 else 0.4
 
     /** The same, but always in one direction. */

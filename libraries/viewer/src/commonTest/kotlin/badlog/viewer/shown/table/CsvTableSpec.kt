@@ -64,7 +64,7 @@ class CsvTableSpec : FunSpec({
             val draft = CsvDraft.ofAll(log)
             val shares = ArrayList<Double>()
             while (draft.step()) shares += draft.share
-            // Each topic is looked at, and has a column.
+            // Each topic is examined, and has a column.
             (shares.size > topics * 2 - 1) shouldBe true
             shares.all { it > 0 && it <= 1 } shouldBe true
             shares.last() shouldBe 1.0

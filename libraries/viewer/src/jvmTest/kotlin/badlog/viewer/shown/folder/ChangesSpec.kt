@@ -23,7 +23,7 @@ import io.kotest.matchers.string.shouldContain
 class ChangesSpec : FunSpec({
     fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), LogFound(0, emptyList()))
 
-    /** A log whose motor was as hot as [celsius]. */
+    /** A log with a motor as hot as [celsius]. */
     fun numbers(celsius: Double, kind: MatchKind = MatchKind.MATCH, motor: String = "Arm"): LogNumbers = LogNumbersReader().read(
         LogNumbersText(
             "motor temperature\t$motor/Temperature\t${Measure.HIGHEST.ordinal}\t°C",

@@ -21,7 +21,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
 
-/** A topic of a type, which goes from 1 to [to]. */
+/** A topic of a type, with samples from 1 to [to]. */
 private fun topic(name: String, type: String = "double", to: Double = 2.0, unit: String = ""): Topic = timedTopic(name, 0.0 to 1.0, 4.0 to to).copy(type = type, unit = unit)
 
 private fun flag(name: String): Topic = topic(name, "boolean[]").copy(counts = CellCounts(0, 0, 2, 0, 0, 0), samples = doubleArrayOf(0.0, 1.0))
