@@ -47,7 +47,7 @@ class MergedBoardSpec : FunSpec({
     val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..5).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..40)
     val start = Board().withGraph(listOf("A")).withGraph(listOf("B", "C")).withGraph(listOf("D"))
 
-    test("whatever tabs do in turn, each change stays, and of two of the same thing the later one counts") {
+    test("after any actions of tabs, each change stays, and the later of two changes of one thing counts") {
         checkAll(deeds) { all ->
             val store = Store(start)
             val tabs = List(3) { Tab(store) }
@@ -114,7 +114,7 @@ class MergedBoardSpec : FunSpec({
     )
 
     for (mine in edits) {
-        test("a tab that ${mine.what} a graph keeps what another tab did with another one, in any order") {
+        test("a tab that ${mine.what} a graph keeps another tab's changes of other graphs, in any order") {
             for (theirs in edits) {
                 for (isFirst in listOf(true, false)) {
                     val store = Store(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C")))
@@ -132,7 +132,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("undoing in one tab takes back its own changes, and none of another's") {
+    test("undoing in one tab undoes its own changes, and none of another's") {
         checkAll(Arb.list(Arb.int(0..7), 0..30)) { all ->
             val store = Store(start)
             val tabs = List(2) { Tab(store) }
@@ -153,7 +153,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("undoing leaves what another tab did with the same graph, also where this one did the same before") {
+    test("undoing keeps another tab's changes of the same graph, even after the same change here") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         val id = start.graphs[0].id
@@ -164,7 +164,7 @@ class MergedBoardSpec : FunSpec({
         store.board.graphs[0].lines shouldBe listOf("A", "E")
     }
 
-    test("undoing before it is remembered takes back nothing of another's, whatever is changed after it") {
+    test("undoing before the board is remembered undoes nothing of another's, whatever is changed after it") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         val (first, second, third) = start.graphs.map { it.id }
@@ -184,7 +184,7 @@ class MergedBoardSpec : FunSpec({
         store.board.graphs.map { it.height } shouldBe listOf(200, 300, 70)
     }
 
-    test("whenever tabs remember what they do and undo, they end with the same board, and undo only their own") {
+    test("tabs end with the same board, whenever they remember, and undo only their own changes") {
         val own = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..6).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..60)
         checkAll(own) { all ->
             val store = Store(start)
@@ -212,7 +212,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("tabs that begin with the same graphs know them as the same, also in another order and beside others") {
+    test("tabs that begin with the same graphs recognize them, in any order and beside others") {
         fun begun(vararg lines: String) = Board(lines.map { BoardGraph(0, it, listOf(it)) }).identifiedByLines()
         val (mine, theirs) = begun("A", "B", "C") to begun("C", "B", "D")
         mine.graphs.takeLast(2).map { it.id }.toSet() shouldBe theirs.graphs.take(2).map { it.id }.toSet()
@@ -223,7 +223,7 @@ class MergedBoardSpec : FunSpec({
             listOf("C" to 200, "B" to 100, "D" to null)
     }
 
-    test("a change of what a log can show leaves the graphs and lines that it cannot show") {
+    test("a change of the part that a log can show keeps the graphs and lines that it cannot show") {
         val whole = start.withGraph(listOf("Hidden"))
         val shown = whole.fittedTo { it != "Hidden" && it != "C" }.board
         val changed = BoardHistory(whole) { 77 }.changed(shown.moved(3, -2).resized(2, 90).withGraph(listOf("E")), shown).now
@@ -231,7 +231,7 @@ class MergedBoardSpec : FunSpec({
         changed.graphs[3].height shouldBe 90
     }
 
-    test("a graph that was never on the board is another one, even if it has the id of one that is gone") {
+    test("a graph that was never on the board is another one, even if it has the id of a removed one") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         mine.change { without(3) }

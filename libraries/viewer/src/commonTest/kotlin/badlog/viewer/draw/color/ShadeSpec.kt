@@ -31,7 +31,7 @@ private fun mixed(color: Int, ground: Int, share: Double): Int {
 }
 
 class ShadeSpec : FunSpec({
-    test("style sheets get all digits of a color, and of an opacity however small") {
+    test("style sheets get all digits of a color, and of any opacity") {
         cssColor(0x0B62C4) shouldBe "#0b62c4"
         cssColor(0xFF, 0.5) shouldBe "#0000ff7f"
         cssColor(0xFFFFFF, 0.05) shouldBe "#ffffff0c"
@@ -41,7 +41,7 @@ class ShadeSpec : FunSpec({
     for (isDark in listOf(false, true)) {
         val theme = if (isDark) "dark" else "light"
 
-        test("text can be read on all that it stands on, in the $theme theme") {
+        test("text is readable on all its backgrounds, in the $theme theme") {
             val behind = listOf(Shade.SURFACE, Shade.PAGE, Shade.RAISED)
             val soft = mapOf(Shade.ERROR to Shade.ERROR_SOFT, Shade.WARNING to Shade.WARNING_SOFT, Shade.ACCENT to Shade.ACCENT_SOFT)
             for (text in listOf(Shade.TEXT, Shade.MUTED, Shade.ACCENT, Shade.EVENT, Shade.ERROR, Shade.WARNING)) {
@@ -50,7 +50,7 @@ class ShadeSpec : FunSpec({
             contrast(Shade.STATE_TEXT.of(isDark), Shade.STATE_OFF.of(isDark)) shouldBeGreaterThan 7.0
         }
 
-        test("the state of a lane can be read in every color, in the $theme theme") {
+        test("the state of a lane is readable in every color, in the $theme theme") {
             for (index in 0 until LINE_COLORS) {
                 val ground = mixed(lineColor(index, isDark), Shade.SURFACE.of(isDark), stateOpacity(isDark))
                 contrast(Shade.STATE_TEXT.of(isDark), ground) shouldBeGreaterThan 4.5
@@ -68,7 +68,7 @@ class ShadeSpec : FunSpec({
             (grounds[0] and 0xFF) shouldBeLessThan (grounds[1] and 0xFF) - 15
         }
 
-        test("no two of the lines' colors are the same, and all are seen on a graph, in the $theme theme") {
+        test("the lines' colors all differ, and are visible on a graph, in the $theme theme") {
             val colors = List(LINE_COLORS) { lineColor(it, isDark) }
             colors.shouldBeUnique()
             for (color in colors) contrast(color, Shade.SURFACE.of(isDark)) shouldBeGreaterThan 2.5
