@@ -16,7 +16,7 @@ data class Stay(val place: Place? = null, val held: Span? = null) {
         return now.cursors.pinned == place.cursors.pinned && now.cursors.second == place.cursors.second
     }
 
-    /** Returns whether a person at [now] is at the end, and has changed neither the visible range nor the selection since. */
+    /** Returns whether a person at [now] is at the end, and has not zoomed, panned or selected since. */
     fun isUntouched(now: Place): Boolean = isAt(now) && place?.range?.visible == now.range.visible && now.selection == null
 
     /** Returns the state of a person at [end], the end of the log, who wants to stay there. */

@@ -32,7 +32,7 @@ internal fun timeOfNearest(
 
     var least = reach * reach
     var nearest = Double.NaN
-    // The first pass finds the least distance, the second one the time nearest to [before] among all places with about that distance.
+    // The first pass finds the least distance, the second one the time nearest to [before] among places with about that distance.
     for (more in if (before == null) FIRST else BOTH) {
         pyramid.visit(start, end, { boxes, at, _ -> distance(boxes, at) > least + more }, {}) { i ->
             val here = distance(i)

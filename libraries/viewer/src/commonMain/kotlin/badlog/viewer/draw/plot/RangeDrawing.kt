@@ -42,7 +42,7 @@ fun Pen.drawFinding(frame: PlotFrame, finding: Finding, colors: PenColors) {
     segments(edges, faded(color, EDGE_OPACITY), density, DASH * density)
 }
 
-/** Draws the [visible] part of a log as an outline with handles, and shades the rest of [frame], which shows the whole log. */
+/** Draws the [visible] part of a log as an outline with handles, and shades the rest. [frame] shows the whole log. */
 fun Pen.drawVisible(frame: PlotFrame, visible: Span, colors: PenColors) {
     val least = MIN_WIDTH * density
     val center = frame.x.placeOf(visible.from + visible.width / 2)

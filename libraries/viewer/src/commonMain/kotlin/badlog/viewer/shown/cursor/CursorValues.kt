@@ -75,7 +75,7 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
         /** The same reach in rows, for rows that are logged in a robot's loop. */
         const val ROWS = 5.0
 
-        /** The reach as a fraction of the range of x, for an x that is not known to be a time. */
+        /** The reach as a fraction of the range of x, if x may not be a time. */
         const val PART = 0.001
 
         fun reachOn(axis: XAxis): Double {

@@ -75,9 +75,7 @@ enum class Statistic(val title: String, val hint: String, val isCount: Boolean =
     /** Returns the displayed [value], a result of [of]: counts in full, other numbers with a few digits; `–` for NaN. */
     fun textOf(value: Double): String = if (isCount && !value.isNaN()) countText(value.toInt()) else numberText(value)
 
-    /**
-     * Returns the unit of this statistic for a topic of [unit] over an x of [xUnit], which is null if unknown. `ul` if it has no unit.
-     */
+    /** Returns the unit of this statistic for a topic of [unit]; `ul` if it has none. [xUnit] is the unit of x, null if unknown. */
     fun unitOf(unit: String, xUnit: String?): String = when {
         isCount -> Topic.UNITLESS
         this != INTEGRAL -> unit
