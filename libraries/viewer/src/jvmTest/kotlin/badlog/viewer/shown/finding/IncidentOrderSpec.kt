@@ -13,7 +13,7 @@ import io.kotest.matchers.shouldBe
 class IncidentOrderSpec : FunSpec({
     fun found(rule: String, time: Double) = Finding(rule, Severity.WARNING, "Arm/Output", rule, time, listOf(Span(time, time + 1)), 1, "s")
 
-    test("keys go through the incidents first, and then through what belongs to none, in the order of time; back likewise") {
+    test("keys go through the incidents first, then through the other findings in the order of time, and back likewise") {
         val all = listOf(found("Own rule", 90.0), found("Low battery", 20.5), found("Encoder frozen", 20.0), found("Early rule", 5.0))
         val incidents = RuleSet.BUILT_IN.incidentsIn(all)
         val order = FindingOrder(FindingTimeline(all, { it.severity }, { it.places }), incidents)

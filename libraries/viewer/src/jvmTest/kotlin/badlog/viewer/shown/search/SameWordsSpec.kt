@@ -20,7 +20,7 @@ class SameWordsSpec : FunSpec({
         listed.map { line -> line.removePrefix("- ").split(", ").map { it.trim('`') } } shouldBe SAME_WORDS
     }
 
-    test("an incident is found by each of its findings, also by those that its description omits") {
+    test("an incident is found by each of its findings, even ones that its description omits") {
         val units = mapOf("Time" to "s", "System/Battery Voltage" to "V", "System/Browned Out" to "ul", "PDP/Total Current" to "A", "PDP/Current 0" to "A")
         val topics = units.map { (name, unit) -> """{"name":"$name","unit":"$unit","attrs":[${if (unit == "s") "\"xaxis\"" else ""}]}""" }
         val rows = List(1500) { "${it / 50.0}," + if (it in 500..700) "6.5,true,240,60" else "12.2,false,10,3" }
