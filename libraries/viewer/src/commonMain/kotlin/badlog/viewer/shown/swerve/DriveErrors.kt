@@ -53,13 +53,14 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
          *
          * @param enabled the time when the robot was enabled; null if the log does not show it.
          * @param end the end of the log, until which the last values hold if lines hold their values.
+         * @param second one second in the unit of x.
          */
-        internal fun of(modules: List<DriveModule>, enabled: List<Span>?, end: Double): DriveErrors = DriveErrors(
-            modules.map { module -> linesOf(module.label, module.actual, checkNotNull(module.target), enabled, end) },
+        internal fun of(modules: List<DriveModule>, enabled: List<Span>?, end: Double, second: Double): DriveErrors = DriveErrors(
+            modules.map { module -> linesOf(module.label, module.actual, checkNotNull(module.target), enabled, end, second) },
             knowsEnabled = enabled != null,
         )
 
-        private fun linesOf(label: String, actual: WheelLines, target: WheelLines, enabled: List<Span>?, end: Double): Lines {
+        private fun linesOf(label: String, actual: WheelLines, target: WheelLines, enabled: List<Span>?, end: Double, second: Double): Lines {
             val lines = listOf(actual.angle, actual.speed, target.angle, target.speed)
             val series = lines.map { it.data }
             // A log of changes has no sample where the robot is disabled, or where an angle stays behind its target.
@@ -71,7 +72,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
             var span = 0
             val angle = DoubleArray(x.size)
             val speed = DoubleArray(x.size)
-            val course = TargetCourse(x)
+            val course = TargetCourse(x, second)
             var before = Double.NaN
             var jumped = Double.NEGATIVE_INFINITY
             for (i in x.indices) {
@@ -84,7 +85,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
                 val step = degreesOf(wantedAngle - before)
                 if (abs(step) > JUMP) jumped = x[i]
                 before = wantedAngle
-                val counts = isEnabled && wantedAngle.isFinite() && abs(wanted) >= DRIVING && x[i] >= jumped + AFTER_JUMP
+                val counts = isEnabled && wantedAngle.isFinite() && abs(wanted) >= DRIVING && x[i] >= jumped + AFTER_JUMP * second
                 course.add(counts, step)
                 val off = if (counts) actual.angleOf(at[0]) - wantedAngle else Double.NaN
                 angle[i] = degreesOf(off)

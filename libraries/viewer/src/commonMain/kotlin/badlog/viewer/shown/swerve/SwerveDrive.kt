@@ -2,6 +2,7 @@ package badlog.viewer.shown.swerve
 
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
 import badlog.core.analysis.enabledSpans
 import badlog.core.analysis.knowsEnabled
 import badlog.signals.swerve.DriveTopics
@@ -31,7 +32,8 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
     /** The errors of the modules relative to their targets; null if unknown, see [errorsLack]. The first use reads all samples. */
     val errors: DriveErrors? by lazy {
         val enabled = if (view.knowsEnabled) view.enabledSpans().map { it.span } else null
-        if (errorsLack == null) DriveErrors.of(modules, enabled, view.xAxis.range?.endInclusive ?: Double.NaN) else null
+        val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
+        if (errorsLack == null) DriveErrors.of(modules, enabled, view.xAxis.range?.endInclusive ?: Double.NaN, second) else null
     }
 
     companion object {

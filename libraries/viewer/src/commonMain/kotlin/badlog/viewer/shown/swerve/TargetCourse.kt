@@ -3,8 +3,8 @@ package badlog.viewer.shown.swerve
 import badlog.core.analysis.Series
 import badlog.core.analysis.Span
 
-/** The turning of a module's target, where errors count. It is filled moment by moment, at [x]. */
-internal class TargetCourse(private val x: DoubleArray) {
+/** The turning of a module's target, where errors count. It is filled moment by moment, at [x]; a [second] is in the unit of x. */
+internal class TargetCourse(private val x: DoubleArray, private val second: Double) {
     private val time = DoubleArray(x.size)
     private val places = Series(x, time)
     private val turned = DoubleArray(x.size)
@@ -29,7 +29,8 @@ internal class TargetCourse(private val x: DoubleArray) {
         val first = places.firstAfter(part.from) - 1
         val last = places.firstAfter(part.to) - 1
         fun between(sum: DoubleArray) = if (last < 0) 0.0 else sum[last] - sum[maxOf(0, first)]
-        return Turning(between(time) + since(last, part.to) - since(first, part.from), between(turned), between(net))
+        val counted = between(time) + since(last, part.to) - since(first, part.from)
+        return Turning(counted / second, between(turned), between(net))
     }
 
     /** Returns the time from the moment [i] to [to] in which errors count. */
@@ -39,7 +40,7 @@ internal class TargetCourse(private val x: DoubleArray) {
 /**
  * The turning of a target over a part of x.
  *
- * @property time the time in which errors count, in the unit of x; more than 0 if they count at all.
+ * @property time the time in which errors count, in s; more than 0 if they count at all.
  * @property turned the turning in both directions together, in degrees.
  * @property net the turning in the end, in degrees.
  */

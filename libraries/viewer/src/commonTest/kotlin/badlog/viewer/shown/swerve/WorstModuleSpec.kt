@@ -1,6 +1,8 @@
 package badlog.viewer.shown.swerve
 
+import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
+import badlog.core.bag.BagParser
 import badlog.core.recording.Topic
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
@@ -70,6 +72,30 @@ class WorstModuleSpec : FunSpec({
         worstModuleText(jumping) shouldBe "The angle errors of the modules are alike: 0.0° RMS."
         val stuck = errorsOf({ module, time -> if (module == 1 && time >= 5) PI / 2.2 else 0.0 }, behind = { if (it == 1) 99.0 else 0.0 })
         worstModuleText(stuck).startsWith("Module 1 has the largest angle error: ") shouldBe true
+    }
+
+    test("a log in milliseconds has the errors of the same log in seconds") {
+        /** Returns the errors of a bag over x in [unit], of which a second has [second]: module 0 lags, and the target of module 1 jumps. */
+        fun errorsOver(unit: String, second: Double): List<ModuleError> {
+            fun wanted(module: Int, time: Double) = pivot(module, time) + if (module == 1 && time >= 5) PI / 3 else 0.0
+            val names = (0..2).flatMap { listOf("A[$it]/speed", "A[$it]/angle/value", "Goal[$it]/speed", "Goal[$it]/angle/value") }
+            val header = names.joinToString(",", """{"topics":[{"name":"Time","unit":"$unit","attrs":["xaxis"]},""", """],"values":[]}""") {
+                """{"name":"$it","unit":"","attrs":[]}"""
+            }
+            val rows = times.map { time ->
+                val cells = (0..2).flatMap { listOf(2.0, wanted(it, time - if (it == 0) 0.15 else 0.05), 2.0, wanted(it, time)) }
+                (listOf(time * second) + cells).joinToString(",")
+            }
+            val parser = BagParser()
+            parser.accept((listOf(header, "Time," + names.joinToString(",")) + rows).joinToString("\n", postfix = "\n").encodeToByteArray())
+            return SwerveDrive.of(LogView.of(parser.finish()))!!.errors!!.within(Span(0.0, 10 * second))
+        }
+        val (seconds, millis) = listOf(errorsOver("s", 1.0), errorsOver("ms", 1000.0))
+        worstModuleText(millis) shouldBe worstModuleText(seconds)
+        for ((one, other) in seconds zip millis) {
+            other.angle!!.rms shouldBe (one.angle!!.rms plusOrMinus 1e-6)
+            other.target.time shouldBe (one.target.time plusOrMinus 1e-6)
+        }
     }
 
     test("consecutive samples of a loop are one moment, in either order") {
