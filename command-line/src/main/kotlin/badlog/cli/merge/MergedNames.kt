@@ -11,7 +11,7 @@ internal class MergedNames {
     /** The topics or values with another name than in their log. */
     val renamed = ArrayList<Renaming>()
 
-    /** Returns [name]; if that is taken, [name] in a folder with the file name of [part], and remembers [reason]. */
+    /** Returns [name]. If it is taken, returns it in a folder with the file name of [part], and records that with [reason]. */
     fun take(name: String, part: LogPart, reason: String = ""): String {
         if (taken.add(name)) return name
         val inFolder = "${part.folder}/$name"
