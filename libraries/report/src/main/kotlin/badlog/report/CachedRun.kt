@@ -7,7 +7,8 @@ import badlog.files.LogFile
 import badlog.files.withShutdownHook
 
 /**
- * Does [work] on the [files] that are not in [cache]; it receives a number of cores. Passes all results to [each], in the order of the files
+ * Does [work] on the [files] that are not in [cache], and passes it the number of cores that it may use. Passes all results to
+ * [each], in the order of the files
  * and on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is interrupted, or the program is
  * asked to end.
  *

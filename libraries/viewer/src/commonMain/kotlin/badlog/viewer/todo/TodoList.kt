@@ -109,7 +109,7 @@ private fun lastFound(logs: List<FoundLog>): Map<FaultTask, LastFound> {
     return last.mapValues { (task, where) -> LastFound(where.first, where.second, runs.getValue(task).size) }
 }
 
-/** Returns the item of [task] after its [changes]; null if it is not on the list. */
+/** Returns the item of [task] with [changes] applied; null if it is not on the list. */
 private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTask, LastFound>, logs: List<FoundLog>): TodoItem? {
     val fault = (task as? FaultTask)?.let(found::get)
     val last = changes.lastOrNull { it.deed !is TodoDeed.Assign }
