@@ -22,7 +22,7 @@ import kotlin.random.Random
 
 private fun Recording.volts() = topics.single { it.name == "Driver Station/Battery Voltage" }
 
-/** The times at which the voltages of [log] are not those of [whole]. */
+/** The times at which the voltages of [log] differ from [whole]. */
 private fun lostIn(log: ByteArray, whole: ByteArray): List<Int> {
     val read = parseStation(log).volts()
     val at = read.times.orEmpty().toList().zip(read.samples.toList()).toMap()

@@ -13,7 +13,7 @@ import io.kotest.property.checkAll
 
 private const val TOPIC = "NT:/Telemetry/Arm/Angle"
 
-/** The metadata of an entry whose topic has these [properties], as WPILib writes them. */
+/** The metadata of an entry for a topic with these [properties], as WPILib writes them. */
 private fun withProperties(properties: String) = "{\"properties\":{$properties},\"source\":\"NT\"}"
 
 private fun listJson(texts: List<String>) = texts.joinToString(",", "[", "]", transform = ::quotedJson)

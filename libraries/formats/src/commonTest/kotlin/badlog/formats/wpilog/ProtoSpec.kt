@@ -14,7 +14,7 @@ import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 
-/** Messages written byte by byte as the encoding says; knows nothing of the code that is tested. */
+/** Messages written byte by byte by the encoding, independently of the code under test. */
 private fun varint(number: Long): ByteArray = if (number ushr 7 == 0L) {
     byteArrayOf(number.toByte())
 } else {
@@ -52,7 +52,7 @@ private const val SFIXED64 = 16
 private const val SINT32 = 17
 private const val SINT64 = 18
 
-/** What is read from a log in which entry `p` of message a.M, with [fields], has each of these payloads, 1 ms apart. */
+/** The recording of a log in which entry `p` of message a.M, with [fields], has these payloads, 1 ms apart. */
 private fun read(fields: ByteArray, vararg payloads: ByteArray, others: ByteArray = ByteArray(0)): Recording {
     val file = words(1, "a.proto") + words(2, "a") + sized(4, message("M", fields)) + others
     val log = TestLog().start(1, "p", "proto:a.M").start(2, "/.schema/proto:a.proto", "proto:FileDescriptorProto").record(2, 0, file)
@@ -66,7 +66,7 @@ private fun Topic.textList() = List(texts.size) { texts[it] }
 
 private val Recording.parts: List<Topic> get() = topics.filter { it.name.startsWith("p") }
 
-/** Each topic that entry `p` has become, with its first sample. */
+/** Each topic of entry `p`, with its first sample. */
 private fun values(recording: Recording): Map<String, Any> = recording.parts.associate { it.name to if (it.texts.size > 0) it.texts[0] else it.samples.firstOrNull() ?: "nothing" }
 
 class ProtoSpec : FunSpec({
@@ -137,7 +137,7 @@ class ProtoSpec : FunSpec({
     for (isList in listOf(false, true)) {
         val kind = if (isList) "lists" else "messages"
 
-        // The descriptor's bytes are flat, so nothing stops it from naming more levels than a stack has room for.
+        // The descriptor's bytes are flat, so it may name more levels than the stack has room for.
         test("a type whose $kind are nested 9,000 deep is shown by its size, with a note, and the rest of the log is read") {
             val levels = (1..9_000).map { sized(4, message("L$it", field("a", 1, MESSAGE, "a.L${it + 1}", isList))) }
             val last = sized(4, message("L9001", field("x", 1, DOUBLE)))

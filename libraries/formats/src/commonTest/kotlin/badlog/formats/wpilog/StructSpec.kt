@@ -4,7 +4,7 @@ import badlog.core.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** What is read from a log in which entry `s` of struct S has this [payload]. */
+/** The recording of a log in which entry `s` of struct S has this [payload]. */
 private fun read(
     schema: String,
     payload: ByteArray,
@@ -17,7 +17,7 @@ private fun read(
     return parseLog(log.record(1, 1000, payload).bytes)
 }
 
-/** Each topic that entry `s` has become, with its first sample. */
+/** Each topic of entry `s`, with its first sample. */
 private fun values(recording: Recording): Map<String, Any> = recording.topics.filter { "schema" !in it.name }
     .associate { it.name to if (it.texts.size > 0) it.texts[0] else it.samples.firstOrNull() ?: "nothing" }
 

@@ -17,7 +17,7 @@ import kotlin.random.Random
 /** A record as it is in a file. */
 private data class Found(val id: Int, val micros: Double, val payload: List<Byte>)
 
-/** The records that a parser reads of [bytes], by their places, and the recording that it makes of them. */
+/** The records that a parser reads from [bytes], by their places, and the resulting recording. */
 private class ReadLog(bytes: ByteArray, piece: Int = bytes.size) {
     val records = LinkedHashMap<Long, Found>()
     val ends = HashMap<Long, Long>()
@@ -63,10 +63,10 @@ private val ROBOT: ByteArray = TestLog("{}").apply {
 
 private val WHOLE = ReadLog(ROBOT)
 
-/** Where the records of entries begin, behind those that begin the entries. */
+/** The places of the entries' records, behind the records that begin the entries. */
 private val BODY = WHOLE.records.entries.first { it.value.id != 0 }.key.toInt()
 
-/** The records of [WHOLE] that stand before [from] or from [until] on. */
+/** The records of [WHOLE] before [from] or from [until] on. */
 private fun intact(from: Int, until: Int) = WHOLE.records.filter { (at, _) -> WHOLE.ends.getValue(at) <= from || at >= until }
 
 class WpilogDamageSpec : FunSpec({
@@ -132,7 +132,7 @@ class WpilogDamageSpec : FunSpec({
             val log = ReadLog(ROBOT.copyOf().also { it[sizeAt] = size.toByte() })
             (WHOLE.records.keys - log.records.keys).filter { it !in at..at + size + 100 }.shouldBeEmpty()
         }
-        // With two more bytes for the size, what follows is taken for the rest of the record's head.
+        // With two more bytes for the size, the following bytes are taken for the rest of the record's head.
         val longer = ReadLog(ROBOT.copyOf().also { it[at.toInt()] = (head or 8).toByte() })
         (WHOLE.records.keys - longer.records.keys).size shouldBeLessThan 12
     }

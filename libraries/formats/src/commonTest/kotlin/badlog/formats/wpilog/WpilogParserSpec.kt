@@ -200,7 +200,7 @@ class WpilogParserSpec : FunSpec({
     test("after nonsense nothing can be read, and the lost bytes are counted") {
         val good = TestLog().start(1, "a", "double").double(1, 1, 1.0)
         val end = good.bytes.size
-        // Two that look like records, of entries that do not exist, belong to the nonsense.
+        // Two of them look like records of entries that do not exist.
         val log = good.raw(0x00, 0x20, 0x00, 0x05).raw(0x00, 0x21, 0x00, 0x05).raw(0xFF, 0xFF, 0x01).double(1, 2, 2.0)
         val recording = log.read()
         recording.topic("a").samples.toList() shouldBe listOf(1.0)

@@ -14,7 +14,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-/** [recording] as a WPILOG, and what that cannot hold. */
+/** [recording] as a WPILOG, and the content that this cannot hold. */
 internal fun writeLog(recording: Recording, changesOnly: Boolean = false): Pair<ByteArray, List<Omission>> {
     var bytes = ByteArray(0)
     val omissions = WpilogWriter(recording, changesOnly).write { piece, size -> bytes += piece.copyOf(size) }

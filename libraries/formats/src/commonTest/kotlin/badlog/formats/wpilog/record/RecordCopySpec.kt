@@ -85,7 +85,7 @@ class RecordCopySpec : FunSpec({
         repeat(PropertyTesting.defaultIterationCount) {
             val log = TestLog()
             for (id in 1..3) log.start(id, "t$id", "int64")
-            // Times go back now and then, and some are from before the clock began.
+            // Times go back occasionally, and some are from before the clock began.
             repeat(20) { step ->
                 val micros = if (random.nextInt(12) == 0) -5L * step else step * 500_000L - random.nextInt(2) * 700_000L
                 log.record(1 + random.nextInt(3), micros, longs(step.toLong()))
