@@ -61,7 +61,7 @@ internal class UnpackedSpec : FunSpec({
     }
 
     test("of an xz file that is cut or damaged all is read that can be inflated, and nothing throws") {
-        // As noise: what repeats is inflated at once.
+        // Noise: data that repeats is inflated at once.
         val large = log + noise()
         val packed = xz(large)
         val file = tempdir().toPath().resolve("cut.wpilogxz")
@@ -145,7 +145,7 @@ internal class UnpackedSpec : FunSpec({
     }
 })
 
-/** Records of an entry that nobody has begun, hard to compress. */
+/** Records of an entry that was never started, hard to compress. */
 private fun noise(): ByteArray = TestLog().let { log ->
     val random = Random(1)
     repeat(2000) { log.record(77, 1_000_000L + it, random.nextBytes(200)) }

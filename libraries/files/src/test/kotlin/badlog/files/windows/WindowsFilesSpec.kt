@@ -22,7 +22,7 @@ import kotlin.io.path.readText
 
 private fun Path.names() = listDirectoryEntries().map { it.name }.sorted()
 
-/** Names that Windows refuses, changes, or takes for a device, as a match, an event or a topic may have them. */
+/** Names of a match, an event or a topic that Windows refuses, changes, or takes for a device. */
 private val BAD_NAMES = listOf(
     "CON", "con.txt", "NUL", "nul.bag", "AUX", "PRN.wpilog", "COM1", "COM1.bag.gz", "LPT9", "COM¹", "CONIN$",
     "Arm: Angle", "Q42.", "Q42 ", "Q42. .", " Q42", "a/b", "a\\b", "C:", "C:\\x", "\\\\?\\C:\\x", "\\\\.\\NUL", "what?", "a|b", "\"x\"", "<x>", "a*", "..", ".", "",
