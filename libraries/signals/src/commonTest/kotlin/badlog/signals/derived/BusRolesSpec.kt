@@ -9,7 +9,7 @@ import kotlin.math.abs
 class BusRolesSpec : FunSpec({
     val times = timesFor(60)
 
-    /** Sides of a robot that drives to and fro, and turns now and then. */
+    /** Sides of a robot that drives back and forth, and sometimes turns. */
     fun side(sign: Int) = times.of { 50 * swing(it) + sign * 8 * swing(it, 7.0) }
     val roller = times.of { if (it % 9 < 4) 80.0 else 0.0 }
 

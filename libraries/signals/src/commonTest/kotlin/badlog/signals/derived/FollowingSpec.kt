@@ -14,7 +14,7 @@ class FollowingSpec : FunSpec({
 
     fun following(measured: (Double) -> Double, wanted: DoubleArray = target) = Following(times, wanted, times.of(measured), times.always())
 
-    /** What follows the target within half a second. */
+    /** A measurement that follows the target within half a second. */
     fun followed(time: Double): Double {
         val since = time % 8
         val now = (time / 8).toInt() % 2.0

@@ -12,7 +12,7 @@ class FrictionRiseSpec : FunSpec({
     val times = timesFor(90)
     val place = times.of { swing(it) }
 
-    /** What moves it: what its speed takes, its acceleration, its weight, and its friction. */
+    /** The effort that moves it: for its speed, its acceleration, its weight, and its friction. */
     fun effort(weight: (Double) -> Double = { 3.0 }, friction: (Double) -> Double) = times.of {
         5 * swing(it + 1) - 2 * swing(it) + weight(it) + friction(it) * sign(swing(it + 1))
     }

@@ -54,7 +54,7 @@ class BatteryUseSpec : FunSpec({
             use.restBefore.shouldNotBeNull() shouldBe (12.76 plusOrMinus 0.001)
             use.restAfter.shouldNotBeNull() shouldBe (12.26 plusOrMinus 0.001)
             use.resistance.shouldNotBeNull().milliohms shouldBe (20.0 plusOrMinus 0.1)
-            // 150 s of 60 A on average at 11.1 V less the losses of what swings, and a little while it is disabled.
+            // 150 s of 60 A on average at 11.1 V, less the oscillation's losses, and a little while disabled.
             use.energy.shouldNotBeNull() shouldBe (150 * (60 * 11.1 - 0.02 * 1250) / 3600 + 50 * 2 * 12.5 / 3600 plusOrMinus 0.3)
         }
     }

@@ -13,7 +13,7 @@ import io.kotest.matchers.shouldBe
 class MotorFitSpec : FunSpec({
     val signals = RuleSet.BUILT_IN.signals
 
-    /** A motor that is driven in each of [spans], sampled every 20 ms for 30 s, by a clock that began [later]. */
+    /** A motor driven in each of [spans], sampled every 20 ms for 30 s, by a clock that began [later]. */
     fun output(name: String, spans: List<ClosedRange<Double>>, later: Double = 0.0, level: Double = 0.5): Topic = numbers(name, List(1500) { it / 50.0 }.map { time -> time - later to if (spans.any { time in it }) level else 0.0 })
 
     fun view(vararg topics: Topic): LogView = LogView.of(logOf(topics.toList())).withSignals(signals, "log")
