@@ -25,7 +25,7 @@ private val KEYS = listOf(
 
 private val USUAL = doubleArrayOf(16.7, 12.0, 4.0, 9.2, 15.0)
 
-/** A log whose numbers are usual, each within a twentieth, except those in [others]. */
+/** A log with usual numbers, each within a twentieth, except those in [others]. */
 private fun log(random: Random, vararg others: Pair<Int, Double>, kind: MatchKind = MatchKind.MATCH): LogNumbers {
     val values = DoubleArray(USUAL.size) { USUAL[it] * (0.95 + 0.1 * random.nextDouble()) }
     for ((number, value) in others) values[number] = value
