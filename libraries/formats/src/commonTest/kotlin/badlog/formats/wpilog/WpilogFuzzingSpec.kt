@@ -70,7 +70,7 @@ class WpilogFuzzingSpec : FunSpec({
         }
     }
 
-    test("a log cut at any byte reads as far as it goes, in whatever pieces") {
+    test("a log that is cut at any byte is read up to the cut, in pieces of any size") {
         val bytes = VARIED_LOG.bytes
         var samples = 0L
         for (cut in 0..bytes.size) {

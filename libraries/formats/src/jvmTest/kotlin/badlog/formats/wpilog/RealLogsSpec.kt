@@ -89,7 +89,7 @@ class RealLogsSpec : FunSpec({
         }
     }
 
-    test("a hole of 4 KiB in a real log costs what stood in it").config(
+    test("a hole of 4 KiB in a real log costs only the records in it").config(
         enabledOrReasonIf = {
             if (REAL_LOGS.isNotEmpty()) Enabled.enabled else Enabled.disabled("the logs are not on this machine")
         },
