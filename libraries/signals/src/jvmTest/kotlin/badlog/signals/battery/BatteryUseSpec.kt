@@ -65,7 +65,7 @@ class BatteryUseSpec : FunSpec({
         use.restAfter.shouldBeNull()
     }
 
-    test("energy that is not known for a tenth of the time is not stated") {
+    test("energy that is unknown for more than a tenth of the time is not stated") {
         logOf { if (it < 160) "60" else "" }?.energy.shouldNotBeNull()
         logOf { if (it < 140) "60" else "" }?.energy.shouldBeNull()
     }
@@ -74,13 +74,13 @@ class BatteryUseSpec : FunSpec({
         for (name in listOf("Battery", "BatteryName", "battery_id", "Robot/Battery Number")) logOf(values = mapOf(name to " A1 "))?.name shouldBe "A1"
     }
 
-    test("the battery's name is the last that a topic says") {
+    test("the battery's name is the last meaningful text of its topic") {
         logOf(texts = "Battery Name" to listOf("unknown", "A1", "B2", ""))?.name shouldBe "B2"
         logOf(texts = "/RealMetadata/BatteryName" to listOf("BAT-001"))?.name shouldBe "BAT-001"
         logOf(texts = "Battery Number" to listOf("7"))?.name shouldBe "7"
     }
 
-    test("a voltage, or what says nothing, is not a name") {
+    test("a voltage, or a text without meaning, is not a name") {
         for (text in listOf("12.4", "12.4 V", "12.4 volts", "unknown", "", "0")) logOf(values = mapOf("Battery" to text))?.name.shouldBeNull()
         logOf(values = mapOf("Battery Name" to "none"))?.name.shouldBeNull()
     }

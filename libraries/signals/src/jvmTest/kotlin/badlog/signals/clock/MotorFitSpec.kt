@@ -29,7 +29,7 @@ class MotorFitSpec : FunSpec({
         fit.error shouldBe (0.0 plusOrMinus 1e-6)
     }
 
-    test("volts that the robot logged work as well, and reversing is not an end") {
+    test("volts in the robot's log work as well, and reversing is not an end") {
         val turning = listOf(3.0..4.0, 4.1..5.0, 7.0..8.5, 12.0..20.0)
         val revlog = view(output("REV/Spark-7/APPLIED_OUTPUT", turning, -0.4))
         val fit = checkNotNull(motorFit(revlog, view(output("Arm/Applied Volts", arm, level = 6.0)), signals))
