@@ -29,8 +29,8 @@ class StationOverlay(
     val both: LogView by lazy { with(station.recording.topics.zip(namesOf), AROUND) }
 
     /**
-     * The view on which rules run, over the robot's time: the robot's topics, and topics of the Driver Station. Those are signals that the robot's
-     * log lacks; the robot's own topics have priority.
+     * The view on which rules run, over the robot's time: the robot's topics, and the Driver Station's. A topic of the Driver Station that is a
+     * signal which the robot's log has, too, is left out.
      */
     val forRules: LogView by lazy {
         val own = signalTopicsOf(robot, vocabulary).all.mapTo(HashSet()) { it.signal }

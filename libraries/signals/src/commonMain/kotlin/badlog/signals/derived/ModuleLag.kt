@@ -1,7 +1,7 @@
 package badlog.signals.derived
 
 /**
- * Returns how far each module of a drive lags behind its target angle, compared with the worst other one. It is 1.0 in a healthy drive, since all are
+ * Returns how far each module of a drive lags behind its target angle, relative to the worst other one. It is 1.0 in a healthy drive, since all are
  * steered alike. It counts all the time in which the module turns while it drives. The lag is divided by the movement of its target, so that a module
  * that has to turn more does not seem slower. No list if a module hardly drove; null for a module if the others are not alike: then late measurements
  * are likelier than two bad modules.
