@@ -60,7 +60,7 @@ internal class RecordStore {
     /** Returns whether record [index] begins, ends or describes an entry. */
     fun isControl(index: Int): Boolean = session[index] < 0
 
-    /** Returns the first byte of the payload of the control record [index]: its [ControlKind]. */
+    /** Returns the first byte of the payload of the control record [index]: its kind. */
     fun controlKind(index: Int): Int = bytes(index)[payload[index]].toInt()
 
     /** Returns the time in record [index], in µs. */
