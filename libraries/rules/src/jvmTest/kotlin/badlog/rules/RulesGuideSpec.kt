@@ -41,7 +41,7 @@ class RulesGuideSpec : FunSpec({
         checkGuide("rules.md", "rules", text)
     }
 
-    test("the guide has what was counted of each built-in rule, and what it lacks") {
+    test("the guide has the counts of each built-in rule, and the evidence that it lacks") {
         val head = "| rule | real logs (teams) | true | false | unknown | ${EvidenceSet.entries.filter { !it.isReal }.joinToString(" | ") { it.title }} | lacks |"
         val rows = hashesOfBuiltInRules().map { (rule, hash) ->
             val counts = COUNTS.filter { it.rule == rule && it.hash == hash }
