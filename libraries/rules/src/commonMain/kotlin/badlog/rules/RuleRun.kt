@@ -94,6 +94,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
                 time = time,
                 count = if (whole == null) times else whole.size,
                 length = (whole ?: hits).sumOf { it.width },
+                meanwhile = unusualWithin(hits, question.others, samples).map(::textOf),
                 channels = channels.map { "${it.topic} (${timeText(round(it.amperes * 10) / 10, "A")})" },
             ),
             at,
@@ -154,6 +155,9 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val (value, unit) = if (quantity.unit == FRACTION) PERCENT * quantity.value to "%" else quantity.value to quantity.unit
         return quantity.copy(value = roundedForText(value), unit = unit).text
     }
+
+    private fun textOf(event: Meanwhile): String =
+        "${event.topic} rose to ${timeText(roundedForText(event.most), event.unit)} from its usual ${timeText(roundedForText(event.usual), event.unit)}"
 
     /** Returns the messages of the first topic of [question] that has some, or null. */
     private fun messagesOf(question: RuleProgram.Question, signals: Signals): Messages? {

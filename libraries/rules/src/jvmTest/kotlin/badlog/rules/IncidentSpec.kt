@@ -47,11 +47,11 @@ class IncidentSpec : FunSpec({
     test("what a cause was found by is not repeated among the incident's sentences") {
         val loop = Finding("Loop blocked", Severity.ERROR, "Loop Time", "The loop took 396 ms.", 20.0, listOf(Span(20.0, 20.2)), 1, "s")
         val vision = Finding(
-            "Vision blocked the loop", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
+            "Loop and vision late together", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
             evidence = listOf("Loop Time", "Vision/Latency"),
         )
         val incident = incidents(loop, vision).single()
-        incident.sentences.map { it.finding.rule } shouldBe listOf("Vision blocked the loop")
+        incident.sentences.map { it.finding.rule } shouldBe listOf("Loop and vision late together")
         incident.effects.map { it.rule } shouldBe listOf("Loop blocked")
         incident.severity shouldBe Severity.ERROR
     }
@@ -72,7 +72,7 @@ class IncidentSpec : FunSpec({
 
     test("an effect of an earlier cause begins no incident of its own") {
         val arm = found("Motor stalled", 20.5, topic = "Arm/Output")
-        names(found("Encoder stopped", 19.0, 26.0, "Arm/Position"), arm) shouldBe
+        names(found("Encoder frozen", 19.0, 26.0, "Arm/Position"), arm) shouldBe
             listOf("An encoder stopped reporting")
     }
 

@@ -27,7 +27,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
     "module angle error" to false, "module angle lag" to false, "module speed share" to false, "coupling error" to false,
     "encoder frozen" to false,
-    "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
+    "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "standstill" to false, "side friction" to false,
     "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
     "largest current" to true, "friction rise" to false, "missed pulls" to false,
