@@ -12,7 +12,8 @@ internal fun howToLogText(signals: List<String>): String? {
     if (lines.isEmpty()) return null
     val others = (LoggingLibrary.entries - LoggingLibrary.WPILIB).joinToString { it.title }
     val place = LoggingLibrary.WPILIB.place.trimEnd('.').replaceFirstChar { it.lowercase() }
-    return "A robot program logs what is missing with these lines, $place (--json has them for $others):\n" + lines.joinToString("\n") { "  $it" }
+    return "A robot program logs what is missing with these lines, $place (--json has them for $others):\n" +
+        lines.joinToString("\n") { "  $it" }
 }
 
 /** Returns for each of [signals] that a program can log the line with which each library logs it, by the library's title. */

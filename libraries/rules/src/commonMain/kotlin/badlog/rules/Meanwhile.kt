@@ -24,7 +24,13 @@ internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples
         val usual = if (series.isOrdered) medianOf(series) else Double.NaN
         if (!(usual > 0) || rareness(series, usual) > RARE) return@mapNotNull null
         val most = spans.map { span -> mostIn(series, span.from - BEFORE_SECONDS, span.to + AFTER_SECONDS) }
-        if (most.count { it > TIMES * usual } < MOST_SPANS * spans.size) null else Meanwhile(other.topics.first(), most.max(), usual, other.listed.unit)
+        if (most.count { it > TIMES * usual } <
+            MOST_SPANS * spans.size
+        ) {
+            null
+        } else {
+            Meanwhile(other.topics.first(), most.max(), usual, other.listed.unit)
+        }
     }
 }
 

@@ -289,7 +289,13 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             turn?.device.orEmpty(),
             (used + shown).filter { it != timeTopic }.distinct().take(MAX_EVIDENCE),
             if (rule.text.has(CHANNELS)) signals.of(CHANNEL).map { NamedSignal.of(CHANNEL, listOf(it)) } else emptyList(),
-            if (rule.text.has(MEANWHILE)) rule.show.flatMap { name -> signals.of(name).map { NamedSignal.of(name, listOf(it)) } } else emptyList(),
+            if (rule.text.has(MEANWHILE)) {
+                rule.show.flatMap { name ->
+                    signals.of(name).map { NamedSignal.of(name, listOf(it)) }
+                }
+            } else {
+                emptyList()
+            },
         )
     }
 
@@ -300,9 +306,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         return vocabulary.signals.filter { pattern.matches(it.name) }.map { it.name }
     }
 
-    private fun topicsOf(question: Question) =
-        question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) } +
-            (question.channels + question.others).flatMap { it.topics }
+    private fun topicsOf(question: Question) = question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) } +
+        (question.channels + question.others).flatMap { it.topics }
 
     private fun refusal(rule: Rule, error: ExpressionError, names: Map<String, NamedSignal>, lacking: List<Signal>): Refusal {
         val name = error.text.substring(error.from, error.until)

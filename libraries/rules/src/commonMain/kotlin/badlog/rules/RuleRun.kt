@@ -156,8 +156,10 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         return quantity.copy(value = roundedForText(value), unit = unit).text
     }
 
-    private fun textOf(event: Meanwhile): String =
-        "${event.topic} rose to ${timeText(roundedForText(event.most), event.unit)} from its usual ${timeText(roundedForText(event.usual), event.unit)}"
+    private fun textOf(event: Meanwhile): String = "${event.topic} rose to ${timeText(
+        roundedForText(event.most),
+        event.unit,
+    )} from its usual ${timeText(roundedForText(event.usual), event.unit)}"
 
     /** Returns the messages of the first topic of [question] that has some, or null. */
     private fun messagesOf(question: RuleProgram.Question, signals: Signals): Messages? {

@@ -22,7 +22,14 @@ internal class TextedRule(
      * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
      * its current, and which saw the events [meanwhile].
      */
-    fun text(value: String, time: Double, count: Int, length: Double, channels: List<String> = emptyList(), meanwhile: List<String> = emptyList()): String {
+    fun text(
+        value: String,
+        time: Double,
+        count: Int,
+        length: Double,
+        channels: List<String> = emptyList(),
+        meanwhile: List<String> = emptyList(),
+    ): String {
         val text = if (count == 1) once else rule.text
         return text.filled(
             mapOf(

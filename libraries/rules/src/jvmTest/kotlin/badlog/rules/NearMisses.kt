@@ -53,6 +53,12 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Linked motor without current" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0.5" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { 0.6 * TestMatch.load(it) / 4 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (42 * TestMatch.output(it)).toString() } },
+    // It draws what a motor draws that is blocked.
+    "Encoder stopped" to {
+        from(20.0, LEFT) { "10" }
+        from(20.0, "Drive/Left/DutyCycle") { "0.5" }
+        from(20.0, "Drive/Left/SupplyCurrentAmps") { "20" }
+    },
     // It draws less than a motor that is blocked.
     "Still at stall current" to {
         from(20.0, "Drive/Left/VelocityRadPerSec") { "0" }

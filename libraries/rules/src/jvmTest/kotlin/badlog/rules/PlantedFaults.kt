@@ -41,6 +41,11 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Linked motor without current" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { TestMatch.load(it) / 12 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (30 * TestMatch.output(it)).toString() } },
+    "Encoder stopped" to {
+        from(20.0, "Drive/Left/PositionRad") { "10" }
+        from(20.0, "Drive/Left/DutyCycle") { "0.5" }
+        from(20.0, "Drive/Left/SupplyCurrentAmps") { "8" }
+    },
     "Still at stall current" to {
         from(20.0, "Drive/Left/VelocityRadPerSec") { "0" }
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }

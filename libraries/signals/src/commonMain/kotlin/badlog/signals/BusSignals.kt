@@ -200,7 +200,11 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             fun isBlocked(of: BusDevice): BooleanArray {
                 val speeds = raw(samples, of, BusSignal.VELOCITY)
                 val slow = SLOW * quantile(DoubleArray(speeds.size) { abs(speeds.y[it]) }, 0.98)
-                val (speed, output, current) = listOf(speeds, raw(samples, of, BusSignal.OUTPUT), raw(samples, of, BusSignal.SUPPLY_CURRENT))
+                val (speed, output, current) = listOf(
+                    speeds,
+                    raw(samples, of, BusSignal.OUTPUT),
+                    raw(samples, of, BusSignal.SUPPLY_CURRENT),
+                )
                     .map { it.heldAt(times) }
                 return BooleanArray(times.size) { abs(speed[it]) < slow && abs(output[it]) > 0.5 && current[it] > BLOCKED_AMPERES }
             }

@@ -106,7 +106,8 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private fun beside(part: List<String>, vararg quantities: Quantity) =
         byPart[part].orEmpty().filter { it.quantity in quantities && !it.isTarget }
 
-    private fun ofPart(part: List<PartTopic>): List<DerivedSignal> = listOfNotNull(stall(part), standstill(part), switch(part)) + coupling(part)
+    private fun ofPart(part: List<PartTopic>): List<DerivedSignal> =
+        listOfNotNull(stall(part), standstill(part), switch(part)) + coupling(part)
 
     /** Whether what a part's motor moved before stands still now. */
     private fun standstill(part: List<PartTopic>): DerivedSignal? {

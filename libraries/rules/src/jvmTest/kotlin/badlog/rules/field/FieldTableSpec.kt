@@ -30,9 +30,11 @@ class FieldTableSpec : FunSpec({
 
     test("no rule could run over a log whose robot was never enabled") {
         fun ran(enabled: Boolean) = fieldLogOf(
-            ("{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"DS:enabled\",\"unit\":\"ul\",\"attrs\":[]}," +
-                "{\"name\":\"System/Battery Voltage\",\"unit\":\"V\",\"attrs\":[]}],\"values\":[]}\nTime,DS:enabled,System/Battery Voltage\n" +
-                (0..99).joinToString("") { "${it / 50.0},${enabled && it in 20..80},12.5\n" }).encodeToByteArray(),
+            (
+                "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"DS:enabled\",\"unit\":\"ul\",\"attrs\":[]}," +
+                    "{\"name\":\"System/Battery Voltage\",\"unit\":\"V\",\"attrs\":[]}],\"values\":[]}\nTime,DS:enabled,System/Battery Voltage\n" +
+                    (0..99).joinToString("") { "${it / 50.0},${enabled && it in 20..80},12.5\n" }
+                ).encodeToByteArray(),
             "a.bag",
         ).shouldNotBeNull().ran
         ("Low battery" in ran(enabled = true)) shouldBe true

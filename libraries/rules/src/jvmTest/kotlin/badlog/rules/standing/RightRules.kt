@@ -32,7 +32,7 @@ private val SLOW = setOf(
 )
 private val RESTARTED = setOf("Restarted in the match", "Log begins in teleop", "Ended in the match", "Code restarted", "Code crashed", "Error logged", "Gap in time")
 private val ENCODER = setOf(
-    "Encoder frozen", "Position stands still", "Encoders disagree", "Linked speeds differ", "Away from its setpoint", "Output without effect", "Flat sensor",
+    "Encoder frozen", "Encoder stopped", "Position stands still", "Encoders disagree", "Linked speeds differ", "Away from its setpoint", "Output without effect", "Flat sensor",
     "Sensor lost", "Side stands still", "Output saturated", "Values frozen", "Motor and mechanism disagree", "Module does not turn",
 )
 private val GYRO = setOf("Heading jumped", "Gyro drifts", "Pose jumped", "Sensor lost", "Left the plan", "Flat sensor")

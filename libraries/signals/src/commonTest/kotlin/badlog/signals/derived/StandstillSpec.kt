@@ -7,8 +7,7 @@ class StandstillSpec : FunSpec({
     val times = timesFor(60)
     val pushes = times.of { 0.4 * swing(it) }
 
-    fun most(places: DoubleArray, outputs: DoubleArray = pushes, from: Double = 0.0, to: Double = 60.0) =
-        standstill(times, places, outputs, times.always()).most(from, to)
+    fun most(places: DoubleArray, outputs: DoubleArray = pushes, from: Double = 0.0, to: Double = 60.0) = standstill(times, places, outputs, times.always()).most(from, to)
 
     test("what moved with its motor, and stands still both ways later, is found from then on") {
         val places = times.of { swing(minOf(it, 40.0), 3.1) }
@@ -29,7 +28,17 @@ class StandstillSpec : FunSpec({
     test("a place that its motor never moved is that of something else") {
         most(times.of { 2.0 }) shouldBe 0.0
         // A pivot that moves now and then, and rollers on it that run all the time.
-        most(times.of { if (it in 20.0..24.0) it - 20 else if (it < 20) 0.0 else 4.0 }) shouldBe 0.0
+        most(
+            times.of {
+                if (it in 20.0..24.0) {
+                    it - 20
+                } else if (it < 20) {
+                    0.0
+                } else {
+                    4.0
+                }
+            },
+        ) shouldBe 0.0
     }
 
     test("play between gears is no movement, and what is held gently is not pushed") {
