@@ -12,7 +12,7 @@ internal fun howToLogText(signals: List<String>): String? {
     if (lines.isEmpty()) return null
     val others = (LoggingLibrary.entries - LoggingLibrary.WPILIB).joinToString { it.title }
     val place = LoggingLibrary.WPILIB.place.trimEnd('.').replaceFirstChar { it.lowercase() }
-    return "A robot program logs what is missing with these lines, $place (--json has them for $others):\n" +
+    return "A robot program logs the missing signals with these lines, $place (--json has them for $others):\n" +
         lines.joinToString("\n") { "  $it" }
 }
 

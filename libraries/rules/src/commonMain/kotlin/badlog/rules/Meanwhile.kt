@@ -6,15 +6,16 @@ import badlog.signals.NamedSamples
 import badlog.signals.NamedSignal
 
 /**
- * What was unusual while a rule held.
+ * A signal that was unusual while a rule held.
  *
+ * @property signal its name.
  * @property most the largest value then.
  * @property usual the median of the log; [most] is more than twice as large.
  */
-internal class Meanwhile(val topic: String, val most: Double, val usual: Double, val unit: String)
+internal class Meanwhile(val signal: String, val most: Double, val usual: Double, val unit: String)
 
 /**
- * Returns those of [others] that rose to more than twice their usual value each time in [spans], or just before, and hardly ever elsewhere. It
+ * Returns each of [others] that rose to more than twice their usual value each time in [spans], or just before, and hardly ever elsewhere. It
  * says what happened at the same time, not which led to which.
  */
 internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples: NamedSamples): List<Meanwhile> {
@@ -24,13 +25,8 @@ internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples
         val usual = if (series.isOrdered) medianOf(series) else Double.NaN
         if (!(usual > 0) || rareness(series, usual) > RARE) return@mapNotNull null
         val most = spans.map { span -> mostIn(series, span.from - BEFORE_SECONDS, span.to + AFTER_SECONDS) }
-        if (most.count { it > TIMES * usual } <
-            MOST_SPANS * spans.size
-        ) {
-            null
-        } else {
-            Meanwhile(other.topics.first(), most.max(), usual, other.listed.unit)
-        }
+        val isEachTime = most.count { it > TIMES * usual } >= MOST_SPANS * spans.size
+        if (isEachTime) Meanwhile(other.name, most.max(), usual, other.listed.unit) else null
     }
 }
 

@@ -290,9 +290,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             (used + shown).filter { it != timeTopic }.distinct().take(MAX_EVIDENCE),
             if (rule.text.has(CHANNELS)) signals.of(CHANNEL).map { NamedSignal.of(CHANNEL, listOf(it)) } else emptyList(),
             if (rule.text.has(MEANWHILE)) {
-                rule.show.flatMap { name ->
-                    signals.of(name).map { NamedSignal.of(name, listOf(it)) }
-                }
+                rule.show.flatMap { name -> signals.of(name).map { NamedSignal.of(name, listOf(it)) } }
             } else {
                 emptyList()
             },
@@ -348,7 +346,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         private const val CHANNELS = "channels"
         private const val CHANNEL = "channel current"
 
-        /** The placeholder in texts for what was unusual while the rule held, of the signals that it shows. */
+        /** The placeholder in texts for signals that the rule shows, and that were unusual while it held. */
         private const val MEANWHILE = "meanwhile"
 
         private const val IS_PART = "the file is only part of a log"

@@ -3,11 +3,11 @@ package badlog.rules
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** What is blocked, and what only looks so. */
+/** Mechanisms that are blocked, and others that only look so. */
 class BlockedSpec : FunSpec({
     fun TestMatch.blocked() = findings().filter { it.rule == "Driven without moving" }.map { it.text.substringBefore(" hardly") }
 
-    /** A lift whose height is [height], and whose motor takes [amperes]. */
+    /** A lift at [height], with a motor that takes [amperes]. */
     fun lift(height: (Double) -> Double, amperes: (Double) -> Double) = TestMatch().apply {
         number("Elevator/Height", at = height)
         number("Elevator/Current Amps", at = amperes)
@@ -39,6 +39,17 @@ class BlockedSpec : FunSpec({
         devices(21) shouldBe listOf("TalonFX 21")
         devices(21, output = 0.4) shouldBe emptyList()
         devices(21, amperes = 15.0) shouldBe emptyList()
+    }
+
+    test("rollers that take 40 A without turning are blocked, by whichever current is logged; without one, they may have no power") {
+        fun rollers(vararg currents: String) = TestMatch().apply {
+            number("Intake/Motor Output") { if (it in 20.0..24.0) 0.8 else TestMatch.output(it) }
+            number("Intake/Velocity RPM") { if (it in 20.0..24.0) 0.0 else 3000 * TestMatch.output(it) }
+            for (current in currents) number("Intake/$current") { if (it in 20.0..24.0) 40.0 else 5 + TestMatch.output(it) }
+        }.blocked()
+        rollers("Supply Current Amps") shouldBe listOf("Intake")
+        rollers("Current Amps") shouldBe listOf("Intake")
+        rollers() shouldBe emptyList()
     }
 
     test("several motors that do not turn at once push the robot against something") {

@@ -27,6 +27,12 @@ class IncidentSpec : FunSpec({
     val left = found("Motor stalled", 20.0, 22.0, "Drive/Left/Output")
     val right = found("Motor stalled", 20.1, 22.0, "Drive/Right/Output")
 
+    test("an incident's name has the signals that were unusual at the same time") {
+        fun blocked(from: Double, vararg signals: String) = Finding("Loop blocked", Severity.ERROR, null, "Blocked.", from, listOf(Span(from, from)), 1, "s", meanwhile = signals.toList())
+        names(blocked(20.0)) shouldBe listOf("The loop stood still")
+        names(blocked(20.0, "vision latency", "CPU load")) shouldBe listOf("The loop stood still while vision latency and CPU load rose")
+    }
+
     test("what follows from a cause, even indirectly, is one incident with it, the cause first") {
         val browned = found("Browned out", 21.5, severity = Severity.ERROR)
         val incident = incidents(found("Low battery", 21.0), browned, left, found("Main breaker", 21.0), right).single()

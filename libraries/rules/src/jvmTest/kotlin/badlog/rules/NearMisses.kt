@@ -23,7 +23,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Current too long" to { within(20.0..21.9, CHANNEL) { "70" } },
     "High current" to { within(20.0..20.9, CHANNEL) { "55" } },
     // A motor starts, and rests after that.
-    "Channel fell to nothing" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0" } },
     // The other channels rest, too.
     "Channel rests alone" to {
         from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" }
@@ -37,7 +36,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Main breaker" to { within(20.0..21.9, CHANNEL) { "250" } },
     "High total current" to { within(20.0..24.8, CHANNEL) { "190" } },
-    "Heavy load" to { within(20.0..20.4, CHANNEL) { "210" } },
     "Rail fault" to { number("/SystemStats/3v3Rail/CurrentFaults") { if (it < 20) 3.0 else 2.0 } },
     "Motor too hot" to { number("Drive/Left/TempCelsius") { 49 + it } },
     "Motor hot" to { number("Drive/Left/TempCelsius") { 41.5 + it } },
@@ -113,10 +111,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(15.0, CHANNEL) { (TestMatch.load(it) / 5).toString() }
     },
     "Side needs more output" to { number("Drive/Left/AppliedVolts") { 12 * TestMatch.output(it) + 0.2 * sign(TestMatch.output(it)) } },
-    "Wheels faster than the robot" to {
-        swerve(speed = { _, time -> 3 * abs(TestMatch.wave(time / 4)) })
-        number("Gyro/Acceleration X") { 0.0 }
-    },
     "Heading jumped" to { from(20.0, "Gyro/Angle") { (100 + 60 * TestMatch.wave(it / 2 - 2)).toString() } },
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 0.5 else 0.0 }
@@ -156,7 +150,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
     "Link lost" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 } },
-    "Link lost while disabled" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 } },
     "Packets very late" to { within(20.0..20.4, TRIP) { "150" } },
     "Packets late" to { within(20.0..20.8, TRIP) { "60" } },
     "Many packets lost" to { within(20.0..20.8, LOSS) { "0.3" } },
@@ -177,10 +170,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Button held while disabled" to {
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 4 }
-    },
-    "Stick off center while disabled" to {
-        flag("/DriverStation/Enabled") { it in 10.0..38.0 }
-        number("DS:joystick0/axes[0]") { 0.12 + 0.01 * TestMatch.wave(it) }
     },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }

@@ -18,14 +18,12 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.036 * TestMatch.load(it) } },
     "Current too long" to { from(20.0, CHANNEL) { if (it < 22.5) "70" else "3" } },
     "High current" to { from(20.0, CHANNEL) { if (it < 21.5) "55" else "3" } },
-    "Channel fell to nothing" to { from(20.0, CHANNEL) { if (it < 21.5) "70" else "0" } },
     // It pulled less than most breakers stand.
     "Channel rests alone" to { from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" } },
     "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 0.0 else 16.0 } },
     "Too much at once" to { from(20.0, CHANNEL) { if (it < 22) "250" else "3" } },
     "Main breaker" to { from(20.0, CHANNEL) { if (it < 22.5) "250" else "3" } },
     "High total current" to { from(20.0, CHANNEL) { if (it < 25.5) "190" else "3" } },
-    "Heavy load" to { from(20.0, CHANNEL) { if (it < 21) "210" else "3" } },
     "Rail fault" to { number("/SystemStats/3v3Rail/CurrentFaults") { if (it < 20) 2.0 else 3.0 } },
     "Motor too hot" to { number("Drive/Left/TempCelsius") { 60 + it } },
     "Motor hot" to { number("Drive/Left/TempCelsius") { 45 + it } },
@@ -99,10 +97,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(15.0, CHANNEL) { (TestMatch.load(it) / 10).toString() }
     },
     "Side needs more output" to { number("Drive/Left/AppliedVolts") { 12 * TestMatch.output(it) + 1.2 * sign(TestMatch.output(it)) } },
-    "Wheels faster than the robot" to {
-        swerve(speed = { _, time -> 3 * abs(TestMatch.wave(4 * time)) })
-        number("Gyro/Acceleration X") { 0.0 }
-    },
     "Heading jumped" to { from(20.0, "Gyro/Angle") { (200 + 60 * TestMatch.wave(it / 2 - 2)).toString() } },
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 3.0 else 0.0 }
@@ -147,7 +141,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 }
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
-    "Link lost while disabled" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 } },
     "Packets very late" to { from(20.0, "/DSLog/TripTimeMS") { "150" } },
     "Packets late" to { from(20.0, "/DSLog/TripTimeMS") { "60" } },
     "Many packets lost" to { from(20.0, "/DSLog/PacketLoss") { "0.3" } },
@@ -168,10 +161,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Button held while disabled" to {
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 12 }
-    },
-    "Stick off center while disabled" to {
-        flag("/DriverStation/Enabled") { it in 10.0..38.0 }
-        number("DS:joystick0/axes[0]") { 0.3 + 0.01 * TestMatch.wave(it) }
     },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }

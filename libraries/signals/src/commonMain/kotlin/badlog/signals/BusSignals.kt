@@ -23,7 +23,6 @@ import badlog.signals.derived.quantile
 import badlog.signals.derived.rangeOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
-import badlog.signals.derived.slipOfSides
 import badlog.signals.derived.stall
 import badlog.signals.derived.standstill
 import badlog.signals.derived.suppliedCurrent
@@ -39,7 +38,7 @@ import kotlin.math.abs
 internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<ModuleTopics>) {
     private val motors = devices.filter { it.isMotor }
 
-    /** Motors that say only what they take from the battery, not the current of their windings. */
+    /** Motors that log only their supply current, not the current of their windings. */
     private val supplied = devices.filter { device ->
         !device.isMotor && listOf(BusSignal.VELOCITY, BusSignal.OUTPUT, BusSignal.SUPPLY_CURRENT).all { it in device }
     }
@@ -83,17 +82,6 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             motion.valuesOf(motor, BusSignal.OUTPUT),
             motion.valuesOf(motor, BusSignal.VELOCITY),
         )
-    }
-
-    /** Returns how the wheels of a tank drive slip by the [acceleration] that [topics] have; null for too few motors. */
-    fun wheelSlip(topics: List<String>, acceleration: (NamedSamples) -> Series): DerivedSignal? {
-        if (motors.size < LEAST_MOTORS || modules.isNotEmpty()) return null
-        return DerivedSignal("wheel slip", "m/s²", "", motors.mapNotNull { it.topic(BusSignal.VELOCITY) } + topics) { samples ->
-            val motion = samples.motion()
-            val speeds = motion.drive.map { motion.valuesOf(it, BusSignal.VELOCITY) }
-            if (speeds.size != 2) return@DerivedSignal NOTHING
-            slipOfSides(motion.times, speeds, acceleration(samples).heldAt(motion.times), isInMeters = false)
-        }
     }
 
     /** Returns the drive motors in the order of the modules; null if it is not known which is of which. */
@@ -189,7 +177,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     }
 
     /**
-     * Whether [device] hardly turns at more than half of full output and [BLOCKED_AMPERES]. Nothing shows what it moves, so several that stand at
+     * Whether [device] hardly turns at more than half of full output and [BLOCKED_AMPERES]. Nothing tells its load, so several that stand at
      * once are a robot that pushes.
      */
     private fun blocked(device: BusDevice): DerivedSignal {

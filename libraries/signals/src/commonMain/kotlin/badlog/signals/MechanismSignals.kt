@@ -109,7 +109,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private fun ofPart(part: List<PartTopic>): List<DerivedSignal> =
         listOfNotNull(stall(part), standstill(part), switch(part)) + coupling(part)
 
-    /** Whether what a part's motor moved before stands still now. */
+    /** Whether a part that its motor moved before stands still now. */
     private fun standstill(part: List<PartTopic>): DerivedSignal? {
         val place = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
         val output = part.filter { (it.quantity == Quantity.OUTPUT || it.quantity == Quantity.VOLTAGE) && !it.isTarget }
@@ -128,7 +128,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
         if (part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
-        val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
+        val drive = listOf(Quantity.CURRENT, Quantity.SUPPLY_CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
             part.find { it.quantity == quantity && !it.isTarget }
         } ?: return null
         return DerivedSignal("stall", "", speed.label, listOf(speed.signal.name, drive.signal.name)) { samples ->
@@ -136,17 +136,13 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             val times = timesOf(both)
             val drives = both[1].heldAt(times)
             val speeds = both[0].heldAt(times)
-            val stalled = stall(times, speeds, drives, leastDrive(drive, drives))
-            if (drive.quantity == Quantity.CURRENT) return@DerivedSignal stalled
-            val limited = limitedStall(times, speeds, drives, if (drive.quantity == Quantity.VOLTAGE) 12.0 else fullOf(both[1]))
-            Series(times, DoubleArray(times.size) { maxOf(stalled.y[it], limited.y[it]) })
+            // Without a current, a motor without power looks like a blocked one, unless a limit of its current shows that it has power.
+            when (drive.quantity) {
+                Quantity.CURRENT, Quantity.SUPPLY_CURRENT -> stall(times, speeds, drives, STALLED_AMPERES)
+                Quantity.VOLTAGE -> limitedStall(times, speeds, drives, full = 12.0)
+                else -> limitedStall(times, speeds, drives, fullOf(both[1]))
+            }
         }
-    }
-
-    private fun leastDrive(drive: PartTopic, values: DoubleArray): Double = when (drive.quantity) {
-        Quantity.CURRENT -> 12.0
-        Quantity.VOLTAGE -> 3.0
-        else -> if (values.any { it > 2 || it < -2 }) 25.0 else 0.25
     }
 
     private fun switch(part: List<PartTopic>): DerivedSignal? {
@@ -192,12 +188,13 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
         )
 
-        /** What the whole robot may hang on. */
+        /** The whole robot may hang on these. */
         val CLIMBING = listOf("climb", "hang", "winch")
 
         /** More than holds something up that is not loaded. */
         const val BLOCKED_AMPERES = 20.0
         const val STEP_SECONDS = 0.1
+        const val STALLED_AMPERES = 12.0
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
     }
 }

@@ -34,7 +34,7 @@ internal class FieldFinding(val firing: Firing, val severity: Severity, val text
  */
 internal class FieldLog(val name: String, val team: String, val ran: Set<String>, val findings: List<FieldFinding>)
 
-/** What the built-in rules say of the log in some bytes: the rules that could run, none if the robot was never enabled, and their findings. */
+/** The built-in rules that could run over the log in some bytes, none if the robot was never enabled, and their findings. */
 internal class RulesOverLog(val ran: Set<String>, val isSimulated: Boolean, val findings: List<Finding>)
 
 /** Returns what the built-in rules say of the log [bytes] called [name]; null if it is not a log. */

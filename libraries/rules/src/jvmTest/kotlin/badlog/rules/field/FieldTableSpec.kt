@@ -28,7 +28,7 @@ class FieldTableSpec : FunSpec({
         table.lines().count { it.startsWith("| ") } shouldBe 3
     }
 
-    test("no rule could run over a log whose robot was never enabled") {
+    test("no rule could run over a log of a robot that was never enabled") {
         fun ran(enabled: Boolean) = fieldLogOf(
             (
                 "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"DS:enabled\",\"unit\":\"ul\",\"attrs\":[]}," +

@@ -3,7 +3,7 @@ package badlog.rules.standing
 /** Rules about what a robot that draws too much does to its battery. */
 private val LOAD = setOf(
     "Browned out", "Below the brownout voltage", "Low battery", "Weak battery", "Too much at once", "Main breaker", "High total current",
-    "Heavy load", "Current too long", "High current", "Motor hot", "Motor too hot",
+    "Current too long", "High current", "Motor hot", "Motor too hot",
 )
 private val BATTERY = setOf(
     "Browned out",
@@ -16,15 +16,21 @@ private val BATTERY = setOf(
 )
 private val BLOCKED = setOf(
     "Motor stalled", "Still at stall current", "Motor does not turn", "Driven without moving", "Position stands still", "Output without effect", "Away from its setpoint", "Speed not reached",
-    "Output saturated", "Moves harder", "Current too long", "High current", "Motor hot", "Motor too hot", "Side stands still",
+    "Output saturated", "Moves harder", "Current too long", "High current", "Too much at once", "Motor hot", "Motor too hot", "Side stands still",
 )
 private val CAN = setOf(
     "CAN errors", "CAN bus full", "One CAN bus full", "CAN utilization high", "CAN bus off", "Values frozen", "Device without values", "Device lost",
     "Sensor lost", "Error logged", "Motor fault",
 )
 private val LINK = setOf(
-    "Link lost", "Link lost while disabled", "Packets late", "Packets very late", "Packets lost", "Many packets lost", "Very weak radio signal",
-    "Weak radio signal", "Error logged",
+    "Link lost",
+    "Packets late",
+    "Packets very late",
+    "Packets lost",
+    "Many packets lost",
+    "Very weak radio signal",
+    "Weak radio signal",
+    "Error logged",
 )
 private val SLOW = setOf(
     "Loop blocked", "Loop overrun", "Slow loops", "Loop overruns reported", "Gap in time", "Long garbage collection",
@@ -38,7 +44,7 @@ private val ENCODER = setOf(
 private val GYRO = setOf("Heading jumped", "Gyro drifts", "Pose jumped", "Sensor lost", "Left the plan", "Flat sensor")
 private val MODULE = setOf("Module does not turn", "Module lags", "Module draws less current", "Channel lost its share", "Away from its setpoint")
 private val UNPOWERED = setOf(
-    "Channel fell to nothing", "Breaker open", "Channel rests alone", "Device without values", "Device lost", "Output without voltage", "Linked motor without current",
+    "Breaker open", "Channel rests alone", "Device without values", "Device lost", "Output without voltage", "Linked motor without current",
     "Linked motors unequal", "Channel lost its share", "Module draws less current", "Module does not turn", "Motor fault", "Values frozen",
     "Away from its setpoint", "Speed not reached", "Encoder frozen", "Output without effect", "Side needs more output", "Sensor lost", "Error logged",
 )
@@ -88,6 +94,14 @@ private val RIGHT = mapOf(
     "code_crash" to RESTARTED,
     "controller_unplugged" to setOf("Controller unplugged", "Error logged"),
     "air_leak" to AIR,
-    "setpoint_not_held" to setOf("Overshoot", "Away from its setpoint", "Speed oscillates", "Speed not reached", "Output saturated", "Motor and mechanism disagree"),
+    "setpoint_not_held" to setOf(
+        "Overshoot",
+        "Away from its setpoint",
+        "Speed oscillates",
+        "Speed not reached",
+        "Output saturated",
+        "Motor and mechanism disagree",
+        "Driven without moving",
+    ),
     "motor_overheats" to LOAD + BLOCKED,
 )

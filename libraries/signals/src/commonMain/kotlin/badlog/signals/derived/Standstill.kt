@@ -7,7 +7,8 @@ import kotlin.math.sign
 /**
  * Returns whether something that moved before whenever it was driven stands still now, whichever way it is driven: 1 or 0 at [times].
  * Its [places] stay the same although its motor's [outputs] (1 is full) push it for a second each way, so it does not rest at a stop: it is
- * blocked, or its sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows.
+ * blocked, or its sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows; the less
+ * there is of that, the longer it has to stand.
  */
 fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }, 0.99) -
@@ -25,7 +26,7 @@ fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, is
         val seconds = times[minOf(end, times.size - 1)] - times[i]
         if (way != 0.0 && seconds >= PUSH_SECONDS) {
             if (run.takes(i, end, way, seconds)) {
-                if (moved >= LEAST_MOVED && run.pushedEachWay && run.stood <= moved * MOST_STOOD) run.mark(still)
+                if (run.isLongFor(moved) && run.stood <= moved * MOST_STOOD) run.mark(still)
             } else {
                 moved++
             }
@@ -45,7 +46,12 @@ private class StillRun(private val times: DoubleArray, private val places: Doubl
     private var up = 0.0
     private var down = 0.0
 
-    val pushedEachWay: Boolean get() = minOf(up, down) >= EACH_WAY_SECONDS
+    /** Returns whether it was pushed long enough each way for something that [moved] pushes had moved before. */
+    fun isLongFor(moved: Int): Boolean {
+        val eachWay = minOf(up, down)
+        val isLong = eachWay >= LONG_SECONDS && pushes.size >= MANY_PUSHES
+        return if (moved >= LEAST_MOVED) eachWay >= EACH_WAY_SECONDS else moved >= FEW_MOVED && isLong
+    }
 
     /** Adds the push from [from] until [until]; false if it moved something, which ends the run. */
     fun takes(from: Int, until: Int, way: Double, seconds: Double): Boolean {
@@ -80,3 +86,8 @@ private const val STILL = 0.005
 /** The number of pushes that must have moved it before, and how many of those that did not there may be for each of them. */
 private const val LEAST_MOVED = 8
 private const val MOST_STOOD = 0.15
+
+/** Fewer pushes that moved it are enough if it stood still for longer. */
+private const val FEW_MOVED = 4
+private const val LONG_SECONDS = 5.0
+private const val MANY_PUSHES = 4
