@@ -2,7 +2,7 @@ package badlog.viewer.catalog
 
 import badlog.core.analysis.Span
 import badlog.core.recording.Severity
-import badlog.rules.BUILT_IN
+import badlog.rules.BUILT_IN_PROVEN
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import io.kotest.core.spec.style.FunSpec
@@ -11,12 +11,12 @@ import io.kotest.matchers.shouldBe
 class LogFoundSpec : FunSpec({
     fun finding(rule: String, severity: Severity, from: Double, topic: String? = null, unit: String = "s", next: String = "") = Finding(rule, severity, topic, "$rule.", from, listOf(Span(from, from + 2)), 1, unit, next = next)
 
-    fun verdict(vararg findings: Finding) = RuleSet.BUILT_IN.foundIn(findings.toList(), 7).verdict
+    fun verdict(vararg findings: Finding) = RuleSet.BUILT_IN_PROVEN.foundIn(findings.toList(), 7).verdict
 
     test("the verdict is the worst finding of the worst incident, with its time and its causes") {
         val cause = finding("Too much at once", Severity.WARNING, 92.0, "Total Current")
         val effects = listOf(finding("Low battery", Severity.ERROR, 92.9), finding("Browned out", Severity.ERROR, 93.7))
-        val found = RuleSet.BUILT_IN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), cause) + effects, 7)
+        val found = RuleSet.BUILT_IN_PROVEN.foundIn(listOf(finding("CAN errors", Severity.WARNING, 1.0), cause) + effects, 7)
         found.verdict!!.headline shouldBe "Browned out at 1:33"
         found.verdict.severity shouldBe Severity.ERROR
         found.verdict.sentences.first() shouldBe "Likely cause: the robot drew more than its battery gives. Too much at once."
@@ -46,6 +46,6 @@ class LogFoundSpec : FunSpec({
 
     test("notes alone, or nothing, are not a verdict") {
         verdict(finding("Note", Severity.NOTE, 3.0)) shouldBe null
-        RuleSet.BUILT_IN.foundIn(emptyList(), 7) shouldBe LogFound(7, emptyList())
+        RuleSet.BUILT_IN_PROVEN.foundIn(emptyList(), 7) shouldBe LogFound(7, emptyList())
     }
 })

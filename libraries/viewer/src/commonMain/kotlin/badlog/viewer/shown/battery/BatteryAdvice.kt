@@ -28,10 +28,10 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             val inUse = seasons.filter { it.battery?.isRetired == false }
             val best = inUse.filter { it.resistance != null }.minByOrNull { highOf(it.resistance!!) }
             val retire = inUse.mapNotNull { retired(it, best) }
-            val charge = inUse.mapNotNull(::notFull).filter { tired -> retire.none { it.name == tired.name } }
-            val usable = inUse.filter { season -> retire.none { it.name == season.title } }
+            val charge = inUse.mapNotNull { brownedOut(it) ?: notFull(it) }.filter { tired -> retire.none { it.name == tired.name } }
+            val usable = inUse.filter { season -> retire.none { it.name == season.title } && brownedOut(season) == null }
             val fit = usable.filter { season -> charge.none { it.name == season.title } }.ifEmpty { usable }
-            return BatteryAdvice(if (inUse.all { it.matches.isEmpty() }) null else nextOf(fit, seasons), retire, charge)
+            return BatteryAdvice(if (inUse.all { it.matches.isEmpty() }) null else nextOf(fit, seasons, best), retire, charge)
         }
 
         private fun retired(season: BatterySeason, best: BatterySeason?): AdvisedBattery? {
@@ -44,6 +44,16 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             val more = ((own.milliohms / least.milliohms - 1) * PERCENT).roundToInt()
             val reason = "Its resistance is ${resistanceText(own)}, $more % more than that of ${best.title} (${resistanceText(least)})."
             return AdvisedBattery(season.title, BatteryStep.RETIRE, reason)
+        }
+
+        /** Whether it fell so low in its last match that the roboRIO switched motors off. */
+        private fun brownedOut(season: BatterySeason): AdvisedBattery? {
+            val match = season.matches.firstOrNull() ?: return null
+            val lowest = match.use.lowest?.takeIf { it < BROWNED_OUT } ?: return null
+            val reason = "It fell to ${voltsText(
+                lowest,
+            )} in ${match.title}: a roboRIO 2 switches motors off below ${voltsText(BROWNED_OUT)}."
+            return AdvisedBattery(season.title, BatteryStep.CHECK, reason)
         }
 
         private fun notFull(season: BatterySeason): AdvisedBattery? {
@@ -61,23 +71,20 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         }
 
         /**
-         * Returns the battery to use next: of the best [fit] ones, the one that rested longest. Batteries within the uncertainty of the
-         * best count as best. The battery that was used last, or was never measured, is used only if there is no other.
+         * Returns the battery to use next: of the [fit] ones that are no worse than the [best] known one, or else than the best of them, the one
+         * that rested longest. One that was never measured is used only if there is no other.
          */
-        private fun nextOf(fit: List<BatterySeason>, all: List<BatterySeason>): AdvisedBattery? {
+        private fun nextOf(fit: List<BatterySeason>, all: List<BatterySeason>, best: BatterySeason?): AdvisedBattery? {
             val last = all.maxByOrNull { it.lastUse }
             val others = fit.filter { it !== last }
             val offered = others.ifEmpty { fit }
             val least = offered.mapNotNull { it.resistance }.minByOrNull(::highOf)
-            val good = offered.filter { season ->
-                least == null ||
-                    season.resistance?.let { it.milliohms - it.uncertainty <= highOf(least) } ?: false
-            }
-            val next = good.minByOrNull { it.lastUse } ?: return null
+            val good = listOfNotNull(best?.resistance, least).map { measure -> offered.filter { isAsGood(it, measure) } }
+            val next = (good.firstOrNull { it.isNotEmpty() } ?: offered).minByOrNull { it.lastUse } ?: return null
             val match = next.matches.firstOrNull()
             val isUnknownSince = all.any { it.battery == null && match != null && it.lastUse > match.second }
             val reasons = listOfNotNull(
-                next.resistance?.let { "its resistance is ${resistanceText(it)}" },
+                resistanceOf(next, best),
                 when {
                     match == null -> "no log has it yet"
                     others.isEmpty() -> "it is the only one that is fit"
@@ -94,11 +101,25 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             )
         }
 
+        /** Says the resistance of [season], compared with the [best]; null for a battery that no log has. */
+        private fun resistanceOf(season: BatterySeason, best: BatterySeason?): String? {
+            val own = season.resistance ?: return if (season.matches.isEmpty()) null else "its resistance was not measured"
+            val least = best?.resistance ?: return null
+            val other = if (isAsGood(season, least)) "" else " (${best.title}: ${resistanceText(least)})"
+            return "its resistance is ${resistanceText(own)}$other"
+        }
+
+        private fun isAsGood(season: BatterySeason, measure: Resistance) =
+            season.resistance?.let { it.milliohms - it.uncertainty <= highOf(measure) } ?: false
+
         private val BatterySeason.lastUse: Long get() = matches.firstOrNull()?.second ?: Long.MIN_VALUE
 
         private fun highOf(resistance: Resistance) = resistance.milliohms + resistance.uncertainty
 
         private const val PERCENT = 100
+
+        /** In volts. */
+        private const val BROWNED_OUT = 6.75
         private const val WORN = 4.0 / 3
 
         /** The voltage at rest of a nearly full lead battery, in volts, with the robot's computers on. */

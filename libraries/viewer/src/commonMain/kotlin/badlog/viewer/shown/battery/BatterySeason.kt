@@ -69,7 +69,9 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
             team: List<TeamBattery> = emptyList(),
             usedFor: (List<E>) -> String? = { null },
         ): List<BatterySeason> {
-            val matches = runsOf(logs.filter { it.isReadable && !it.isGray && it.summary.battery != null })
+            // A copy of a log says the same of the same time.
+            val used = logs.filter { it.isReadable && !it.isGray && it.summary.battery != null }.distinctBy { it.summary }
+            val matches = runsOf(used)
                 .map { run -> (usedFor(run.logs) ?: run.logs.firstNotNullOfOrNull { it.summary.battery?.name }) to matchOf(run) }
                 .groupBy({ it.first?.lowercase() }, { it })
             val last = matches.values.maxOfOrNull { it.first().second.second }

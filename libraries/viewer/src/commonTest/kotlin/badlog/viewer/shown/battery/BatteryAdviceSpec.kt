@@ -65,7 +65,23 @@ class BatteryAdviceSpec : FunSpec({
     }
 
     test("a battery's rest is not reported if a later battery is unknown") {
-        adviceOn(use("A1"), use("B2"), use(null)).next?.reason shouldBe "No log after Qualification 1 names it."
+        adviceOn(use("A1"), use("B2"), use(null)).next?.reason shouldBe "Its resistance was not measured and no log after Qualification 1 names it."
+    }
+
+    test("each is compared with the best one known, even with the one in the last match") {
+        val advice = adviceOn(use("A1", 25.0), use("C3", 21.9), use("B2", 22.0))
+        advice.next?.name shouldBe "C3"
+        adviceOn(use("A1", 25.0), use("B2", 20.0)).next?.reason shouldBe
+            "Its resistance is 25.0 ± 0.3 mΩ (B2: 20.0 ± 0.3 mΩ) and it has rested since Qualification 1."
+    }
+
+    test("a battery that browned out in its last match is never the next one, but checked") {
+        fun low(name: String, volts: Double) = BatteryUse(name, lowest = volts, resistance = Resistance(20.0, 0.3))
+        val advice = adviceOn(low("B3", 6.21), low("A1", 8.1))
+        advice.next?.name shouldBe "A1"
+        advice.charge.single().text shouldBe "Check B3 and its charger. It fell to 6.21 V in Qualification 1: a roboRIO 2 switches motors off below 6.75 V."
+        adviceOn(low("B3", 6.21)).next.shouldBeNull()
+        adviceOn(low("B3", 6.21), low("A1", 8.1), low("B3", 8.0), low("A1", 8.1)).next?.name shouldBe "B3"
     }
 
     test("unnamed batteries get no advice") {

@@ -51,6 +51,11 @@ class BatterySeasonSpec : FunSpec({
         texts(seasons.single()) shouldContainExactly listOf("A1", "1", "7.25 V", "20.0 ± 0.5 mΩ")
     }
 
+    test("a log and its copy are one match") {
+        fun practice(file: String) = AnyLog("/logs/$file", LogSummary(MatchOfLog(), LogDate(1_700_000_000L, DateSource.VALUES), content = Content.SOMETHING, battery = use("A1", 20.0)), null)
+        BatterySeason.of(listOf(practice("a.wpilog"), practice("copies/a.wpilog"))).single().matches.size shouldBe 1
+    }
+
     test("the resistance grows if later matches certainly have more than earlier ones") {
         fun seasonOf(vararg milliohms: Double) = BatterySeason.of(milliohms.mapIndexed { i, each -> batteryLog(i, use("A1", each)) }).single()
         BatteryColumn.GROWTH.text(seasonOf(20.0, 20.2, 22.0, 22.2)) shouldBe "+2.0 ± 0.5 mΩ"

@@ -2,7 +2,7 @@ package badlog.viewer.shown.finding
 
 import badlog.core.analysis.Span
 import badlog.core.recording.Severity
-import badlog.rules.BUILT_IN
+import badlog.rules.BUILT_IN_PROVEN
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.incident.incidentsIn
@@ -12,7 +12,7 @@ import io.kotest.matchers.shouldBe
 class FirstStepSpec : FunSpec({
     fun found(rule: String, time: Double, severity: Severity = Severity.WARNING) = Finding(rule, severity, "Arm/Output", rule, time, if (time.isNaN()) emptyList() else listOf(Span(time, time + 1)), 1, "s")
 
-    fun stepOf(vararg findings: Finding) = firstStep(findings.toList(), RuleSet.BUILT_IN.incidentsIn(findings.toList()))
+    fun stepOf(vararg findings: Finding) = firstStep(findings.toList(), RuleSet.BUILT_IN_PROVEN.incidentsIn(findings.toList()))
 
     fun FindingStep?.text() = this?.let { "${it.place.finding.rule} at ${it.place.span.from}${if (it.incident == null) "" else ", an incident"}" }
 

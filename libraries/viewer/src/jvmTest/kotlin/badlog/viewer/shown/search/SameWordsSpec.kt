@@ -2,7 +2,7 @@ package badlog.viewer.shown.search
 
 import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
-import badlog.rules.BUILT_IN
+import badlog.rules.BUILT_IN_PROVEN
 import badlog.rules.RuleSet
 import badlog.rules.incident.incidentsIn
 import badlog.rules.over
@@ -26,7 +26,7 @@ class SameWordsSpec : FunSpec({
         val rows = List(1500) { "${it / 50.0}," + if (it in 500..700) "6.5,true,240,60" else "12.2,false,10,3" }
         val text = listOf("""{"topics":$topics,"values":[]}""", units.keys.joinToString(",")) + rows
         val view = LogView.of(BagParser().apply { accept(text.joinToString("\n", postfix = "\n").encodeToByteArray()) }.finish())
-        val incident = RuleSet.BUILT_IN.run { incidentsIn(over(view, "test.bag").findings) }.first()
+        val incident = RuleSet.BUILT_IN_PROVEN.run { incidentsIn(over(view, "test.bag").findings) }.first()
         for (query in listOf("brownout", "battery", "\"too much at once\"")) Query(query).findsFound(incident.searchedText) shouldBe true
         Query("gearbox").findsFound(incident.searchedText) shouldBe false
     }
