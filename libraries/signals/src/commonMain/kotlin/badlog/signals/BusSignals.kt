@@ -39,9 +39,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     private val motors = devices.filter { it.isMotor }
 
     /** Motors that log only their supply current, not the current of their windings. */
-    private val supplied = devices.filter { device ->
-        !device.isMotor && listOf(BusSignal.VELOCITY, BusSignal.OUTPUT, BusSignal.SUPPLY_CURRENT).all { it in device }
-    }
+    private val supplied = devices.filter { device -> !device.isMotor && SUPPLIED.all { it in device } }
 
     val signals: List<DerivedSignal>
         get() = devices.map(::silent) + devices.flatMap(::coupling) + motors.flatMap(::ofMotor) + supplied.map(::blocked) +
@@ -181,19 +179,13 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
      * once are a robot that pushes.
      */
     private fun blocked(device: BusDevice): DerivedSignal {
-        fun raw(samples: NamedSamples, of: BusDevice, signal: BusSignal) = samples.raw(checkNotNull(of.topic(signal)))
-        val topics = listOf(BusSignal.VELOCITY, BusSignal.OUTPUT, BusSignal.SUPPLY_CURRENT).mapNotNull(device::topic)
+        val topics = SUPPLIED.mapNotNull(device::topic)
         return DerivedSignal("stall", "", device.label, topics) { samples ->
-            val times = raw(samples, device, BusSignal.VELOCITY).x
+            val times = samples.raw(topics[0]).x
             fun isBlocked(of: BusDevice): BooleanArray {
-                val speeds = raw(samples, of, BusSignal.VELOCITY)
-                val slow = SLOW * quantile(DoubleArray(speeds.size) { abs(speeds.y[it]) }, 0.98)
-                val (speed, output, current) = listOf(
-                    speeds,
-                    raw(samples, of, BusSignal.OUTPUT),
-                    raw(samples, of, BusSignal.SUPPLY_CURRENT),
-                )
-                    .map { it.heldAt(times) }
+                val series = SUPPLIED.mapNotNull(of::topic).map(samples::raw)
+                val slow = SLOW * quantile(DoubleArray(series[0].size) { abs(series[0].y[it]) }, 0.98)
+                val (speed, output, current) = series.map { it.heldAt(times) }
                 return BooleanArray(times.size) { abs(speed[it]) < slow && abs(output[it]) > 0.5 && current[it] > BLOCKED_AMPERES }
             }
             val own = isBlocked(device)
@@ -299,6 +291,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         const val SWING_PERCENT = 3.0
         const val SWING_SECONDS = 4.0
         const val JAM_AMPERES = 12.0
+        val SUPPLIED = listOf(BusSignal.VELOCITY, BusSignal.OUTPUT, BusSignal.SUPPLY_CURRENT)
         const val BLOCKED_AMPERES = 20.0
         const val SLOW = 0.03
         val NOTHING = Series(DoubleArray(0), DoubleArray(0))

@@ -75,7 +75,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         val output = beside(target.part, Quantity.OUTPUT, Quantity.VOLTAGE).firstOrNull() ?: return null
         return DerivedSignal("output without effect", "", target.label, topics.take(2) + output.signal.name) { samples ->
             val driven = samples.raw(output.signal.name)
-            effort(following(samples).missedOrStill(), driven, if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven))
+            effort(following(samples).missedOrStill(), driven, fullOf(output, driven))
         }
     }
 
@@ -119,8 +119,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         return DerivedSignal("standstill", "", place.label, topics) { samples ->
             val both = listOf(samples.raw(place.signal.name), samples.raw(output.signal.name))
             val times = timesOf(both)
-            val full = if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(both[1])
-            standstill(times, both[0].heldAt(times), scaled(both[1].heldAt(times), 1 / full), samples.enabledAt(times))
+            standstill(times, both[0].heldAt(times), scaled(both[1].heldAt(times), 1 / fullOf(output, both[1])), samples.enabledAt(times))
         }
     }
 
@@ -139,8 +138,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             // Without a current, a motor without power looks like a blocked one, unless a limit of its current shows that it has power.
             when (drive.quantity) {
                 Quantity.CURRENT, Quantity.SUPPLY_CURRENT -> stall(times, speeds, drives, STALLED_AMPERES)
-                Quantity.VOLTAGE -> limitedStall(times, speeds, drives, full = 12.0)
-                else -> limitedStall(times, speeds, drives, fullOf(both[1]))
+                else -> limitedStall(times, speeds, drives, fullOf(drive, both[1]))
             }
         }
     }
@@ -178,6 +176,9 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     /** An encoder that was never read, or that measures something else, is not one that stopped. */
     private fun frozenIfCoupled(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray) =
         if (areCoupled(turned, moved, isEnabled)) frozenWhileTurning(times, turned, moved, isEnabled) else once(times, null)
+
+    /** Returns the value of full output in [samples] of [topic]: 12 V for a voltage. */
+    private fun fullOf(topic: PartTopic, samples: Series) = if (topic.quantity == Quantity.VOLTAGE) 12.0 else fullOf(samples)
 
     private companion object {
         val ARMS = setOf("arm", "arms")
