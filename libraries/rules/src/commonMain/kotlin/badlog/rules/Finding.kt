@@ -23,7 +23,7 @@ import badlog.expression.Quantity
  * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
  *   another fault.
  * @property isOnTrial whether its rule has not been proven.
- * @property meanwhile the signals that were unusual each time, by their names.
+ * @property meanwhile the signals that were unusual nearly each time, by their names.
  * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
  */
 class Finding(

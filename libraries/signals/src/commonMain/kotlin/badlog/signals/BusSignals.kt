@@ -185,8 +185,9 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             fun isBlocked(of: BusDevice): BooleanArray {
                 val series = SUPPLIED.mapNotNull(of::topic).map(samples::raw)
                 val slow = SLOW * quantile(DoubleArray(series[0].size) { abs(series[0].y[it]) }, 0.98)
+                val half = 0.5 * fullOf(series[1])
                 val (speed, output, current) = series.map { it.heldAt(times) }
-                return BooleanArray(times.size) { abs(speed[it]) < slow && abs(output[it]) > 0.5 && current[it] > BLOCKED_AMPERES }
+                return BooleanArray(times.size) { abs(speed[it]) < slow && abs(output[it]) > half && current[it] > BLOCKED_AMPERES }
             }
             val own = isBlocked(device)
             val others = if (own.none { it }) emptyList() else supplied.filter { it !== device }.map(::isBlocked)

@@ -60,7 +60,14 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
             knowsEnabled = enabled != null,
         )
 
-        private fun linesOf(label: String, actual: WheelLines, target: WheelLines, enabled: List<Span>?, end: Double, second: Double): Lines {
+        private fun linesOf(
+            label: String,
+            actual: WheelLines,
+            target: WheelLines,
+            enabled: List<Span>?,
+            end: Double,
+            second: Double,
+        ): Lines {
             val lines = listOf(actual.angle, actual.speed, target.angle, target.speed)
             val series = lines.map { it.data }
             // A log of changes has no sample where the robot is disabled, or where an angle stays behind its target.
