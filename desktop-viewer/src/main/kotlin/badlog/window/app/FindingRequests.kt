@@ -22,6 +22,7 @@ internal class FindingRequests(
     private val panels: WindowPanels,
     private val spoken: SpokenCursor,
 ) {
+    /** Performs [request]; a request that only a page can perform has no effect. */
     fun perform(request: FindingRequest) = when (request) {
         is FindingRequest.Show -> show(request)
 

@@ -106,6 +106,7 @@ internal class FolderCharts(
         if (state.isDrawing || state.asked != state.of) change { copy(asked = of, isDrawing = false) }
     }
 
+    /** Draws charts of [logs] in the background. An earlier drawing is canceled; its charts stay until these are ready. */
     fun draw(logs: List<LogEntry>) {
         drawing?.cancel()
         changedAt = null

@@ -106,6 +106,7 @@ internal class LogFindings(
         board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
     }
 
+    /** Runs the rules over the open log again; until they are done, no findings are known. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
     /** Assigns [topic] to the signal [signal] in all logs of the folder, and runs the rules again; or reports why it cannot. */

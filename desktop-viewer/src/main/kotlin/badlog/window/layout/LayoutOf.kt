@@ -10,6 +10,7 @@ import badlog.window.sidebar.MainView
 import badlog.window.sidebar.Panels
 import java.nio.file.Path
 
+/** Returns [span] in the form for a layout; null if an end is not finite, which JSON cannot store. */
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
 /** Returns [panels] in the form for a layout. The pit view is temporary: the next start shows the graphs. */

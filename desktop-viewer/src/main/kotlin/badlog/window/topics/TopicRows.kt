@@ -59,6 +59,7 @@ private class TopicFolder(val path: String, val title: String) {
 
     private val count: Int get() = signals.size + folders.values.sumOf { it.count }
 
+    /** Returns the folder at [path] below this one, with slashes; creates the missing ones. */
     fun at(path: String): TopicFolder {
         var folder = this
         for (part in path.split('/')) {
@@ -71,6 +72,7 @@ private class TopicFolder(val path: String, val title: String) {
         return folder
     }
 
+    /** Adds the rows of this folder to [rows]: its topics, then its folders. The content of [folded] ones, by path, is left out. */
     fun list(rows: MutableList<TopicRow>, depth: Int, folded: Set<String>) {
         signals.mapTo(rows) { SignalRow(depth, it) }
         for (folder in folders.values.sortedWith(BY_TITLE)) {

@@ -48,6 +48,7 @@ internal class FramePicture : AutoCloseable {
     private val scaled: AVFrame = av_frame_alloc()
     private var scaler: SwsContext? = null
 
+    /** Returns a picture of [frame], which was decoded from [stream]. The caller must close it. */
     fun of(frame: AVFrame, stream: AVStream): Bitmap {
         val aspect = av_q2d(av_guess_sample_aspect_ratio(null, stream, frame)).takeIf { it > 0 && it.isFinite() } ?: 1.0
         val factor = minOf(1.0, MAX_SIDE / maxOf(frame.width() * aspect, frame.height().toDouble()))

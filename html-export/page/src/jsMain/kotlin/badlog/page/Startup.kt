@@ -45,6 +45,7 @@ internal class Startup {
 
     private fun rules() = AssignedSignals.over(findAdditions()?.rules ?: RuleSet.NONE)
 
+    /** Starts reading. The page then shows its recording, the logs of its server, or the start screen. */
     fun run() {
         setPageState("loading")
         root.guarded(::begin)

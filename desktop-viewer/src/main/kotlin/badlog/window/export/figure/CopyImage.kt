@@ -18,6 +18,7 @@ import java.io.IOException
  */
 internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::systemClipboard) = copyImage(bitmap.toAwtImage(), clipboard)
 
+/** Returns the clipboard that all programs of this computer share. */
 internal fun systemClipboard() = Toolkit.getDefaultToolkit().systemClipboard
 
 /** Copies [image] to the [clipboard], like the other function. */

@@ -34,6 +34,7 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     private var calculated: LogView? = null
     private val lines = HashMap<Int, BoardLines>()
 
+    /** The rule by which the compared logs are moved along the x axis. */
     val alignment: Alignment get() = offsets.alignment
 
     /** The compared logs as they are drawn. */

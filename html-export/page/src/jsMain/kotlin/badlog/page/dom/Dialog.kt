@@ -30,6 +30,7 @@ internal class Dialog(id: String, className: String = "", title: String = "", bu
             element.setAttribute("aria-label", value)
         }
 
+    /** Whether it is open; the rest of the page then receives no input. */
     val isOpen: Boolean get() = element.hasAttribute("open")
 
     init {
@@ -41,6 +42,7 @@ internal class Dialog(id: String, className: String = "", title: String = "", bu
         element.asDynamic().showModal()
     }
 
+    /** Closes the dialog if it is open. The element that had the focus before gets it back. */
     fun close() {
         element.asDynamic().close()
     }

@@ -29,6 +29,7 @@ internal fun packed(content: Blob): Promise<Blob> {
     return Response(stream).blob()
 }
 
+/** Returns [bytes] as Base64 (RFC 4648) in one line, with padding. */
 internal fun base64(bytes: ByteArray): String {
     val all = bytes.unsafeCast<Int8Array>().let { Uint8Array(it.buffer, it.byteOffset, it.length) }
     return (0 until all.length step ARGUMENTS).joinToString("") { from ->

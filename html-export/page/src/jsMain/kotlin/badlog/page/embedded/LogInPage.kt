@@ -20,6 +20,7 @@ private class PageScan(private val page: File) {
     private var isInLog = false
     private var hasLog = false
 
+    /** Promises the files of the log; null if the page has none. Rejected if the log in it is damaged. */
     fun run(): Promise<List<File>?> = readFrom(0.0).then {
         val begin = rest.indexOf(ABOUT)
         when {

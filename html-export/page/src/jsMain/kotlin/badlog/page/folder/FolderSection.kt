@@ -136,6 +136,7 @@ internal class FolderSection(
         count = size
     }
 
+    /** Removes [card] from the section and from the page. */
     fun remove(card: GraphCard) {
         drawn -= card
         card.element.remove()

@@ -73,6 +73,7 @@ internal class FormulaDialog(
         })
     }
 
+    /** Opens the dialog for a new formula, with the list of the reader's own; nothing if it is open. */
     fun open() {
         if (dialog.isOpen) return
         dialog.open()

@@ -34,6 +34,7 @@ internal class FormulaSlices(
         if (!isOver) work { true }
     }
 
+    /** Stops the work for good; none of the functions is called afterwards. */
     fun cancel() {
         isOver = true
     }

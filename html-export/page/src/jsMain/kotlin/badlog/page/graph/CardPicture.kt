@@ -40,6 +40,7 @@ internal class CardPicture(
     /** Whether the drawing is newer than the places of its cursors. */
     private var isMisplaced = false
 
+    /** Whether there is a drawing, perhaps an old one; graphs far from the screen have none. */
     val isDrawn: Boolean get() = plot != null || xy?.canvas != null
 
     /** The y axes that were drawn last. */

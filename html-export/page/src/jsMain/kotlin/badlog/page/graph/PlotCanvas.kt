@@ -40,6 +40,7 @@ internal class PlotCanvas(private val scene: Scene, private val content: GraphCo
         CanvasPen(context).drawPlot(frame, plot, scene.marks, scene.palette.colors, PlotMargins.BOTTOM * ratio)
     }
 
+    /** Draws the graph [newWidth] CSS pixels wide, unless that is too narrow to read. */
     fun resize(newWidth: Int) {
         if (newWidth == width || newWidth < MIN_WIDTH) return
         width = newWidth

@@ -149,6 +149,7 @@ internal class FolderScreen(
         if (isPit) pit.focus(log) else document.getElementById("open:${log.path}")?.unsafeCast<HTMLElement>()?.focus()
     }
 
+    /** Returns whether [log] is in the folder, by its path. */
     fun has(log: OpenedLog): Boolean = log.path in known
 
     /** Returns the current state of [log], which may have grown or been fetched since it was listed. */

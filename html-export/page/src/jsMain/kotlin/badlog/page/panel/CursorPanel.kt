@@ -72,6 +72,7 @@ internal class CursorPanel(
         scene.cursor.onChange { if (!element.isHidden) frame.ask() }
     }
 
+    /** Whether the panel is visible; only then it follows the cursor. */
     val isOpen: Boolean get() = !element.isHidden
 
     /** Opens or closes it. */

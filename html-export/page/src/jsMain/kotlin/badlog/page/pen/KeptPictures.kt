@@ -46,6 +46,7 @@ private class KeptPicture(val width: Double) {
     var height = 0.0
         private set
 
+    /** Draws the picture of [wanted] unless it is already there, at least [wantedHeight] pixels high. */
     fun show(wantedHeight: Double, wanted: List<Any?>, draw: (CanvasPen, Double) -> Unit) {
         if (wantedHeight <= height && wanted == shown) return
         shown = wanted

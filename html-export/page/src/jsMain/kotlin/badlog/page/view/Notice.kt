@@ -25,6 +25,7 @@ internal class Notice {
         classList.add("is-empty")
     }
 
+    /** Shows [sentences] for 4 s, and 80 ms more for each character; nothing if all are empty. */
     fun say(vararg sentences: String) {
         val said = sentences.joinToString(" ")
         if (said.isEmpty()) return
@@ -71,6 +72,7 @@ internal class Notice {
         window.clearTimeout(timer)
     }
 
+    /** Hides the sentence, the progress or the question, without calling anything. */
     fun hide() {
         isAsking = false
         element.classList.add("is-empty")

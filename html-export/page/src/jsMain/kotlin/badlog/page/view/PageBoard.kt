@@ -98,8 +98,10 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
      */
     fun visit(board: Board) = send(BoardAction.Visit(board))
 
+    /** Takes back the reader's last change of the board; nothing if there is none. */
     fun undo() = store.send(Action.Press(KeyAction.UNDO))
 
+    /** Repeats the change that was undone last; nothing if there is none. */
     fun redo() = store.send(Action.Press(KeyAction.REDO))
 
     /** Remembers it as it is now. */

@@ -68,8 +68,14 @@ internal fun startOf(view: LogView): ViewerState {
 /** The part of the x axis that every graph of the page shows. */
 internal class VisibleRange(private val store: PageStore) {
     private val viewport: Viewport get() = store.place.range
+
+    /** All of the log's x axis, in its unit. */
     val full: Span get() = viewport.full
+
+    /** The visible part, in the unit of the x axis. */
     val now: Span get() = viewport.visible
+
+    /** Whether a part of the log is not visible. */
     val isZoomed: Boolean get() = viewport.isZoomed
     val canGoBack: Boolean get() = viewport.canGoBack
 
@@ -85,6 +91,7 @@ internal class Cursor(private val store: PageStore) {
     /** The x at which values are read; NaN for none. */
     val x: Double get() = now.x ?: Double.NaN
 
+    /** Whether there is a cursor, pinned or under the pointer. */
     val isPlaced: Boolean get() = now.x != null
 
     /** Calls [listener] after each change, so that the values there are read again. */

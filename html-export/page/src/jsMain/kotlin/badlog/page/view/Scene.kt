@@ -48,6 +48,8 @@ internal class Scene(
     val drive: SwerveDrive? by lazy { SwerveDrive.of(view) }
 
     val xAxis: XAxis = view.xAxis
+
+    /** The events of all event logs, in the order of x. */
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
     /** The findings so far. Code that changes it must redraw. */
