@@ -113,7 +113,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
         close(if (reason.isBlank()) "the server closed it" else "the server closed it, saying “${reason.take(MAX_REASON)}”")
     }
 
-    override fun onError(socket: WebSocket, error: Throwable) = close("the network broke it")
+    override fun onError(socket: WebSocket, error: Throwable) = close("the network failed")
 
     private fun next(socket: WebSocket): CompletionStage<*>? {
         receivedMicros = clock()

@@ -59,7 +59,7 @@ internal class RecordSession(
         if (isSilent && !isSilenceNoted) {
             isSilenceNoted = true
             val missing = "neither ${LiveMatch.CONTROL} nor ${LiveMatch.CONTROL_2027}"
-            note("The robot publishes $missing, so nobody knows when it is enabled; record the whole session instead.")
+            note("The robot publishes $missing, so it is not known when it is enabled; record the whole session instead.")
         }
     }
 
@@ -115,13 +115,13 @@ internal class RecordSession(
     private fun clockChanged(source: Source, before: Long) {
         val name = source.server.name
         if (source.isRobot) {
-            val text = "The clock of the $name began anew, as after a restart of its program: so does the log."
+            val text = "The clock of the $name started again, as after a restart of its program; a new log begins."
             if (output.isOpen) listener.noted(text)
             output.message(text, before)
             finish(before)
             match = LiveMatch()
         } else {
-            note("The clock of the $name began anew, as after a restart of its program; its values are still in the robot's time.")
+            note("The clock of the $name started again, as after a restart of its program; its values keep the robot's time.")
         }
         source.byName.clear()
         source.byId.clear()

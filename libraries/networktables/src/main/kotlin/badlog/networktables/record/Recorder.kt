@@ -59,7 +59,7 @@ class Recorder internal constructor(
     /** Starts looking for the servers. */
     fun start() {
         lock.withLock {
-            check(!isStarted && !isEnding) { "A recorder starts once." }
+            check(!isStarted && !isEnding) { "A recorder can be started only once." }
             isStarted = true
         }
         writer.start()

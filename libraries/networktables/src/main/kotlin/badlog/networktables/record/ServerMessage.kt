@@ -30,7 +30,7 @@ internal fun serverMessages(text: String, ignore: (String) -> Unit): List<Server
         val params = (message as? JsonObject)?.get("params") as? JsonObject
         // Later versions of the protocol may have more methods.
         if (method !in METHODS) return@mapNotNull null
-        (params?.let { read(method, it) }).also { if (it == null) ignore("“$method” without what it needs") }
+        (params?.let { read(method, it) }).also { if (it == null) ignore("an incomplete “$method”") }
     }
 } catch (e: UnreadableFrameException) {
     ignore(e.what)

@@ -35,7 +35,7 @@ internal fun readValues(frame: ByteArray, sink: ValueSink) {
     try {
         while (unpacker.hasNext()) if (!readValue(unpacker, frame.size, sink)) return
     } catch (_: MessageInsufficientBufferException) {
-        sink.ignored("values that end too early")
+        sink.ignored("incomplete values")
     } catch (_: MessagePackException) {
         sink.ignored("values that are not MessagePack")
     }

@@ -28,7 +28,7 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
     Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, MAX_FRAME) {
     private var pieces = 0
 
-    override fun translateHandshake(bytes: ByteBuffer): Handshakedata = bounded(bytes, { refuse(NOBODY, "a handshake without an end") }) {
+    override fun translateHandshake(bytes: ByteBuffer): Handshakedata = bounded(bytes, { refuse(NOBODY, "an unfinished handshake") }) {
         super.translateHandshake(bytes)
     }
 
@@ -46,7 +46,7 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
             else -> Unit
         }
         if (pieces > MAX_PIECES) {
-            refuse(socket.getAttachment<Connection?>()?.name ?: NOBODY, "a message without an end")
+            refuse(socket.getAttachment<Connection?>()?.name ?: NOBODY, "an unfinished message")
             throw LimitExceededException("More than $MAX_PIECES pieces.", MAX_PIECES)
         }
         super.processFrame(socket, frame)
@@ -86,7 +86,7 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
             } catch (e: IncompleteHandshakeException) {
                 if (size <= MAX_HANDSHAKE) throw e
                 onEndless()
-                throw InvalidHandshakeException("The handshake is longer than any.")
+                throw InvalidHandshakeException("The handshake is too long.")
             }
         }
     }

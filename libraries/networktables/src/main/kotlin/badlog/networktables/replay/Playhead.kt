@@ -63,7 +63,7 @@ internal class Playhead(
 
     /** Jumps to [position], or to the nearer end of the range. */
     fun seek(position: Double, nowNanos: Long) {
-        require(!position.isNaN()) { "A replay needs a number as position." }
+        require(!position.isNaN()) { "The position of a replay must be a number." }
         anchor(position.coerceIn(range), nowNanos)
         reported = anchorPosition
         isFresh = true

@@ -41,7 +41,7 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
             }
 
             else -> return refuse("an unknown method")
-        } ?: refuse("“$method” without what it needs")
+        } ?: refuse("an incomplete “$method”")
     }
 
     private fun subscribe(params: JsonObject): Request? {

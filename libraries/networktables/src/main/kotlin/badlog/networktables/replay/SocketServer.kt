@@ -85,7 +85,7 @@ internal class SocketServer(
         } catch (_: MessagePackException) {
             ignored.add(connection.name, "values that are not MessagePack")
         } catch (_: IOException) {
-            ignored.add(connection.name, "values that end too early")
+            ignored.add(connection.name, "incomplete values")
         }
         endIfFlooded(socket, connection)
     }
@@ -131,7 +131,7 @@ internal class SocketServer(
 
     /** Ends a client that sends requests without reading the answers, which would fill the memory. */
     private fun endIfFlooded(socket: WebSocket, connection: Connection) {
-        if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read what is sent to it.")
+        if ((socket as WebSocketImpl).outQueue.size > MAX_FRAMES) connection.end("It does not read its messages.")
     }
 
     private companion object {
@@ -156,7 +156,7 @@ internal interface Listener {
 class UnavailablePortException internal constructor(address: InetSocketAddress, cause: Exception) :
     IOException(
         if (cause is BindException && "in use" in cause.message.orEmpty()) {
-            "Port ${address.port} is taken, by a robot simulation or another replay perhaps: " +
+            "Port ${address.port} is in use, perhaps by a robot simulation or another replay; " +
                 "end that program, or use another port."
         } else {
             "Port ${address.port} of ${address.address.hostAddress} cannot be opened (${cause.message}); use another port."

@@ -100,7 +100,7 @@ internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {
     val answers = MessagePack.newDefaultBufferPacker()
     while (questions.hasNext()) {
         val size = questions.unpackArrayHeader()
-        if (size != 4) throw MessagePackException("an array of $size in place of 4")
+        if (size != 4) throw MessagePackException("an array of $size elements instead of 4")
         val id = questions.unpackLong()
         questions.skipValue(1)
         val type = questions.unpackInt()

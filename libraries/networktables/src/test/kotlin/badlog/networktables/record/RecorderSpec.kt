@@ -154,7 +154,7 @@ class RecorderSpec : FunSpec({
                 (logs[0].entry("NT:/A").time(0) > logs[2].entry("NT:/A").time(0)) shouldBe true
                 (logs[2].entry("NT:/A").time(0) > logs[1].entry("NT:/A").time(0)) shouldBe true
                 running.files.map { it.path.name }.toSet().size shouldBe 3
-                running.count("The clock of the robot began anew") shouldBe 2
+                running.count("The clock of the robot started again") shouldBe 2
             }
         }
     }

@@ -109,7 +109,7 @@ class BrokenClientsSpec : FunSpec({
                 }
                 runCatching { socket.getInputStream().readBytes() }
             }
-            eventually("the report") { server.note == "A message was ignored: “somebody” sent a handshake without an end." }
+            eventually("the report") { server.note == "A message was ignored: “somebody” sent an unfinished handshake." }
             shouldStillServe(replay)
         }
     }
@@ -127,7 +127,7 @@ class BrokenClientsSpec : FunSpec({
                 }
                 eventually("the clients to be ended") { server.clientNames.isEmpty() }
             }
-            server.note shouldBe "A message was ignored: “raw” sent a message without an end."
+            server.note shouldBe "A message was ignored: “raw” sent an unfinished message."
             shouldStillServe(replay)
         }
     }

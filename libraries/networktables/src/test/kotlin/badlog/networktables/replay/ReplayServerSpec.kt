@@ -234,8 +234,8 @@ class ReplayServerSpec : FunSpec({
         val port = ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
             server.start()
             ReplayServer(VARIED_VIEW, ReplayOptions(server.port)).use { second ->
-                shouldThrow<UnavailablePortException> { second.open() }.message shouldBe "Port ${server.port} is taken, " +
-                    "by a robot simulation or another replay perhaps: end that program, or use another port."
+                shouldThrow<UnavailablePortException> { second.open() }.message shouldBe "Port ${server.port} is in use, " +
+                    "perhaps by a robot simulation or another replay; end that program, or use another port."
             }
             server.port
         }
