@@ -106,7 +106,7 @@ class HostileCallsSpec : FunSpec({
             asking(folder) {
                 val described = text("describe_log", "log" to "a.bag")
                 described shouldContain AnswerText.NOTICE
-                described.indexOf(AnswerText.NOTICE) shouldBe described.indexOf("All below")
+                described.indexOf(AnswerText.NOTICE) shouldBe described.indexOf("Everything below")
                 described shouldContain "more characters)"
                 described.length shouldBeLessThanOrEqual 5_000
                 val events = text("samples", "log" to "a.bag", "topics" to listOf("Log"))
@@ -145,7 +145,7 @@ class HostileCallsSpec : FunSpec({
             asking(folder) {
                 refusal("describe_log") shouldContain "“log” is missing"
                 refusal("describe_log", "log" to 5) shouldContain "must be a text"
-                refusal("describe_log", "log" to "a.bag", "path" to "/etc/passwd") shouldContain "no argument “path”"
+                refusal("describe_log", "log" to "a.bag", "path" to "/etc/passwd") shouldContain "“path” is not an argument"
                 refusal("describe_log", "log" to "x".repeat(3_000)) shouldContain "longer than"
                 refusal("list_logs", "limit" to 1_000_000) shouldContain "from 1 to"
                 refusal("list_logs", "offset" to -1) shouldContain "from 0 to"

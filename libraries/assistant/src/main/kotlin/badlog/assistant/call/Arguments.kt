@@ -18,7 +18,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
     init {
         val known = parameters.map { it.name }
         given.keys.firstOrNull { it !in known }?.let { name ->
-            throw ToolException("There is no argument “${name.take(MAX_SHOWN)}”; there are ${known.joinToString()}.")
+            throw ToolException("“${name.take(MAX_SHOWN)}” is not an argument; use ${known.joinToString()}.")
         }
         for (parameter in parameters.filter { it.isRequired }) {
             if (find(parameter.name) == null) throw ToolException("The argument “${parameter.name}” is missing: ${parameter.description}")

@@ -72,7 +72,7 @@ internal class LogLake(
         fun await(): LakeReport = try {
             task.get(patience, TimeUnit.SECONDS)
         } catch (_: TimeoutException) {
-            throw ToolException("The tables of ${all.size} logs are being made, $done are done; ask the same again in a minute.")
+            throw ToolException("The tables of ${all.size} logs are being made; $done are done. Ask again in a minute.")
         } catch (e: ExecutionException) {
             update = null
             throw e.cause ?: e

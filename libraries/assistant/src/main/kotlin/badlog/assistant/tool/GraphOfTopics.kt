@@ -38,7 +38,7 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
             throw ToolException("“${it.topic.name}” has events, which a graph cannot show; ask for its samples instead.")
         }
         val units = lines.filter { it.states == null }.map { unitOf(it.unit) }.distinct().size
-        if (units > MAX_UNITS) throw ToolException("The topics have $units units, and a graph at most $MAX_UNITS; ask for two graphs.")
+        if (units > MAX_UNITS) throw ToolException("The topics have $units units, and a graph shows $MAX_UNITS; ask for two graphs.")
         val range =
             log.range(arguments)?.takeIf { it.width > 0 }
                 ?: throw ToolException("There is nothing to draw in this range; select a longer one.")
