@@ -86,7 +86,7 @@ private fun builtInText(skipped: List<SkippedRule>): String? {
     if (skipped.isEmpty()) return null
     val lacking = lackingIn(skipped)
     val needed = if (lacking.isEmpty()) "" else "\nMost of them need ${listed(lacking, most = 3)}."
-    return "${count(skipped.size, "built-in rule")} could not look into all of these logs; see badlog info --signals.$needed"
+    return "${count(skipped.size, "built-in rule")} did not run over some of these logs; see badlog info --signals.$needed"
 }
 
 /** Returns each hook in [failures] with what went wrong: a hook that fails for one log usually fails for all. */

@@ -97,8 +97,8 @@ class HookRunner internal constructor(
             folder != null && !Files.isDirectory(folder) -> "The folder of the hook, “$folder”, does not exist."
 
             file.isFile ->
-                "The file “$program” cannot be run as a program$reason; name what runs it, as in “python3 $program”, " +
-                    "or allow it by chmod +x."
+                "The file “$program” cannot be run as a program$reason; name the program that runs it, as in “python3 $program”, " +
+                    "or make it executable with chmod +x."
 
             else -> "The program “$program” cannot be started$reason; install it, or add its folder to the PATH."
         }

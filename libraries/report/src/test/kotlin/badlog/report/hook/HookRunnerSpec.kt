@@ -115,8 +115,8 @@ class HookRunnerSpec : FunSpec({
         val file = File.createTempFile("hook", ".py")
         try {
             shouldThrow<HookException> { HookRunner(listOf("$file"), 1.seconds).run(RECORDING) }.message shouldBe
-                "The file “$file” cannot be run as a program (Permission denied); name what runs it, as in “python3 $file”, " +
-                "or allow it by chmod +x."
+                "The file “$file” cannot be run as a program (Permission denied); name the program that runs it, as in “python3 $file”, " +
+                "or make it executable with chmod +x."
         } finally {
             file.delete()
         }
