@@ -13,7 +13,7 @@ def add_skipped(problems: ProblemList, start: int, until: int) -> None:
 
 def add_lost(problems: ProblemList, start: int, total: int) -> None:
     """Reports that nothing could be read from byte `start` to the end, `total`."""
-    message = f"Bytes {start} to {total - 1}, the last of the file, cannot be read: they are not records."
+    message = f"The last bytes of the file, {start} to {total - 1}, are not records and cannot be read."
     problems.add(ProblemKind.RECORDS_LOST, message)
 
 

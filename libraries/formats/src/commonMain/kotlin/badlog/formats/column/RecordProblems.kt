@@ -14,7 +14,7 @@ internal fun ProblemList.addSkipped(from: Long, until: Long, records: Int = 0) =
 /** Reports that nothing could be read from byte [from] to the end, [total]. */
 internal fun ProblemList.addLost(from: Long, total: Long) = add(
     ProblemKind.RECORDS_LOST,
-    "Bytes $from to ${total - 1}, the last of the file, cannot be read: they are not records.",
+    "The last bytes of the file, $from to ${total - 1}, are not records and cannot be read.",
     loss = Loss(bytes = total - from),
 )
 

@@ -70,7 +70,7 @@ public class WpilogWriter(private val recording: Recording, private val changesO
         if (parts > 0) add(Omission(null, "Parts of arrays, structs and messages are separate entries.", parts))
         for (topic in recording.topics) {
             if (topic.isOfBytes) {
-                add(Omission(topic.name, "Of undecoded bytes, only the size is kept.", topic.size))
+                add(Omission(topic.name, "Only the size of undecoded bytes is kept.", topic.size))
             }
         }
         val unknown = recording.headerLine?.let(::readHeader)?.unknown.orEmpty()
