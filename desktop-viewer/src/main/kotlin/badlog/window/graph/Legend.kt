@@ -29,11 +29,11 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.cursor.comparisonText
-import badlog.viewer.shown.statistics.StateTime
-import badlog.viewer.shown.statistics.timesOf
+import badlog.viewer.shown.statistics.textOf
 import badlog.viewer.state.GraphChange
 import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
@@ -93,10 +93,8 @@ private fun tipText(scene: GraphScene, id: Int, line: DrawnLine): String {
 /** Returns the time and count of each state of [line] in the visible range, or between the cursors. */
 private fun statesText(scene: GraphScene, line: DrawnLine): String {
     val span = scene.view.cursors.between ?: scene.view.viewport.visible
-    return scene.plots.curves.runs(line.recording, line.signal)
-        .timesOf(line.signal.states.orEmpty(), span.from - line.offset, span.to - line.offset)
-        .take(StateTime.MOST)
-        .joinToString("\n") { it.text(line.recording.view.xAxis) }
+    val there = Span(span.from - line.offset, span.to - line.offset)
+    return scene.plots.curves.runs(line.recording, line.signal).textOf(line.signal.states.orEmpty(), there, line.recording.view.xAxis)
 }
 
 /** The value of [line] under the cursor. It is drawn without layout, because the cursor moves as fast as the mouse. */

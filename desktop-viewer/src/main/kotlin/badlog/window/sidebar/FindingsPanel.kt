@@ -7,6 +7,7 @@ import badlog.catalog.folder.LogEntry
 import badlog.viewer.choices.board.evidenceOffers
 import badlog.viewer.panel.finding.FindingDetails
 import badlog.viewer.panel.finding.FindingsShown
+import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.state.Action
@@ -50,7 +51,7 @@ internal fun FindingsPanel(
             open.times,
             changes.differences,
             names,
-            todo = list,
+            todo = list?.let(::ListedFindings),
             details = details,
             isComparing = isComparing,
         )

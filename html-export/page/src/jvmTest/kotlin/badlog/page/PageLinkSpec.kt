@@ -103,6 +103,15 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
+    browserTest("the keyboard stays on the button that copies a link, also where a page may not use the clipboard") {
+        onPage(page) {
+            script("Object.defineProperty(navigator, 'clipboard', {value: null})")
+            click("#copy-link")
+            await("the notice") { notice() == "Link copied." || notice() == "Copy the link from the address bar." }
+            script("return document.activeElement.closest('#copy-link') !== null") shouldBe true
+        }
+    }
+
     browserTest("a link contains the second cursor, the search, the values and the statistics, and is empty for an untouched page") {
         fun OpenPage.copied(): String {
             script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}, configurable: true})")

@@ -4,6 +4,7 @@ import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.PageEvents
 import badlog.page.dom.addIconButton
+import badlog.page.dom.copyText
 import badlog.page.dom.element
 import badlog.page.formula.Formulas
 import badlog.page.video.VideoPanel
@@ -14,11 +15,8 @@ import badlog.viewer.session.link.OpenedParts
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.session.link.pageAddressOf
 import badlog.viewer.state.PlaceAction
-import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
-import org.w3c.dom.HTMLTextAreaElement
-import kotlin.js.Promise
 
 /**
  * Follows the page's address, see [PageAddress], when the page opens and when the address changes. Also has the button that copies an
@@ -115,16 +113,10 @@ internal class PageLink(
     private fun copy() {
         val end = textNow()
         val link = window.location.href.substringBefore('#') + end
-        val copied = try {
-            window.navigator.asDynamic().clipboard.writeText(link).unsafeCast<Promise<Unit>>()
-        } catch (_: Throwable) {
-            Promise.reject(IllegalStateException())
+        copyText(link).then { isCopied ->
+            if (!isCopied) showAddress(end)
+            scene.notice.say(if (isCopied) "Link copied." else "Copy the link from the address bar.")
         }
-        copied.then({ true }, { copyBySelection(link) })
-            .then { isCopied ->
-                if (!isCopied) showAddress(end)
-                scene.notice.say(if (isCopied) "Link copied." else "Copy the link from the address bar.")
-            }
     }
 
     /** Makes the page's address end with [end], without following it. */
@@ -134,16 +126,5 @@ internal class PageLink(
         } catch (_: Throwable) {
             // Pages in some frames have no address of their own.
         }
-    }
-
-    /** Copies in a way that works for pages that may not use the clipboard. */
-    private fun copyBySelection(link: String): Boolean {
-        val area = element("textarea").unsafeCast<HTMLTextAreaElement>()
-        area.value = link
-        document.body?.appendChild(area)
-        area.select()
-        val isCopied = document.asDynamic().execCommand("copy") == true
-        area.remove()
-        return isCopied
     }
 }

@@ -27,8 +27,8 @@ internal class CardLines(own: Graph, lines: List<String>, scene: Scene, onToggle
     /** The index of each line's color. */
     val colors: List<Int> = compared.colors
 
-    val statistics: StatisticsTable = StatisticsTable(graph, colors, scene)
-    val legend: Legend = Legend(graph, colors, statistics::hintOf) { onToggle(compared.lines.slice(it..it)) }
+    val statistics: StatisticsTable = StatisticsTable(compared, scene)
+    val legend: Legend = Legend(compared, statistics::hintOf) { onToggle(compared.lines.slice(it..it)) }
 
     /** Draws all lines except those that are [hidden], or that a search did not find. */
     fun show(hidden: Set<String>) {

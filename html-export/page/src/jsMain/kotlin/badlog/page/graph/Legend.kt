@@ -12,6 +12,7 @@ import badlog.page.view.Cursor
 import badlog.viewer.draw.axis.graphAxes
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.figure.LegendEntry
+import badlog.viewer.shown.comparison.ComparedGraph
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.cursor.comparisonText
 import badlog.viewer.shown.cursor.indexAt
@@ -25,19 +26,16 @@ import org.w3c.dom.HTMLElement
 /**
  * The lines of a graph by name and color, each with its value at the cursor, read from the original samples.
  *
- * @param colors the index of each line's color.
  * @param statesOf returns the number and duration of a lane's states, as text.
  * @param onToggle called with the index of a line to hide or show.
  */
-internal class Legend(
-    private val graph: Graph,
-    private val colors: List<Int>,
-    private val statesOf: (Int) -> String,
-    private val onToggle: (Int) -> Unit,
-) {
+internal class Legend(compared: ComparedGraph, private val statesOf: (Int) -> String, private val onToggle: (Int) -> Unit) {
+    private val graph = compared.graph
+    private val colors = compared.colors
+
     // If a graph has only one line, the title already names it.
     val element: HTMLElement = element("div", if (graph.series.size == 1) "legend is-single" else "legend")
-    private val names = legendNames(graph)
+    private val names = shortNames(compared.names)
     private val values = ArrayList<HTMLElement>()
     private val units = ArrayList<HTMLElement>()
     private var cursors = Cursors()
@@ -93,9 +91,6 @@ internal class Legend(
             LegendEntry(texts.joinToString(" "), if (hasColors) colors[i] else null)
         }
 }
-
-/** Returns the names of the lines of [graph] in a legend. */
-internal fun legendNames(graph: Graph): List<String> = shortNames(graph.series.map { if (it.isDerived) it.name else it.topic.name })
 
 /** Returns the full name of [graph], with the type and metadata of its first topic. */
 internal fun hintOf(graph: Graph): String {

@@ -1,6 +1,5 @@
 package badlog.page.graph
 
-import badlog.core.analysis.Graph
 import badlog.core.analysis.SeriesStatistics
 import badlog.core.analysis.Span
 import badlog.core.analysis.statistics
@@ -17,15 +16,18 @@ import badlog.viewer.choices.range.stateRuns
 import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.plot.HISTOGRAM_HEIGHT
 import badlog.viewer.draw.plot.drawHistogram
+import badlog.viewer.shown.comparison.ComparedGraph
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.viewer.shown.statistics.Histogram
 import badlog.viewer.shown.statistics.NamedDifference
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.Statistic
+import badlog.viewer.shown.statistics.textOf
 import badlog.viewer.shown.statistics.timesOf
 import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
+import badlog.viewer.text.shortNames
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
@@ -33,7 +35,10 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
 /** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
-internal class StatisticsTable(private val graph: Graph, private val colors: List<Int>, private val scene: Scene) {
+internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene) {
+    private val graph = compared.graph
+    private val colors = compared.colors
+    private val names = shortNames(compared.names)
     val element: HTMLElement = element("div", "statistics")
 
     private val runs by lazy { graph.series.map { it.stateRuns() } }
@@ -77,7 +82,6 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
                 add("th", "", "Line")
                 for (statistic in Statistic.entries) add("th", "", statistic.title).title = statistic.hint
             }
-            val names = legendNames(graph)
             add("tbody") {
                 statistics.forEachIndexed { index, found ->
                     add("tr") {
@@ -125,7 +129,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
         histogram = found
         canvas = place.add("canvas", "histogram").unsafeCast<HTMLCanvasElement>().apply {
             setAttribute("role", "img")
-            setAttribute("aria-label", "Histogram of ${legendNames(graph)[opened]}")
+            setAttribute("aria-label", "Histogram of ${names[opened]}")
         }
         repaint()
     }
@@ -172,7 +176,7 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
     private fun addDifferences(now: Span) {
         val differences = NamedDifference.of(graph.series, listOf(now))
         if (differences.isEmpty()) return
-        val names = graph.series.zip(legendNames(graph)).toMap()
+        val names = graph.series.zip(names).toMap()
         element.add("table", "differences") {
             add("thead").add("tr") {
                 add("th", "", "Difference")
@@ -197,20 +201,17 @@ internal class StatisticsTable(private val graph: Graph, private val colors: Lis
 
     private fun idOf(order: ChannelOrder) = "channels-${graph.name}-${order.name}"
 
-    /** Returns, line by line, how long and how often the lane [index] was in each state over the current range. */
-    fun hintOf(index: Int): String = timesOf(index, wanted).joinToString("\n") { it.text(scene.xAxis) }
-
-    private fun timesOf(index: Int, span: Span): List<StateTime> =
-        runs[index].timesOf(graph.series[index].states.orEmpty(), span.from, span.to).take(StateTime.MOST)
+    /** Returns the time of the lane [index] in each state over the current range, as lines of text. */
+    fun hintOf(index: Int): String = runs[index].textOf(graph.series[index].states.orEmpty(), wanted, scene.xAxis)
 
     /** Adds how long and how often each lane was in each state. */
     private fun HTMLElement.addStates(now: Span) {
         add("thead").add("tr") { for (title in StateTime.TITLES) add("th", "", title) }
         add("tbody") {
             graph.series.forEachIndexed { index, series ->
-                timesOf(index, now).forEachIndexed { place, time ->
+                runs[index].timesOf(series.states.orEmpty(), listOf(now)).take(StateTime.MOST).forEachIndexed { place, time ->
                     add("tr") {
-                        add("th") { if (place == 0) addName(series.name) }.setAttribute("scope", "row")
+                        add("th") { if (place == 0) addName(names[index]) }.setAttribute("scope", "row")
                         val cells = listOf(time.state, time.timeText(scene.xAxis), time.shareText, countText(time.count))
                         for (cell in cells) add("td", "", cell)
                     }

@@ -8,16 +8,22 @@ import org.w3c.dom.events.Event
  *
  * @property key identifies the element among those beside it; empty where its place does.
  * @property text its text; null if it has [children] instead. It becomes a text node, so nothing in a file can become markup.
+ * @property attributes its attributes, without those that are null.
  * @property icon drawn at its beginning; null for none.
- * @property on what happens at its events, by their types.
+ * @property press the effect of a press on a button.
+ * @property on what happens at other events, by their types.
  */
 internal class Node(
     val tag: String,
     val className: String = "",
     val text: String? = null,
     val key: String = "",
-    val attributes: Map<String, String> = emptyMap(),
+    val attributes: Map<String, String?> = emptyMap(),
     val icon: Icon? = null,
+    val press: (() -> Unit)? = null,
     val on: Map<String, (Event) -> Unit> = emptyMap(),
     val children: List<Node> = emptyList(),
-)
+) {
+    /** Returns whether it is about the same element as [other]. */
+    fun isSameAs(other: Node): Boolean = tag == other.tag && key == other.key
+}

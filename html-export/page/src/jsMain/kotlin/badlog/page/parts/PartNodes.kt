@@ -59,12 +59,8 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun paragraph(paragraph: Paragraph): Node {
         val button = paragraph.button ?: return Node("p", paragraph.className, paragraph.text, paragraph.key)
-        return Node(
-            "p",
-            paragraph.className,
-            key = paragraph.key,
-            children = listOf(Node("span", text = "${paragraph.text} "), textButton(button)),
-        )
+        val parts = listOf(Node("span", text = "${paragraph.text} "), textButton(button))
+        return Node("p", paragraph.className, key = paragraph.key, children = parts)
     }
 
     private fun trouble(trouble: Trouble): Node {
@@ -77,14 +73,8 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun offers(offers: Offers): Node {
         val list = Node("ul", children = offers.buttons.map { Node("li", children = listOf(textButton(it))) })
-        val title = Node("h3", text = offers.title)
-        return Node(
-            "section",
-            offers.className,
-            key = offers.key,
-            attributes = mapOf("aria-label" to offers.title),
-            children = listOf(title, list),
-        )
+        val parts = listOf(Node("h3", text = offers.title), list)
+        return Node("section", offers.className, key = offers.key, attributes = mapOf("aria-label" to offers.title), children = parts)
     }
 
     private fun code(code: Code): Node {
@@ -95,18 +85,12 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun choice(choice: Choice): Node {
         val options = choice.options.map { option ->
-            val pressed = mapOf("type" to "button", "aria-pressed" to "${option.isOn}")
-            Node("button", "text-button", option.label, attributes = pressed, on = mapOf("click" to { _: Event -> send(option.action) }))
+            val attributes = mapOf("aria-pressed" to "${option.isOn}")
+            Node("button", "text-button", option.label, attributes = attributes, press = { send(option.action) })
         }
         val named = mapOf("role" to "group", "aria-label" to choice.name)
-        return Node(
-            "div",
-            "choice ${choice.className}",
-            key = choice.key,
-            attributes = named,
-            children =
-            listOf(Node("span", text = "${choice.name} ", attributes = mapOf("aria-hidden" to "true"))) + options,
-        )
+        val name = Node("span", text = "${choice.name} ", attributes = mapOf("aria-hidden" to "true"))
+        return Node("div", "choice ${choice.className}", key = choice.key, attributes = named, children = listOf(name) + options)
     }
 
     private fun field(field: Field): Node {
@@ -123,12 +107,8 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         val parts = listOf(Node("span", text = "${field.label} "), input)
         val isFirst = field.suggestions.isNotEmpty() && index < 0
         if (isFirst) shared += field.suggestions
-        return Node(
-            "label",
-            field.className,
-            key = field.key,
-            children = if (isFirst) parts + suggestions(field.suggestions, list) else parts,
-        )
+        val all = if (isFirst) parts + suggestions(field.suggestions, list) else parts
+        return Node("label", field.className, key = field.key, children = all)
     }
 
     private fun suggestions(names: List<String>, list: Int): Node {
@@ -143,34 +123,21 @@ internal class PartNodes(private val send: (Action) -> Unit) {
             send(fold.toggle)
         }
         val title = Node("summary", text = fold.title, on = mapOf("click" to toggle))
-        val open = if (fold.isOpen) mapOf("open" to "") else emptyMap()
-        return Node(
-            "details",
-            fold.className,
-            key = fold.key,
-            attributes = open,
-            children =
-            listOf(title) + if (fold.isOpen) nodesOf(fold.parts) else emptyList(),
-        )
+        val parts = listOf(title) + if (fold.isOpen) nodesOf(fold.parts) else emptyList()
+        return Node("details", fold.className, key = fold.key, attributes = mapOf("open" to "".takeIf { fold.isOpen }), children = parts)
     }
 
     private fun rows(rows: Rows): Node {
         // Anything that scrolls must react to keys.
-        val attributes = mapOf("aria-label" to rows.name) + if (rows.isLong) mapOf("tabindex" to "0") else emptyMap()
-        return Node(
-            "ol",
-            rows.className + if (rows.isLong) " is-long" else "",
-            key = rows.key,
-            attributes = attributes,
-            children = rows.rows.map(::row),
-        )
+        val attributes = mapOf("aria-label" to rows.name, "tabindex" to "0".takeIf { rows.isLong })
+        val className = rows.className + if (rows.isLong) " is-long" else ""
+        return Node("ol", className, key = rows.key, attributes = attributes, children = rows.rows.map(::row))
     }
 
     private fun row(row: Row): Node {
         val severity = row.severity?.word
         val badge = if (severity == null) emptyList() else listOf(Node("span", "severity is-$severity", severity))
         val parts = if (row.isFramed) framed(row) else plain(row)
-        val current = if (row.isCurrent) mapOf("aria-current" to "true") else emptyMap()
         val pressed = { event: Event ->
             if (event.target.asDynamic().closest("button, a") == null) row.open?.let(send) ?: Unit
         }
@@ -178,7 +145,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
             "li",
             row.className,
             key = row.key,
-            attributes = current,
+            attributes = mapOf("aria-current" to "true".takeIf { row.isCurrent }),
             on = mapOf("click" to pressed),
             children = badge + parts + row.tools.map { iconButton(it, "pin") },
         )
@@ -202,29 +169,23 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun time(text: String, line: Line): Node {
         val open = line.open ?: return Node("span", "finding-whole", text)
-        val attributes = mapOf("type" to "button", "title" to line.hint)
-        return Node("button", "event-go", text, attributes = attributes, on = mapOf("click" to { _: Event -> send(open) }))
+        return Node("button", "event-go", text, attributes = mapOf("title" to line.hint), press = { send(open) })
     }
 
-    private fun textButton(button: Button) = Node(
-        "button",
-        "text-button",
-        button.label,
-        attributes =
-        mapOf("type" to "button") + (if (button.hint == button.label) emptyMap() else mapOf("title" to button.hint)) + disabled(button),
-        on = mapOf("click" to { _: Event -> send(button.action) }),
-    )
+    private fun textButton(button: Button): Node {
+        val attributes = mapOf("title" to button.hint.takeIf { it != button.label }, "disabled" to button.disabled)
+        return Node("button", "text-button", button.label, attributes = attributes, press = { send(button.action) })
+    }
 
-    private fun iconButton(button: Button, className: String = "") = Node(
-        "button",
-        "icon-button $className".trim(),
-        key = button.label,
-        attributes = mapOf("type" to "button", "title" to button.hint, "aria-label" to button.hint) + disabled(button),
-        icon = button.icon?.icon,
-        on = mapOf("click" to { _: Event -> send(button.action) }),
-    )
+    private fun iconButton(button: Button, className: String = ""): Node {
+        val attributes = mapOf("title" to button.hint, "aria-label" to button.hint, "disabled" to button.disabled)
+        val icon = button.icon?.icon
+        return Node("button", "icon-button $className".trim(), key = button.label, attributes = attributes, icon = icon, press = {
+            send(button.action)
+        })
+    }
 
-    private fun disabled(button: Button) = if (button.isEnabled) emptyMap() else mapOf("disabled" to "")
+    private val Button.disabled: String? get() = "".takeIf { !isEnabled }
 
     private val Part.className: String get() = key.substringBefore(' ')
 }

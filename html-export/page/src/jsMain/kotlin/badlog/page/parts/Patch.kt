@@ -1,32 +1,38 @@
 package badlog.page.parts
 
 import badlog.page.dom.element
-import badlog.page.dom.showText
 import org.w3c.dom.HTMLElement
-import org.w3c.dom.asList
 
 /**
  * Makes the children of this element what [nodes] say. An element with the same key and tag as before stays and is changed, so that focus,
- * scrolling and what a person has typed stay, too.
+ * scrolling and what a person has typed stay, too. Compares nodes only with the nodes before, because reading from the page costs more.
  */
 internal fun HTMLElement.patch(nodes: List<Node>) {
-    val known = HashMap<String, HTMLElement>()
-    for (child in children.asList()) known[child.asDynamic().badlogId as String? ?: continue] = child.unsafeCast<HTMLElement>()
+    val before = shown
+    // The most frequent case: nothing comes, goes or moves.
+    if (before.size == nodes.size && nodes.indices.all { before[it].node?.isSameAs(nodes[it]) == true }) {
+        for (i in nodes.indices) before[i].update(nodes[i])
+        return
+    }
+    val known = before.associateBy { it.asDynamic().badlogId as String }
     val ids = nodes.mapIndexed { i, node -> "${node.tag} ${node.key.ifEmpty { "$i" }}" }
     val wanted = ids.toHashSet()
     // First, so that those behind them need not be moved, which would take the focus from them.
     for ((id, child) in known) if (id !in wanted) child.remove()
     var place = firstElementChild
-    for ((id, node) in ids.zip(nodes)) {
+    shown = ids.zip(nodes) { id, node ->
         val child = known[id] ?: made(node, id)
         child.update(node)
-        if (child === place) place = place.nextElementSibling else insertBefore(child, place)
+        if (child === place) place = child.nextElementSibling else insertBefore(child, place)
+        child
     }
 }
 
 private fun made(node: Node, id: String): HTMLElement = element(node.tag).apply {
     asDynamic().badlogId = id
     node.icon?.let { appendChild(it.draw()) }
+    if (node.tag == "button") setAttribute("type", "button")
+    if (node.press != null) addEventListener("click", { this.node?.press?.invoke() })
     for (type in node.on.keys) addEventListener(type, { event -> this.node?.on?.get(type)?.invoke(event) })
 }
 
@@ -37,16 +43,25 @@ private var HTMLElement.node: Node?
         asDynamic().badlogNode = value
     }
 
+/** The elements that were made in it. */
+private var HTMLElement.shown: List<HTMLElement>
+    get() = asDynamic().badlogShown.unsafeCast<List<HTMLElement>?>().orEmpty()
+    set(value) {
+        asDynamic().badlogShown = value
+    }
+
 private fun HTMLElement.update(node: Node) {
     val before = this.node
+    if (before === node) return
     this.node = node
-    if (className != node.className) className = node.className
-    for (name in before?.attributes.orEmpty().keys) if (name !in node.attributes) removeAttribute(name)
-    for ((name, value) in node.attributes) if (getAttribute(name) != value) setAttribute(name, value)
-    if (node.text == null && before?.text != null) textContent = ""
-    if (node.text != null) {
-        showText(node.text)
-    } else if (node.icon == null) {
-        patch(node.children)
+    if (before?.className != node.className) className = node.className
+    if (before?.attributes !== node.attributes) {
+        for (name in before?.attributes.orEmpty().keys) if (node.attributes[name] == null) removeAttribute(name)
+        for ((name, value) in node.attributes) if (value != null && before?.attributes?.get(name) != value) setAttribute(name, value)
     }
+    if (node.text != before?.text) {
+        textContent = node.text.orEmpty()
+        shown = emptyList()
+    }
+    if (node.text == null && node.icon == null) patch(node.children)
 }

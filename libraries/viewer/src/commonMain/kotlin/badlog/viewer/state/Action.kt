@@ -5,7 +5,7 @@ import badlog.viewer.input.KeyAction
 /** An action of a person, a file or a clock: the only thing that changes a [ViewerState]. */
 sealed interface Action {
     /** A person presses [key], or a button that does the same. */
-    data class Press(val key: KeyAction) : Action
+    class Press(val key: KeyAction) : Action
 
     /** Asks for a [Request], which only the shell can perform. */
     data class Ask(val request: Request) : Action

@@ -19,29 +19,29 @@ sealed interface FindingRequest : Request {
         FindingRequest
 
     /** Says that there is no finding to go to, or that the rules are still running. */
-    data object SayNone : FindingRequest
+    object SayNone : FindingRequest
 
     /** Adds the graphs that show [finding], and [incident] if it is part of one, to the board. */
-    data class Pin(val finding: Finding, val incident: Incident?) : FindingRequest
+    class Pin(val finding: Finding, val incident: Incident?) : FindingRequest
 
     /** Keeps the graphs that are shown for a finding on the board. */
-    data object Keep : FindingRequest
+    object Keep : FindingRequest
 
     /** Shows the graphs of [offer] beside the selected finding's graphs. */
-    data class Add(val offer: EvidenceOffer) : FindingRequest
+    class Add(val offer: EvidenceOffer) : FindingRequest
 
     /** Shows the graph of [difference] over the match before that shows the same. */
-    data class Compare(val difference: Finding) : FindingRequest
+    class Compare(val difference: Finding) : FindingRequest
 
     /** Runs the rules again. */
-    data object RunRules : FindingRequest
+    object RunRules : FindingRequest
 
     /** Makes [topic] the signal [signal], and runs the rules again; if it cannot be that, [FindingAction.Refuse] says why. */
-    data class Assign(val signal: String, val topic: String) : FindingRequest
+    class Assign(val signal: String, val topic: String) : FindingRequest
 
     /** Takes back the topic assigned to [signal], and runs the rules again. */
-    data class Forget(val signal: String) : FindingRequest
+    class Forget(val signal: String) : FindingRequest
 
     /** Saves the signals that a person assigned as a file. */
-    data object SaveSignals : FindingRequest
+    object SaveSignals : FindingRequest
 }

@@ -9,82 +9,82 @@ import badlog.viewer.choices.board.dropped
 /** A change of the drawn graphs, see [Board]; undoing restores the previous ones. */
 sealed interface GraphChange : BoardAction {
     /** Adds a graph of [lines] at the end, or before the graph [before]. */
-    data class Add(val lines: List<String>, val before: Int? = null) : GraphChange
+    class Add(val lines: List<String>, val before: Int? = null) : GraphChange
 
     /** Adds a graph for each of [lines]. */
-    data class AddEach(val lines: List<String>) : GraphChange
+    class AddEach(val lines: List<String>) : GraphChange
 
     /** Adds [graphs] at the end, or before the graph [before]. */
-    data class AddAll(val graphs: List<BoardGraph>, val before: Int? = null) : GraphChange
+    class AddAll(val graphs: List<BoardGraph>, val before: Int? = null) : GraphChange
 
     /** Adds [lines] to graph [id], except lines that are already there. */
-    data class AddLines(val id: Int, val lines: List<String>) : GraphChange
+    class AddLines(val id: Int, val lines: List<String>) : GraphChange
 
     /** Adds [lines] to the last graph, or to a new one if there is none. */
-    data class AddToLast(val lines: List<String>) : GraphChange
+    class AddToLast(val lines: List<String>) : GraphChange
 
     /** Adds [line] to graph [id], or removes it from there. */
-    data class ToggleLine(val id: Int, val line: String) : GraphChange
+    class ToggleLine(val id: Int, val line: String) : GraphChange
 
     /** Removes [line] from graph [id]; a graph without lines is removed. */
-    data class RemoveLine(val id: Int, val line: String) : GraphChange
+    class RemoveLine(val id: Int, val line: String) : GraphChange
 
     /** Hides [lines] of graph [id], or shows them again. */
-    data class HideLines(val id: Int, val lines: Collection<String>, val isHidden: Boolean) : GraphChange
+    class HideLines(val id: Int, val lines: Collection<String>, val isHidden: Boolean) : GraphChange
 
     /** Adds [graph], or removes those that draw the same. */
-    data class Toggle(val graph: BoardGraph) : GraphChange
+    class Toggle(val graph: BoardGraph) : GraphChange
 
     /** Adds a graph of [line], drawn as [lines]; or removes each graph of these lines or of [line] alone. */
-    data class ToggleOwn(val line: String, val lines: List<String> = listOf(line)) : GraphChange
+    class ToggleOwn(val line: String, val lines: List<String> = listOf(line)) : GraphChange
 
     /** Shows only [graphs]. */
-    data class ShowOnly(val graphs: List<BoardGraph>) : GraphChange
+    class ShowOnly(val graphs: List<BoardGraph>) : GraphChange
 
     /** Shows only a graph of [lines]; nothing changes if there are none. */
-    data class ShowOnlyLines(val lines: List<String>) : GraphChange
+    class ShowOnlyLines(val lines: List<String>) : GraphChange
 
     /** Replaces the graph that has the id of [graph]. */
-    data class Replace(val graph: BoardGraph) : GraphChange
+    class Replace(val graph: BoardGraph) : GraphChange
 
     /** Removes graph [id]. */
-    data class Remove(val id: Int) : GraphChange
+    class Remove(val id: Int) : GraphChange
 
     /** Moves graph [id] by [places], up if negative. */
-    data class Move(val id: Int, val places: Int) : GraphChange
+    class Move(val id: Int, val places: Int) : GraphChange
 
     /** Moves graph [id] before the graph [other], or to the end for null. */
-    data class MoveBefore(val id: Int, val other: Int?) : GraphChange
+    class MoveBefore(val id: Int, val other: Int?) : GraphChange
 
     /** Drops graph [id] on the graph [onto], [share] below its top, see [dropped]. */
-    data class Drop(val id: Int, val onto: Int, val share: Double) : GraphChange
+    class Drop(val id: Int, val onto: Int, val share: Double) : GraphChange
 
     /** Moves the lines of graph [other] to graph [id], and removes [other]. */
-    data class Join(val id: Int, val other: Int) : GraphChange
+    class Join(val id: Int, val other: Int) : GraphChange
 
     /** Splits graph [id] into one graph for each line. */
-    data class Separate(val id: Int) : GraphChange
+    class Separate(val id: Int) : GraphChange
 
     /** Sets the height of graph [id], see [BoardGraph.height]. */
-    data class Resize(val id: Int, val height: Int?) : GraphChange
+    class Resize(val id: Int, val height: Int?) : GraphChange
 
     /** Shows only [range] of y in graph [id], and [right] on its right axis; null for all of it. */
-    data class ShowY(val id: Int, val range: Span?, val right: Span? = null) : GraphChange
+    class ShowY(val id: Int, val range: Span?, val right: Span? = null) : GraphChange
 
     /** Makes graph [id] share its y range with the others that do, or stops sharing. */
-    data class ShareY(val id: Int, val shares: Boolean) : GraphChange
+    class ShareY(val id: Int, val shares: Boolean) : GraphChange
 
     /** Draws the lines of graph [id] over each other, or over the x axis again. */
-    data class DrawXy(val id: Int, val isXy: Boolean) : GraphChange
+    class DrawXy(val id: Int, val isXy: Boolean) : GraphChange
 
     /** Draws the first line of graph [id] over the second instead. */
-    data class SwapAxes(val id: Int) : GraphChange
+    class SwapAxes(val id: Int) : GraphChange
 
     /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
-    data class ShowPlane(val id: Int, val x: Span?, val y: Span?) : GraphChange
+    class ShowPlane(val id: Int, val x: Span?, val y: Span?) : GraphChange
 
     /** Treats the poses of graph [id] as measured from [origin]. */
-    data class MeasureFrom(val id: Int, val origin: FieldOrigin) : GraphChange
+    class MeasureFrom(val id: Int, val origin: FieldOrigin) : GraphChange
 }
 
 /** Returns the graphs after [change]. */

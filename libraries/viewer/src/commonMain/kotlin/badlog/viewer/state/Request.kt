@@ -8,13 +8,13 @@ import badlog.viewer.choices.board.Board
  */
 sealed interface Request {
     /** Opens the values at the cursor, or closes them. */
-    data object Values : Request
+    object Values : Request
 
     /** Opens the modules of a swerve drive at the cursor, or closes them; for a log without any, it says so. */
-    data object Modules : Request
+    object Modules : Request
 
     /** Adds the graph that keys apply to, or removes it: it need not be one of the board's. */
-    data object Pin : Request
+    object Pin : Request
 
     /**
      * Remembers the board, and shows which graphs are new if they are out of sight.
@@ -25,13 +25,13 @@ sealed interface Request {
     data class Graphs(val before: Board?, val moved: Int? = null) : Request
 
     /** Shows the graphs of the kept layout that is [steps] after the one shown, see [keptLayoutAfter][badlog.viewer.choices.board.keptLayoutAfter]. */
-    data class Layout(val steps: Int) : Request
+    class Layout(val steps: Int) : Request
 
     /** Tells where the keys have moved a cursor. */
-    data object Cursor : Request
+    object Cursor : Request
 
     /** Asks for a formula. */
-    data object Formula : Request
+    object Formula : Request
 
     /** Asks for the text of a note at [x]. */
     data class Note(val x: Double) : Request
@@ -40,5 +40,5 @@ sealed interface Request {
     data class Mark(val x: Double) : Request
 
     /** Shows the picture of the video that is [count] further on, or back if negative, and moves the cursor there. */
-    data class Frames(val count: Int) : Request
+    class Frames(val count: Int) : Request
 }

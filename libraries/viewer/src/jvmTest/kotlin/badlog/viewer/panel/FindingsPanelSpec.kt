@@ -14,6 +14,7 @@ import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.panel.finding.FindingDetails
 import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
+import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.shown.finding.firstPlace
@@ -28,10 +29,13 @@ import badlog.viewer.todo.taskOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldBeUnique
+import io.kotest.matchers.equality.shouldBeEqualToComparingFields
 import io.kotest.matchers.nulls.shouldBeNull
 import io.kotest.matchers.shouldBe
 
 class FindingsPanelSpec : FunSpec({
+    infix fun Action?.shouldSend(other: Action) = checkNotNull(this).shouldBeEqualToComparingFields(other)
+
     fun found(rule: String, severity: Severity, vararg spans: Span, next: String = "", caveats: List<String> = emptyList()) = Finding(rule, severity, null, "$rule was seen.", spans.firstOrNull()?.from ?: Double.NaN, spans.toList(), spans.size, "s", evidence = listOf("A"), next = next, caveats = caveats)
 
     val times = LogTimes(100.0, bagView(listOf("Time|xaxis", "A"), listOf("0,1", "100,1")).xAxis, emptyList())
@@ -65,7 +69,7 @@ class FindingsPanelSpec : FunSpec({
         rows.map { it.title } shouldBe listOf("Early", "Whole", "Late")
         rows.map { row -> row.lines.single().run { time to until } } shouldBe listOf("10.00" to "12.50", "whole log" to "", "80.00" to "")
         rows.map { it.isCurrent } shouldBe listOf(false, false, false)
-        rows[0].open shouldBe FindingAction.GoTo((rows[0].open as FindingAction.GoTo).place, null)
+        rows[0].open shouldSend FindingAction.GoTo((rows[0].open as FindingAction.GoTo).place, null)
         (rows[0].open as FindingAction.GoTo).place.span shouldBe Span(10.0, 12.5)
     }
 
@@ -130,11 +134,11 @@ class FindingsPanelSpec : FunSpec({
             listOf("1 of 2: 10.00", "Often was seen.", "Next: Look at the cable.", "Sampled twice a second.")
         row.below.buttons().map { it.label to it.isEnabled } shouldBe
             listOf("Previous place" to false, "Next place" to true, "Keep" to true, "Voltage" to true)
-        row.below.buttons().last().action shouldBe Action.Ask(FindingRequest.Add(offer))
+        row.below.buttons().last().action shouldSend Action.Ask(FindingRequest.Add(offer))
         row.tools.shouldBeEmpty()
         val apart = findingsPanel(shown(FoundInLog(listOf(often), ran = 1), visited = often)).rows().single()
         apart.below.shouldBeEmpty()
-        apart.tools.single().action shouldBe Action.Ask(FindingRequest.Pin(often, null))
+        apart.tools.single().action shouldSend Action.Ask(FindingRequest.Pin(often, null))
     }
 
     test("a search hides findings, reports their number, and shows them again") {
@@ -142,10 +146,10 @@ class FindingsPanelSpec : FunSpec({
         parts.rows().map { it.title } shouldBe listOf("Early")
         val hidden = parts.filterIsInstance<Paragraph>().single { it.key == "findings-hidden" }
         hidden.text shouldBe "2 findings hidden by the search."
-        hidden.button?.action shouldBe FindingAction.Search("")
+        hidden.button?.action shouldSend FindingAction.Search("")
         val field = parts.filterIsInstance<Field>().single()
         field.text shouldBe "early"
-        field.onText("late") shouldBe FindingAction.Search("late")
+        field.onText("late") shouldSend FindingAction.Search("late")
         findingsPanel(shown(room = FindingsRoom.SHARED)).filterIsInstance<Field>().shouldBeEmpty()
     }
 
@@ -156,7 +160,7 @@ class FindingsPanelSpec : FunSpec({
         fold.toggle shouldBe FindingAction.ToggleSkipped
         val fields = fold.parts.filterIsInstance<Field>()
         fields.map { it.label } shouldBe List(5) { "“signal $it” is" }
-        fields[1].onText("B") shouldBe Action.Ask(FindingRequest.Assign("signal 1", "B"))
+        fields[1].onText("B") shouldSend Action.Ask(FindingRequest.Assign("signal 1", "B"))
         fold.parts.filterIsInstance<Paragraph>().size shouldBe 8
         findingsPanel(shown()).filterIsInstance<Fold>().shouldBeEmpty()
     }
@@ -169,7 +173,7 @@ class FindingsPanelSpec : FunSpec({
         val options = first.filterIsInstance<Choice>().single().options
         options.map { it.label } shouldBe listOf("WPILib", "AdvantageKit", "Epilogue", "DogLog", "Phoenix 6", "badlog")
         options.filter { it.isOn }.map { it.label } shouldBe listOf("WPILib")
-        options[3].action shouldBe FindingAction.ShowLines(LoggingLibrary.DOGLOG)
+        options[3].action shouldSend FindingAction.ShowLines(LoggingLibrary.DOGLOG)
         parts(FindingsState(isSkippedOpen = true, library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
             """DogLog.log("Battery Voltage", RobotController.getBatteryVoltage());"""
         first.filterIsInstance<Paragraph>().take(2).map { it.text } shouldBe listOf(
@@ -180,7 +184,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("with a team's list, a finding has the actions for its item in the menu and below it") {
         val list = TodoList.of(emptyList(), emptyList())
-        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = list, details = FindingDetails(false, emptyList())))
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedFindings(list), details = FindingDetails(false, emptyList())))
         val row = parts.rows().first()
         row.menu.map { it.label } shouldBe listOf("Mark as done…", "Assign…", "Put on the list")
         row.menu.last().action shouldBe Action.Ask(TodoRequest.Write(taskOf(early), TodoDeed.Open))
@@ -192,7 +196,7 @@ class FindingsPanelSpec : FunSpec({
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, differences = listOf(late)))
         val offers = parts.filterIsInstance<Offers>().single()
         offers.title shouldBe "Unlike the matches before"
-        offers.buttons.single().action shouldBe Action.Ask(FindingRequest.Compare(late))
+        offers.buttons.single().action shouldSend Action.Ask(FindingRequest.Compare(late))
         (parts.indexOf(offers) < parts.indexOfFirst { it is Rows }) shouldBe true
     }
 
@@ -200,7 +204,7 @@ class FindingsPanelSpec : FunSpec({
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, assigned = mapOf("battery" to "Volts"), room = FindingsRoom.SHARED))
         parts.filterIsInstance<Paragraph>().single { it.key.startsWith("signals-chosen") }.run {
             text shouldBe "“battery” is “Volts” in this browser."
-            button?.action shouldBe Action.Ask(FindingRequest.Forget("battery"))
+            button?.action shouldSend Action.Ask(FindingRequest.Forget("battery"))
         }
         parts.buttons().last().action shouldBe Action.Ask(FindingRequest.SaveSignals)
     }

@@ -13,18 +13,17 @@ import badlog.viewer.shown.finding.placesInOrder
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
-import badlog.viewer.todo.taskOf
 
 /**
  * Returns the parts below the visited [finding]: its to-do item, its places, what to look at next, its caveats and other graphs to show.
  */
 internal fun detailsOf(shown: FindingsShown, finding: Finding): List<Part> {
     val details = checkNotNull(shown.details)
-    return todoLines(shown.todo, taskOf(finding)) +
+    return shown.todo?.linesOf(finding).orEmpty() +
         places(shown, finding) +
         nextOf(shown.found?.incidentOf(finding).nextOf(finding)) +
         finding.caveats.mapIndexed { i, caveat -> Paragraph("caveat $i", caveat, Tone.MUTED) } +
-        listOfNotNull(graphs(details), shown.todo?.let { Buttons("to-do", todoButtons(it, taskOf(finding))) })
+        listOfNotNull(graphs(details), shown.todo?.let { Buttons("to-do", it.buttonsOf(finding)) })
 }
 
 private fun places(shown: FindingsShown, finding: Finding): List<Part> {

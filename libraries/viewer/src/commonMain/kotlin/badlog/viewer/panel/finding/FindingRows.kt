@@ -16,7 +16,6 @@ import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
 import badlog.viewer.text.countText
 import badlog.viewer.text.word
-import badlog.viewer.todo.taskOf
 
 /** Returns [incidents] as rows, each with its findings in order and links to their places; null if there are none. */
 internal fun incidentRows(shown: FindingsShown, incidents: List<Incident>): Rows? = if (incidents.isEmpty()) {
@@ -65,8 +64,8 @@ private fun findingRow(shown: FindingsShown, finding: Finding, key: String): Row
         isCurrent = isCurrent,
         open = goTo(finding, incident, isWhole = false),
         tools = if (finding.evidence.isEmpty() || shown.details != null) emptyList() else listOf(pin(finding, incident)),
-        menu = shown.todo?.let { todoButtons(it, taskOf(finding)) }.orEmpty(),
-        below = if (isCurrent && shown.details != null) detailsOf(shown, finding) else todoLines(shown.todo, taskOf(finding)),
+        menu = shown.todo?.buttonsOf(finding).orEmpty(),
+        below = if (isCurrent && shown.details != null) detailsOf(shown, finding) else shown.todo?.linesOf(finding).orEmpty(),
     )
 }
 

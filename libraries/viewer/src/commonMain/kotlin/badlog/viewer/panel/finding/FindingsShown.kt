@@ -6,7 +6,6 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.panel.LogTimes
 import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.state.FindingsState
-import badlog.viewer.todo.TodoList
 
 /**
  * The content of the panel of findings.
@@ -33,7 +32,7 @@ class FindingsShown(
     val differences: List<Finding> = emptyList(),
     val topics: List<String> = emptyList(),
     val assigned: Map<String, String> = emptyMap(),
-    val todo: TodoList? = null,
+    val todo: TodoOfFindings? = null,
     val details: FindingDetails? = null,
     val isComparing: Boolean = false,
     val room: FindingsRoom = FindingsRoom.WHOLE,

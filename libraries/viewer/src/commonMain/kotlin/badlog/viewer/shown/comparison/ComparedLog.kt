@@ -13,18 +13,20 @@ import badlog.viewer.choices.board.BoardLines
  */
 class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
     private val moved = HashMap<String, GraphSeries?>()
+    internal val suffix = " ($name)"
 
     /** Returns the line [line] where it is drawn, with the log's name after its own; null if the log does not have it. */
-    operator fun get(line: String): GraphSeries? = moved.getOrPut(line) { lines[line]?.moved(offset, " ($name)") }
+    operator fun get(line: String): GraphSeries? = moved.getOrPut(line) { lines[line]?.moved(offset, suffix) }
 }
 
 /**
  * A graph of a log with lines of others among its own.
  *
  * @property lines the board's name of each line.
+ * @property names the same with the line's log, if that is not the open one.
  * @property colors the index of each line's color.
  */
-class ComparedGraph(val graph: Graph, val lines: List<String>, val colors: List<Int>)
+class ComparedGraph(val graph: Graph, val lines: List<String>, val names: List<String>, val colors: List<Int>)
 
 /**
  * Returns the index of the color of the line at [place] in a graph of log [index]; [count] logs are drawn. The color distinguishes logs
@@ -34,8 +36,9 @@ fun colorOf(place: Int, index: Int, count: Int): Int = place * count + index
 
 /** Returns [graph] with the same lines of [logs]; the board calls its lines [lines]. */
 fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): ComparedGraph {
-    if (logs.isEmpty()) return ComparedGraph(graph, lines, lines.indices.toList())
+    if (logs.isEmpty()) return ComparedGraph(graph, lines, lines, lines.indices.toList())
     val series = ArrayList<GraphSeries>()
+    val drawn = ArrayList<String>()
     val names = ArrayList<String>()
     val colors = ArrayList<Int>()
     graph.series.forEachIndexed { i, own ->
@@ -43,9 +46,10 @@ fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): C
         all.forEachIndexed { log, line ->
             if (line == null) return@forEachIndexed
             series += line
-            names += lines[i]
+            drawn += lines[i]
+            names += lines[i] + if (log > 0) logs[log - 1].suffix else ""
             colors += colorOf(i, log, all.size)
         }
     }
-    return ComparedGraph(Graph(graph.name, graph.unit, graph.isVirtual, graph.isFilled, graph.includesZero, series), names, colors)
+    return ComparedGraph(Graph(graph.name, graph.unit, graph.isVirtual, graph.isFilled, graph.includesZero, series), drawn, names, colors)
 }

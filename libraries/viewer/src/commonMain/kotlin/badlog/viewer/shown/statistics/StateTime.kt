@@ -36,18 +36,8 @@ class StateTime(val state: String, val time: Double, val share: Double, val coun
 }
 
 /**
- * Returns the time in each of [states] from [from] to [to]; longest first, without states that did not occur. [states] are the names of
- * these runs' states.
- */
-fun StateRuns.timesOf(
-    states: List<String>,
-    from: Double = Double.NEGATIVE_INFINITY,
-    to: Double = Double.POSITIVE_INFINITY,
-): List<StateTime> = timesOf(states, listOf(Span(from, to)))
-
-/**
- * Returns the time in each of [states] in several [parts] together, without the gaps between them. A state that spans two parts counts
- * twice.
+ * Returns the time in each of [states], the names of these runs' states, in all [parts] together, without the gaps between them; longest
+ * first, without states that did not occur. A state that spans two parts counts twice.
  */
 fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> {
     val times = HashMap<Int, Double>()
@@ -70,3 +60,7 @@ fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> 
         StateTime(states.getOrElse(state) { "?" }, time, if (all > 0) time / all else Double.NaN, counts.getValue(state))
     }.sortedWith(compareBy({ -it.time }, { it.state }))
 }
+
+/** Returns the time in each of [states] within [span] as lines of text; [axis] has its unit. */
+fun StateRuns.textOf(states: List<String>, span: Span, axis: XAxis): String =
+    timesOf(states, listOf(span)).take(StateTime.MOST).joinToString("\n") { it.text(axis) }

@@ -1,5 +1,6 @@
 package badlog.viewer.shown.comparison
 
+import badlog.core.analysis.Graph
 import badlog.core.analysis.LogView
 import badlog.core.analysis.statistics
 import badlog.viewer.bagView
@@ -26,6 +27,7 @@ class ComparedLogSpec : FunSpec({
         val graph = open.folders.flatMap { it.graphs }.first { it.name == "A/Both" }
         val both = comparedGraph(graph, graph.lineNames, listOf(compared(other, offset = -5.0)))
         both.lines shouldContainExactly listOf("A/Volts", "A/Volts", "A/Amps", "A/Amps")
+        both.names shouldContainExactly listOf("A/Volts", "A/Volts (Q2)", "A/Amps", "A/Amps (Q2)")
         both.graph.series.map { it.topic.name } shouldContainExactly listOf("A/Volts", "A/Volts (Q2)", "A/Amps", "A/Amps (Q2)")
         both.graph.series[1].data.x.toList() shouldContainExactly listOf(0.0, 1.0)
         both.graph.series[1].data.y.toList() shouldContainExactly listOf(8.0, 7.0)
@@ -44,6 +46,16 @@ class ComparedLogSpec : FunSpec({
         other.textOf(other.indexAt(4.5)) shouldBe "–"
         other.textOf(other.indexAt(-0.5)) shouldBe "–"
         other.stateRuns().to.last() shouldBe 4.0
+    }
+
+    test("lines that are calculated in two folders keep the board's whole names, though their own are equal") {
+        val driven = bagView(listOf("Time|xaxis|hide", "L/Speed|differentiate", "R/Speed|differentiate"), listOf("0,1,2", "1,2,4"))
+        val lines = driven.folders.flatMap { it.graphs }.flatMap { it.series }.filter { it.isDerived }
+        lines.map { it.name }.distinct().size shouldBe 1
+        val graph = Graph("Both", "", isVirtual = false, isFilled = false, includesZero = false, lines)
+        val board = listOf("L/Derivative", "R/Derivative")
+        comparedGraph(graph, board, emptyList()).names shouldContainExactly board
+        comparedGraph(graph, board, listOf(ComparedLog("Q2", BoardLines(driven), 0.0))).names.distinct().size shouldBe 2
     }
 
     test("a line that the other log lacks, or has as another kind, is drawn alone") {

@@ -1,6 +1,7 @@
 package badlog.viewer.shown.statistics
 
 import badlog.core.analysis.Series
+import badlog.core.analysis.Span
 import badlog.core.analysis.StateRuns
 import badlog.viewer.bagView
 import io.kotest.core.spec.style.FunSpec
@@ -15,21 +16,22 @@ class StateTimeSpec : FunSpec({
     val names = listOf("off", "on", "stuck")
 
     fun runs(vararg states: Double) = StateRuns(Series(DoubleArray(states.size) { it.toDouble() }, states), states.size.toDouble())
+    fun StateRuns.times(from: Double = 0.0, to: Double = 9.0) = timesOf(names, listOf(Span(from, to)))
     fun List<StateTime>.parts() = map { Triple(it.state, it.time, it.count) }
 
     test("each state has its time and its count, the longest first") {
         val runs = runs(0.0, 1.0, 0.0, 0.0, 1.0)
-        runs.timesOf(names).parts() shouldBe listOf(Triple("off", 3.0, 2), Triple("on", 2.0, 2))
-        runs.timesOf(names)[0].share shouldBe (0.6 plusOrMinus 1e-12)
+        runs.times().parts() shouldBe listOf(Triple("off", 3.0, 2), Triple("on", 2.0, 2))
+        runs.times()[0].share shouldBe (0.6 plusOrMinus 1e-12)
     }
 
     test("only runs inside a range count, not ones that touch it") {
-        runs(0.0, 1.0, 0.0, 0.0, 1.0).timesOf(names, 1.5, 4.0).parts() shouldBe listOf(Triple("off", 2.0, 1), Triple("on", 0.5, 1))
-        runs(0.0, 1.0).timesOf(names, 7.0, 9.0) shouldBe emptyList()
+        runs(0.0, 1.0, 0.0, 0.0, 1.0).times(1.5, 4.0).parts() shouldBe listOf(Triple("off", 2.0, 1), Triple("on", 0.5, 1))
+        runs(0.0, 1.0).times(7.0, 9.0) shouldBe emptyList()
     }
 
     test("a gap does not count for any state") {
-        runs(0.0, Double.NaN, 0.0).timesOf(names).parts() shouldBe listOf(Triple("off", 2.0, 2))
+        runs(0.0, Double.NaN, 0.0).times().parts() shouldBe listOf(Triple("off", 2.0, 2))
     }
 
     test("texts have the unit of x, or rows if x counts rows") {
@@ -44,7 +46,7 @@ class StateTimeSpec : FunSpec({
         checkAll(Arb.list(Arb.int(0..2), 1..60), Arb.int(0..30), Arb.int(1..40)) { states, from, length ->
             val runs = runs(*DoubleArray(states.size) { states[it].toDouble() })
             val to = (from + length).toDouble()
-            val times = runs.timesOf(names, from.toDouble(), to)
+            val times = runs.times(from.toDouble(), to)
             val seen = maxOf(0.0, minOf(to, states.size.toDouble()) - from)
             times.sumOf { it.time } shouldBe (seen plusOrMinus 1e-9)
             if (seen > 0) times.sumOf { it.share } shouldBe (1.0 plusOrMinus 1e-9)
