@@ -27,6 +27,8 @@ import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.toggleableState
+import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 
@@ -43,7 +45,7 @@ internal fun ToolButton(
     description: String,
     icon: ImageVector? = null,
     text: String? = null,
-    isOn: Boolean = false,
+    isOn: Boolean? = null,
     isEnabled: Boolean = true,
     color: Color = LocalPalette.current.text,
     modifier: Modifier = Modifier,
@@ -54,11 +56,11 @@ internal fun ToolButton(
     val isHovered by interactions.collectIsHoveredAsState()
     val tint = when {
         !isEnabled -> palette.muted.copy(alpha = 0.5f)
-        isOn -> palette.accent
+        isOn == true -> palette.accent
         else -> color
     }
     val background = when {
-        isOn -> palette.accentSoft
+        isOn == true -> palette.accentSoft
         isHovered && isEnabled -> palette.raised
         else -> Color.Transparent
     }
@@ -69,7 +71,10 @@ internal fun ToolButton(
                 .background(background)
                 .hoverable(interactions)
                 .clickable(enabled = isEnabled, role = Role.Button, onClick = onClick)
-                .semantics { contentDescription = description }
+                .semantics {
+                    contentDescription = description
+                    if (isOn != null) toggleableState = ToggleableState(isOn)
+                }
                 .padding(6.dp),
             horizontalArrangement = Arrangement.spacedBy(6.dp),
             verticalAlignment = Alignment.CenterVertically,

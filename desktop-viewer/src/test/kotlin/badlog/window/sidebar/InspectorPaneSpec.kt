@@ -1,6 +1,8 @@
 package badlog.window.sidebar
 
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsOff
+import androidx.compose.ui.test.assertIsOn
 import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.onAllNodesWithContentDescription
 import androidx.compose.ui.test.onAllNodesWithText
@@ -123,8 +125,9 @@ class InspectorPaneSpec : FunSpec({
         runDesktopComposeUiTest(320, 1100) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitFor { onAllNodesWithContentDescription("Histogram of A: ${Histogram.HINT}").fetchSemanticsNodes().isNotEmpty() }
-            onNodeWithContentDescription("Histogram of A: ${Histogram.HINT}").performClick()
+            onNodeWithContentDescription("Histogram of A: ${Histogram.HINT}").assertIsOff().performClick()
             waitFor { onAllNodesWithContentDescription("Histogram of A").fetchSemanticsNodes().isNotEmpty() }
+            onNodeWithContentDescription("Histogram of A: ${Histogram.HINT}").assertIsOn()
             onNodeWithContentDescription("Histogram of Flat: ${Histogram.HINT}").performClick()
             waitFor { onAllNodesWithText(Histogram.NONE).fetchSemanticsNodes().isNotEmpty() }
             onAllNodesWithContentDescription("Histogram of A").fetchSemanticsNodes().size shouldBe 0

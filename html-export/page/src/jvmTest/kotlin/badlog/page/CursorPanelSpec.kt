@@ -5,6 +5,7 @@ import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.shouldNotBe
 import org.openqa.selenium.WebElement
 
 /** The panel of values at the cursor. */
@@ -68,6 +69,9 @@ internal class CursorPanelSpec : PageSpec({
             }
             titleOver(graph("Seventh").legend("Seventh")).lines().last() shouldBe "4.142857142857143"
             titleOver(element(".cursor-value-text")) shouldBe "4.142857142857143"
+            graph("Seventh").click(0.6)
+            rows() shouldNotBe listOf("Seventh4.14286")
+            element(".cursor-value-text").getDomAttribute("title") shouldBe null
             script("arguments[0].querySelector('.statistics-toggle').click()", graph("Seventh").card)
             val maximum = elements(".statistics tbody td")[1]
             maximum.text to maximum.getDomAttribute("title") shouldBe ("10.1429" to "10.142857142857142")

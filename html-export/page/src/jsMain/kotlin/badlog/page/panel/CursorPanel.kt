@@ -155,6 +155,8 @@ internal class CursorPanel(
             pin.isHidden = scene.board.lines[called] == null
             pin.setAttribute("aria-pressed", isPinned.toString())
             exactValue = { line.textOf(line.indexAt(x)) { withUnit(exactText(it), line.unit) } }
+            // A tooltip that is still there shows the former value.
+            value.removeAttribute("title")
             value.showText(line.textOf(line.indexAt(x)) { withUnit(numberText(it), line.unit) })
         }
     }

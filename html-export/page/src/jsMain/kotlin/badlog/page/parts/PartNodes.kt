@@ -179,10 +179,8 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun iconButton(button: Button, className: String = ""): Node {
         val attributes = mapOf("title" to button.hint, "aria-label" to button.hint, "disabled" to button.disabled)
-        val icon = button.icon?.icon
-        return Node("button", "icon-button $className".trim(), key = button.label, attributes = attributes, icon = icon, press = {
-            send(button.action)
-        })
+        val names = "icon-button $className".trim()
+        return Node("button", names, key = button.label, attributes = attributes, icon = button.icon?.icon, press = { send(button.action) })
     }
 
     private val Button.disabled: String? get() = "".takeIf { !isEnabled }
