@@ -73,8 +73,9 @@ internal class ParquetTask(
 
     /** Returns the samples of [recording] that are NaN: in a table, they would spoil every mean and maximum. */
     private fun omissionsOfNaN(recording: Recording): Omissions {
-        val written = recording.topics.associate { it.name to it.counts.notFinite - it.samples.count(Double::isInfinite) }
-        return Omissions(omissions = written.filterValues { it > 0 }.map { (name, count) -> Omission(name, "NaN is written as null.", count) })
+        val all = recording.topics.associate { it.name to it.counts.notFinite - it.samples.count(Double::isInfinite) }
+        val found = all.filterValues { it > 0 }
+        return Omissions(omissions = found.map { (name, count) -> Omission(name, "NaN is written as null.", count) })
     }
 
     companion object {

@@ -3,7 +3,7 @@ package badlog.report
 import badlog.expression.isSuggestion
 
 /**
- * Returns the one of [errors], for the same mistake in several logs, that helps most: the suggestion of most logs, otherwise the first error.
+ * Returns the most helpful of [errors] for one mistake: the suggestion of most logs, otherwise the first error.
  *
  * @param logsOf returns the number of logs with an error.
  */

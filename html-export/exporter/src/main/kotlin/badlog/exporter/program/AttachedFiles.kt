@@ -12,8 +12,8 @@ internal val ATTACH = arrayOf("-a", "--attach")
 internal val PAGE_ENDINGS: List<String> = listOf(".html", ".htm")
 
 /**
- * Returns [arguments] with the option that attaches before each of several files after it, as the original badlog allowed: `-a a.txt b.txt` is
- * `-a a.txt -a b.txt`. An existing file follows the first one if its name has an ending that no log or page has.
+ * Returns [arguments] with the option that attaches before each file: `-a a.txt b.txt` becomes `-a a.txt -a b.txt`. The original allowed both. An
+ * existing file follows the first one if its name has an ending that no log or page has.
  */
 internal fun withEachAttached(arguments: List<String>): List<String> {
     val all = ArrayList<String>()
@@ -36,5 +36,6 @@ private fun mayBeAttached(argument: String): Boolean {
     }
     val name = path.fileName?.toString().orEmpty()
     val hasEnding = name.lastIndexOf('.') > 0
-    return hasEnding && !LogName.of(name).mayBeLog && PAGE_ENDINGS.none { name.endsWith(it, ignoreCase = true) } && Files.isRegularFile(path)
+    return hasEnding && !LogName.of(name).mayBeLog && PAGE_ENDINGS.none { name.endsWith(it, ignoreCase = true) } &&
+        Files.isRegularFile(path)
 }

@@ -43,15 +43,16 @@ internal class Timestamps(private val keepsSamples: Boolean) {
     }
 
     /**
-     * Ends the times. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span]. Then counts them from
-     * [origin], in µs. May be called again.
+     * Ends the times. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span]. If that is a time since
+     * 1970, all are then counted from it. May be called again.
      */
-    fun finish(span: ClosedFloatingPointRange<Double>, origin: Double) {
+    fun finish(span: ClosedFloatingPointRange<Double>) {
         if (isFinished || !keepsSamples) return
         isFinished = true
         order(growing.take(), span)
         // Beside a number as large as that, a fraction has rounding errors; whole µs have none.
-        if (origin > 0) times = DoubleArray(times.size) { round(times[it] * MICROS - origin) / MICROS }
+        val origin = originOf(round(span.start * MICROS))
+        if (origin > 0) for (i in times.indices) times[i] = round(times[i] * MICROS - origin) / MICROS
     }
 
     private fun order(all: DoubleArray, span: ClosedFloatingPointRange<Double>) {
@@ -69,8 +70,6 @@ internal class Timestamps(private val keepsSamples: Boolean) {
         order = sorted
         times = DoubleArray(kept) { i -> all[sorted[i]].let { if (it < 0) span.start else it } }
     }
-
-    private companion object {
-        const val MICROS = 1e6
-    }
 }
+
+private const val MICROS = 1e6

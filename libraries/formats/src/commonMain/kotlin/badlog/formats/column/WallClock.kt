@@ -1,8 +1,8 @@
 package badlog.formats.column
 
 /**
- * Returns the moment that is time 0 of a log with the earliest time [firstMicros], in µs: that time if it counts from 1970, as the clock of a
- * laptop does, otherwise 0. A robot that counts from its start would have to run for 31 years.
+ * Returns time 0 of a log with the earliest time [firstMicros], both in µs. It is that time if it counts from 1970, as the clock of a laptop does,
+ * otherwise 0. A robot that counts from its start would have to run for 31 years.
  */
 internal fun originOf(firstMicros: Double): Double = if (firstMicros in FIRST..LAST) firstMicros else 0.0
 

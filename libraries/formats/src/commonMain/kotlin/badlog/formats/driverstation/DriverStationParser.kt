@@ -89,7 +89,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         refusal?.let { problems.add(ProblemKind.NOT_A_RECORDING, it) } ?: reportEnd()
         val topics = ArrayList<Topic>()
         val add = { column: SampleColumn, unit: String, attributes: List<String>, times: Timestamps ->
-            times.finish(0.0..Double.MAX_VALUE, origin = 0.0)
+            times.finish(0.0..Double.MAX_VALUE)
             val like = Topic("", unit, attributes, DoubleArray(0), TextColumn.EMPTY, NO_CELLS, times.times)
             val topic = column.build(column.path, like, times)
             reportTopic(topic, column, times, problems)

@@ -5,12 +5,9 @@ import badlog.core.recording.Loss
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Recording
-import badlog.core.recording.Value
 import badlog.core.recording.timesText
-import badlog.core.text.wallTimeText
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.addTooMany
-import badlog.formats.column.originOf
 
 /**
  * Reads a [list of samples][ListFormat] that is pushed to it in pieces of any size. It never throws because of the bytes: whatever is
@@ -53,11 +50,9 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
             problems.addTooMany(maxRows)
         }
         reportBadRows()
-        val origin = originOf(topics.earliest * MICROS)
-        val all = topics.build(origin)
+        val all = topics.build()
         if (topics.sampleCount == 0) problems.add(ProblemKind.NO_ROWS, "There is a header but no sample.")
-        val start = if (origin > 0) wallTimeText(origin) else null
-        return Recording(ListFormat, null, listOfNotNull(start?.let { Value("Start Time", it) }), all, 0, problems.toList())
+        return Recording(ListFormat, null, emptyList(), all, 0, problems.toList())
     }
 
     private fun started(): ListRows = rows ?: ListRows(separator(), ::take).also { created ->
@@ -91,6 +86,5 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
     private companion object {
         const val TOO_LONG = "A line of more than ${ListRows.MAX_LINE} bytes is not a sample; the rest of the file was not read."
         const val MAX_SAMPLES = 50_000_000
-        const val MICROS = 1e6
     }
 }

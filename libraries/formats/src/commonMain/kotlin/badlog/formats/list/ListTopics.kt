@@ -39,10 +39,6 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     private var earlyCount = 0
     private var firstEarly = ""
 
-    /** The earliest time from 0 on, in s; infinite without any. */
-    var earliest = Double.POSITIVE_INFINITY
-        private set
-
     /** The number of samples so far. */
     var sampleCount = 0
         private set
@@ -54,7 +50,6 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         val listed = byName.getOrPut(name) { if (source.hasRoomFor(1)) Listed() else null }
         sampleCount++
         if (time < 0 && earlyCount++ == 0) firstEarly = name
-        if (time >= 0 && time < earliest) earliest = time
         when {
             listed == null -> droppedCount++
 
@@ -156,11 +151,11 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         return parts.map { part -> row.numberIn(part) ?: part.toBooleanStrictOrNull()?.let { if (it) 1.0 else 0.0 } ?: return null }
     }
 
-    /** Returns the topics, and reports their oddities. Their times are counted from [origin], in µs. Call it once, last. */
-    fun build(origin: Double): List<Topic> {
+    /** Returns the topics, and reports their oddities. Call it once, last. */
+    fun build(): List<Topic> {
         val names = UniqueNames()
         val topics = ArrayList<Topic>()
-        for ((name, listed) in byName) if (listed != null) build(name, listed, origin, names, topics)
+        for ((name, listed) in byName) if (listed != null) build(name, listed, names, topics)
         if (droppedCount > 0) {
             problems.add(
                 ProblemKind.TOO_MANY_TOPICS,
@@ -179,12 +174,11 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         return topics
     }
 
-    private fun build(name: String, listed: Listed, origin: Double, names: UniqueNames, topics: MutableList<Topic>) {
+    private fun build(name: String, listed: Listed, names: UniqueNames, topics: MutableList<Topic>) {
         listed.firstEmpty?.let { decide(listed, it) }
-        val span = origin / MICROS..Double.MAX_VALUE
-        listed.elements.timestamps.finish(span, origin)
+        listed.elements.timestamps.finish(ALL)
         for (block in listed.elements.blocks) {
-            block.timestamps.finish(span, origin)
+            block.timestamps.finish(ALL)
             for (column in block.columns) {
                 val like =
                     Topic(name, Topic.UNITLESS, attributesIn("", name), DoubleArray(0), TextColumn.EMPTY, CellCounts(0, 0, 0, 0, 0, 0))
@@ -204,8 +198,8 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     }
 
     private companion object {
+        val ALL = 0.0..Double.MAX_VALUE
         val TRUTH_SIZES = 4..5
         const val QUOTED = 60
-        const val MICROS = 1e6
     }
 }

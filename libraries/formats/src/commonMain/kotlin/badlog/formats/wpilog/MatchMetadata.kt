@@ -52,7 +52,7 @@ internal class MatchMetadata {
     }
 
     /** Returns the time of day at [micros], in µs since 1970; null if it is unknown. Records of a laptop may have it as their time. */
-    fun startMicros(micros: Double): Double? = wallOffset?.let { it + micros } ?: originOf(micros).takeIf { it > 0 }
+    fun startMicros(micros: Double): Double? = (wallOffset ?: if (originOf(micros) > 0) 0.0 else null)?.plus(micros)
 
     /** Returns the facts that were found, for a recording that begins at [firstMicros]. */
     fun values(firstMicros: Double): List<Value> = buildList {

@@ -12,7 +12,6 @@ import badlog.formats.column.ColumnSource
 import badlog.formats.column.addCut
 import badlog.formats.column.addLost
 import badlog.formats.column.addTooMany
-import badlog.formats.column.originOf
 
 /** WPILOG, the format of WPILib's DataLog. */
 public object WpilogFormat : LogFormat {
@@ -80,7 +79,7 @@ public class WpilogParser(keepSamples: Boolean = true, isWanted: (String) -> Boo
         val cluster = entries.histogram.largestCluster()
         reportLostRecords(cluster)
         val span = (cluster?.from ?: 0.0) / WpilogEntries.MICROS..((cluster?.until ?: 1.0) - 1) / WpilogEntries.MICROS
-        val topics = WpilogTopics(span, originOf(cluster?.from ?: 0.0), problems).of(entries.all)
+        val topics = WpilogTopics(span, problems).of(entries.all)
         if (topics.all { it.size == 0 }) {
             problems.add(ProblemKind.NO_ROWS, "There are no samples; the robot may have been switched off too early.")
         }

@@ -8,12 +8,8 @@ import badlog.core.recording.Topic
 import badlog.core.text.UniqueNames
 import badlog.formats.column.reportTopic
 
-/** Creates the topics of the entries, each with a unique name. Keeps samples within [span], in s, and counts their times from [origin], in µs. */
-internal class WpilogTopics(
-    private val span: ClosedFloatingPointRange<Double>,
-    private val origin: Double,
-    private val problems: ProblemList,
-) {
+/** Creates the topics of the entries, each with a unique name. Keeps samples within [span], in s. */
+internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, private val problems: ProblemList) {
     private val names = UniqueNames()
     private val topics = ArrayList<Topic>()
 
@@ -24,7 +20,7 @@ internal class WpilogTopics(
 
     private fun add(entry: Entry) {
         val decoder = entry.decoder
-        decoder.timestamps.finish(span, origin)
+        decoder.timestamps.finish(span)
         val withoutSamples = Topic(
             entry.name,
             entry.unit,
@@ -41,7 +37,7 @@ internal class WpilogTopics(
         // An entry without records, or with only empty arrays, is still a topic.
         if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = uniqueName(entry.name))
         for (block in decoder.blocks) {
-            block.timestamps.finish(span, origin)
+            block.timestamps.finish(span)
             for (column in block.columns) {
                 val name = uniqueName(entry.name + column.path)
                 val topic = withoutLog(column.build(name, withoutSamples, block.timestamps))

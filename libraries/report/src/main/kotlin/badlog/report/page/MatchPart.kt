@@ -24,7 +24,8 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
     val blueAlliance: String
         get() {
             val address = blueAllianceOf(report.match, yearOf(report)) ?: return ""
-            return " <a class=\"alliance\" href=\"$address\" rel=\"noreferrer\" aria-label=\"TBA: ${escaped(name)} on The Blue Alliance\">TBA</a>"
+            val label = "TBA: ${escaped(name)} on The Blue Alliance"
+            return " <a class=\"alliance\" href=\"$address\" rel=\"noreferrer\" aria-label=\"$label\">TBA</a>"
         }
 
     /** The attributes by which the filter finds its parts. */

@@ -30,7 +30,7 @@ public class RecordLog internal constructor(
     private val match: MatchMetadata,
     private val firstMicros: Double,
 ) {
-    /** The time in its file that is time 0 of its recording, in µs; more than 0 if its records have times since 1970. */
+    /** Time 0 of its recording, in µs in its file. It is more than 0 if its records have times since 1970. */
     internal val origin: Double = originOf(firstMicros)
 
     /** Returns the time from which record [index] holds, in µs in its file; one before 0 holds from the start of the log. */

@@ -9,8 +9,8 @@ import badlog.formats.wpilog.intAt
 import badlog.formats.wpilog.metadataOf
 
 /**
- * The records of [entry], all of them delayed by [offsetMicros]. Only if that is 0, a log with times since 1970 keeps its own clock; otherwise the
- * time 0 of its recording is moved to that of the others.
+ * The records of [entry], all of them delayed by [offsetMicros]. If that is 0, a log with times since 1970 keeps its own clock. Otherwise the
+ * recordings of all logs have the same time 0.
  */
 public class RecordPiece(public val entry: RecordEntry, public val offsetMicros: Double = 0.0)
 

@@ -1,14 +1,11 @@
-package badlog.formats.wpilog
+package badlog.formats.wpilog.record
 
 import badlog.core.analysis.Span
 import badlog.core.recording.Recording
 import badlog.core.recording.Value
-import badlog.formats.wpilog.record.MergedEntry
-import badlog.formats.wpilog.record.RecordCopy
-import badlog.formats.wpilog.record.RecordMerge
-import badlog.formats.wpilog.record.RecordPiece
-import badlog.formats.wpilog.record.recordsOf
-import badlog.formats.wpilog.record.written
+import badlog.formats.wpilog.TestLog
+import badlog.formats.wpilog.longs
+import badlog.formats.wpilog.parseLog
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
