@@ -35,6 +35,7 @@ def logs() -> dict[str, bytes]:
         "half-a-header.wpilog": robot[:9],
         "version-2.wpilog": b"WPILOG\0\2" + bytes(4),
         "times.wpilog": _times(),
+        "since-1970.wpilog": _since_1970(),
         "wide-array.wpilog": _wide_array(),
         "late-schema.wpilog": _late_schema(),
         "bit-fields.wpilog": _bit_fields(),
@@ -63,6 +64,13 @@ def _times() -> bytes:
     for i, micros in enumerate([50, 40, 40, -7, 60, 1 << 54, 70, -(1 << 60), 80, 200_000_000_000, 90]):
         log.double(1, micros, float(i)).string(2, micros, f"text {i}")
     return log.data
+
+
+def _since_1970() -> bytes:
+    start = 1_795_832_420_123_456
+    log = WpilogWriter().start(1, "A", "double").start(2, "B", "string").double(1, -3, 0.5)
+    log.double(1, start + 20_001, 1.0).string(2, start, "on").double(1, start + 40_002, 2.0).string(2, start + 3_600_000_001, "off")
+    return log.double(1, start + 30_000, 1.5).data
 
 
 def _wide_array() -> bytes:

@@ -32,12 +32,15 @@ class Timestamps:
     def __len__(self) -> int:
         return len(self._seconds)
 
-    def finish(self, first: float, last: float) -> None:
-        """Drops times outside these two, and sorts the others; times before 0 are moved to `first`. May be called again."""
+    def finish(self, first: float, last: float, origin: float = 0.0) -> None:
+        """Drops times outside the first two, and sorts the others; times before 0 are moved to `first`. Then counts them from `origin`, in µs.
+        May be called again.
+        """
         if not self._is_finished:
             self._is_finished = True
             times, self.order, self.disorder = self._vectors.order(self._seconds, first, last)
-            self.times = Samples.of(times)
+            # Beside a number as large as that, a fraction has rounding errors; whole µs have none.
+            self.times = Samples.of(times if origin == 0 else self._vectors.since(times, origin))
 
     def taken(self, indices: Places) -> Timestamps:
         """The times at `indices`, as timestamps of their own."""

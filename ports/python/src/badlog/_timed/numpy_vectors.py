@@ -66,6 +66,9 @@ class NumpyVectors:
     def times_of(self, micros: Numbers) -> Numbers:
         return micros / 1e6
 
+    def since(self, times: Numbers, origin: float) -> Numbers:
+        return numpy.round(times * 1e6 - origin) / 1e6
+
     def take(self, values: Any, indices: Places) -> Any:
         return values[indices]
 

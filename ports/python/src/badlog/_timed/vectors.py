@@ -51,6 +51,9 @@ class Vectors(Protocol):
     def times_of(self, micros: Numbers) -> Numbers:
         """Times in µs as times in s."""
 
+    def since(self, times: Numbers, origin: float) -> Numbers:
+        """Times in s from `origin` on, which is in µs."""
+
     def take(self, values: Any, indices: Places) -> Any:
         """The values at `indices`."""
 
@@ -161,6 +164,9 @@ class PlainVectors:
 
     def times_of(self, micros: Numbers) -> Numbers:
         return array("d", [time / 1e6 for time in micros])
+
+    def since(self, times: Numbers, origin: float) -> Numbers:
+        return array("d", [round(time * 1e6 - origin) / 1e6 for time in times])
 
     def take(self, values: Any, indices: Places) -> Any:
         return array(values.typecode, [values[index] for index in indices])

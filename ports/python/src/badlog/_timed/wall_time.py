@@ -6,6 +6,14 @@ import math
 from datetime import datetime, timedelta
 
 _END_OF_9999 = 2.534023008e17
+# September 2001 and the end of 2096, in µs since 1970.
+_FIRST = 1e15
+_LAST = 4e15
+
+
+def origin_of(first_micros: float) -> float:
+    """The moment that is time 0 of a log with this earliest time: that time if it counts from 1970, as the clock of a laptop does, otherwise 0."""
+    return first_micros if _FIRST <= first_micros <= _LAST else 0.0
 
 
 def wall_time_text(micros: float) -> str | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from badlog._timed.wall_time import wall_time_text
+from badlog._timed.wall_time import origin_of, wall_time_text
 from badlog._wpilog.entry import SYSTEM_TIME, Entry
 from badlog.recording import Value
 
@@ -57,14 +57,15 @@ class MatchValues:
     def values(self, first_micros: float) -> list[Value]:
         """The values found, for a recording that begins at `first_micros`."""
         is_on_field = self._event is not None or self._match_number is not None
-        offset = self._wall_offset
+        # Records of a laptop may have the time of day as their time.
+        start = origin_of(first_micros) or None if self._wall_offset is None else self._wall_offset + first_micros
         found = {
             "Event Name": self._event,
             "Match Type": self._match_type,
             "Match Number": None if self._match_number is None else str(self._match_number),
             # Off the field, every robot is red.
             "Alliance": self._alliance if is_on_field else None,
-            "Start Time": None if offset is None else wall_time_text(offset + first_micros),
+            "Start Time": None if start is None else wall_time_text(start),
         }
         own = [Value(name, text) for name, text in self._own.items()]
         return own + [Value(name, text) for name, text in found.items() if text is not None and name not in self._own]

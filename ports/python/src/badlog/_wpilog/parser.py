@@ -5,6 +5,7 @@ from __future__ import annotations
 from badlog._text import BLANKS, decode
 from badlog._timed.record_problems import add_cut, add_lost, add_too_many
 from badlog._timed.vectors import Vectors, vectors_of
+from badlog._timed.wall_time import origin_of
 from badlog._wpilog.decoding import Decoding
 from badlog._wpilog.entries import Entries
 from badlog._wpilog.entry import MESSAGE_SCHEMA, Entry
@@ -77,11 +78,12 @@ class _WpilogParser:
             report_entry(entry, one, problems)
         self._report_lost_records(cluster)
         first, last = (0.0, 0.0) if cluster is None else (cluster.start / 1e6, (cluster.until - 1) / 1e6)
-        maker = TopicMaker(first, last, self._vectors, problems)
+        start = 0.0 if cluster is None else cluster.start
+        maker = TopicMaker(first, last, origin_of(start), self._vectors, problems)
         topics = [topic for entry, one in zip(all_entries, decoded) if not entry.is_value for topic in maker.topics_of(entry, one)]
         if all(len(topic) == 0 for topic in topics):
             problems.add(ProblemKind.NO_ROWS, "There are no samples; the robot may have been switched off too early.")
-        values = match.values(0.0 if cluster is None else cluster.start) + self._extra_header()
+        values = match.values(start) + self._extra_header()
         return Recording(RecordingFormat.WPILOG, None, values, topics, 0, problems.to_list())
 
     def _listen(self, entries: list[Entry], groups: list[EntryRecords]) -> tuple[MatchValues, Decoding]:

@@ -15,11 +15,12 @@ _BYTE = "B"
 
 
 class TopicMaker:
-    """Keeps samples from `first` to `last`, in s."""
+    """Keeps samples from `first` to `last`, in s, and counts their times from `origin`, in µs."""
 
-    def __init__(self, first: float, last: float, vectors: Vectors, problems: ProblemList) -> None:
+    def __init__(self, first: float, last: float, origin: float, vectors: Vectors, problems: ProblemList) -> None:
         self._first = first
         self._last = last
+        self._origin = origin
         self._vectors = vectors
         self._problems = problems
         self._given: set[str] = set()
@@ -27,7 +28,7 @@ class TopicMaker:
 
     def topics_of(self, entry: Entry, decoded: Decoded) -> Iterator[Topic]:
         """The topics of `entry`, made of its `decoded` payloads."""
-        decoded.timestamps.finish(self._first, self._last)
+        decoded.timestamps.finish(self._first, self._last, self._origin)
         vectors = self._vectors
         unit = _BYTE if decoded.is_undecoded else entry.unit
         attributes = entry.attributes
@@ -38,7 +39,7 @@ class TopicMaker:
             name = self._unique(entry.name)
             yield gaps.topic(name, unit, attributes, decoded.timestamps, vectors, self._problems, entry.type, entry.metadata)
         for block in decoded.blocks:
-            block.timestamps.finish(self._first, self._last)
+            block.timestamps.finish(self._first, self._last, self._origin)
             for column in block.columns:
                 name = self._unique(entry.name + column.path)
                 # In an event message, only texts are events; times and counts beside them are numbers.

@@ -8,6 +8,7 @@ import badlog.cli.console.Console
 import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
+import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
 import badlog.cli.plugin.ParquetSession
 import badlog.cli.plugin.PluginLoader
@@ -20,7 +21,9 @@ import badlog.cli.text.lossLines
 import badlog.cli.text.undefinedLines
 import badlog.cli.topic.TopicChoice
 import badlog.core.analysis.LogView
+import badlog.core.recording.Recording
 import badlog.files.terminal.Progress
+import badlog.formats.wpilog.Omission
 import badlog.report.UndefinedJson
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
@@ -60,10 +63,19 @@ internal class ParquetTask(
         if (files.isEmpty()) throw Failure("$file: it has no samples to write.")
         // Paths as they were typed.
         val written = files.map { (path, rows) -> target.resolveSibling(path.fileName) to rows }
+        val leftOut = omissionsOfNaN(log.wanted)
         val text = written.flatMap { (path, rows) -> listOf("$file -> $path", "  ${counted(rows, "row")}") } +
-            undefinedLines(log.all.errors) + lossLines(log.wanted.problems)
-        val json = ParquetJson(written.first().first.toString(), OPTION, written.sumOf { it.second }, log.all.errors.map(::UndefinedJson))
+            leftOut.lines + undefinedLines(log.all.errors) + lossLines(log.wanted.problems)
+        val rows = written.sumOf { it.second }
+        val json = ParquetJson(written.first().first.toString(), OPTION, rows, leftOut.all, log.all.errors.map(::UndefinedJson))
         return Outcome(log.wanted.isSalvaged, text.joinToString("\n"), jsonOf(json))
+    }
+
+    /** Returns the samples of [recording] that are NaN: in a table, they would spoil every mean and maximum. */
+    private fun omissionsOfNaN(recording: Recording): Omissions {
+        val all = recording.topics.associate { it.name to it.counts.notFinite - it.samples.count(Double::isInfinite) }
+        val found = all.filterValues { it > 0 }
+        return Omissions(omissions = found.map { (name, count) -> Omission(name, "NaN is written as null.", count) })
     }
 
     companion object {
@@ -80,5 +92,6 @@ private class ParquetJson(
     private val output: String,
     private val format: String,
     private val rows: Long,
+    private val leftOut: List<String>,
     private val undefined: List<UndefinedJson>,
 )

@@ -114,7 +114,7 @@ internal class InfoTask(
             val summary = LogSummary(input.file, LogFile.of(input.file).size, with.view, numbers, only)
             val text = when {
                 isJson -> ""
-                isOverview -> (if (isFirst) overview.titles() + "\n" else "") + overview.line(summary)
+                isOverview -> overview.add(summary)
                 else -> (if (isFirst) "" else "\n") + InfoText(summary, shown, signals, console.width).text()
             }
             isFirst = false
@@ -122,6 +122,7 @@ internal class InfoTask(
             val json = if (isJson) jsonOf(InfoJson(summary, signals, with.errors)) else emptyMap()
             Outcome(recording.isSalvaged, text, json)
         }
+        overview.rest().let { if (it.isNotEmpty()) console.say(it) }
         if (!isJson) undefinedTexts(undefined).forEach(console::say)
         return code
     }

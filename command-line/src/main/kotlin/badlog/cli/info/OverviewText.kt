@@ -9,7 +9,7 @@ import badlog.files.terminal.TextTable
 import badlog.files.terminal.TextTable.Column
 
 /** One line about each log, of [width] columns. */
-internal class OverviewText(width: Int) {
+internal class OverviewText(private val width: Int) {
     private val more = if (width == Console.UNLIMITED) 0 else width - LINE_WIDTH
     private val table = TextTable(
         listOf(
@@ -22,19 +22,31 @@ internal class OverviewText(width: Int) {
         width,
         shortens = width != Console.UNLIMITED,
     )
+    private val rows = ArrayList<List<String>>()
 
-    /** Returns the titles of the columns. */
-    fun titles(): String = table.titles()
+    /** Whether the lines have to wait for the longest name: nothing is shortened for another program. */
+    private val waits: Boolean get() = width == Console.UNLIMITED
 
-    /** Returns the line of [summary]. */
-    fun line(summary: LogSummary): String = table.line(
-        listOf(
-            summary.file.toString(),
-            summary.view.title.orEmpty(),
-            summary.seconds?.let(XTime::clock).orEmpty(),
-            grouped(summary.view.recording.sampleCount),
-            summary.view.problems.filter { it.severity == Severity.ERROR }.sumOf { it.count }.let { if (it == 0) "" else "$it" },
-        ),
+    /** Returns the line of [summary], the first time below the titles of the columns; empty if only [rest] has it. */
+    fun add(summary: LogSummary): String {
+        val cells = cellsOf(summary)
+        rows += cells
+        return when {
+            waits -> ""
+            rows.size == 1 -> table.titles() + "\n" + table.line(cells)
+            else -> table.line(cells)
+        }
+    }
+
+    /** Returns all lines that had to wait; empty if there are none. */
+    fun rest(): String = if (waits && rows.isNotEmpty()) table.lines(rows).flatten().joinToString("\n") else ""
+
+    private fun cellsOf(summary: LogSummary) = listOf(
+        summary.file.toString(),
+        summary.view.title.orEmpty(),
+        summary.seconds?.let(XTime::clock).orEmpty(),
+        grouped(summary.view.recording.sampleCount),
+        summary.view.problems.filter { it.severity == Severity.ERROR }.sumOf { it.count }.let { if (it == 0) "" else "$it" },
     )
 
     private companion object {

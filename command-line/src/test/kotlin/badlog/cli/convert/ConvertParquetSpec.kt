@@ -2,6 +2,7 @@ package badlog.cli.convert
 
 import badlog.cli.BAG
 import badlog.cli.CUT_BAG
+import badlog.cli.Logged
 import badlog.cli.SAMPLES
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -9,6 +10,7 @@ import badlog.cli.command.ExitCode
 import badlog.cli.names
 import badlog.cli.sampleLog
 import badlog.cli.with
+import badlog.cli.wpilog
 import badlog.core.python.TestPython
 import badlog.files.inFolder
 import io.kotest.core.annotation.Tags
@@ -17,6 +19,8 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
@@ -43,6 +47,20 @@ class ConvertParquetSpec : FunSpec({
         }
     }
 
+    test("NaN is a null in the file, and listed, with rows and with times of its own") {
+        inFolder { folder ->
+            val rows = folder.with("a.csv", "Time,x,y\n0,1,NaN\n1,NaN,2\n2,,-Infinity\n")
+            badlog("convert", rows, "--to", "parquet").run {
+                out shouldContain "  differs: NaN is written as null (2 in 2 topics)."
+                code shouldBe ExitCode.WHOLE
+            }
+            badlogJson("convert", rows, "--to", "parquet", "--force").json.single().getValue("leftOut").jsonArray
+                .map { it.jsonPrimitive.content } shouldContainExactly listOf("“x”: NaN is written as null.", "“y”: NaN is written as null.")
+            val log = folder.wpilog("b.wpilog", listOf(Logged("v", "double", "", listOf(1.0 to 1.0, 2.0 to Double.NaN))))
+            badlog("convert", log, "--to", "parquet").out shouldContain "  differs: NaN is written as null (1 in “v”)."
+        }
+    }
+
     test("the name after --out shows the format, and nothing is replaced unasked") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
@@ -52,7 +70,7 @@ class ConvertParquetSpec : FunSpec({
                 err shouldContain "--force"
             }
             badlogJson("convert", log, "-o", folder / "b.parquet", "--force").out shouldBe
-                """{"command":"convert","file":"$log","status":"whole","output":"${folder / "b.parquet"}","format":"parquet","rows":5,"undefined":[]}""" + "\n"
+                """{"command":"convert","file":"$log","status":"whole","output":"${folder / "b.parquet"}","format":"parquet","rows":5,"leftOut":[],"undefined":[]}""" + "\n"
             folder.names() shouldContainExactly listOf("a.bag", "b.parquet")
         }
     }

@@ -84,6 +84,20 @@ class InfoSpec : FunSpec({
         }
     }
 
+    test("another program gets one aligned line for each log, however long a name is") {
+        inFolder { folder ->
+            folder.with("a.bag", BAG)
+            val long = folder.with("${"long ".repeat(20)}.bag", BAG)
+            val lines = shown(Console.UNLIMITED, folder.toString()).trimEnd().lines()
+            lines.size shouldBe 3
+            lines.single { "$long" in it } shouldContain "Match 42"
+            lines.drop(1).map { it.indexOf("Match 42") }.distinct() shouldBe listOf(lines[0].indexOf("MATCH"))
+            lines.drop(1).map { it.length }.distinct().size shouldBe 1
+            // A terminal shows each line as soon as the log is read.
+            shown(80, folder.toString()).lines().first() shouldContain "LOG"
+        }
+    }
+
     test("signals fit a terminal, and another program gets all of their names") {
         inFolder { folder ->
             val name = "A Robot With Many Parts/Its Power Distribution/As It Was Measured/Battery Voltage"

@@ -22,7 +22,7 @@ import kotlin.io.path.div
 import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.minutes
 
-/** So many that a program is still at work when it has written the tables for the first time, which it does after 500 logs. */
+/** So many that a program is still at work when it has written the tables several times. */
 private const val MANY = 800
 
 /** So many that a program is still at work when it has written some. */

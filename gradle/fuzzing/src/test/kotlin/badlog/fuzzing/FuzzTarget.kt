@@ -1,5 +1,7 @@
 package badlog.fuzzing
 
+import badlog.formats.LOG_ENDINGS
+
 /**
  * A reader of untrusted bytes, to be fuzzed.
  *
@@ -7,7 +9,8 @@ package badlog.fuzzing
  * @property read reads the bytes, and throws if the result is wrong. No bytes may cause an exception of the reader itself.
  */
 internal enum class FuzzTarget(val extensions: Set<String>, val read: (ByteArray) -> Unit) {
-    BAG(setOf("bag"), ::readBag),
+    /** Bags, and every kind of log without a target of its own: the content decides. */
+    BAG(LOG_ENDINGS.mapTo(HashSet()) { it.removePrefix(".") } - OWN, ::readBag),
     WPILOG(setOf("wpilog"), ::readWpilog),
     PROTOBUF(emptySet(), ::readProtobuf),
     STATION(setOf("dslog", "dsevents"), ::readStationLog),
@@ -20,3 +23,6 @@ internal enum class FuzzTarget(val extensions: Set<String>, val read: (ByteArray
     /** The folder of its findings and its own seeds. */
     val folder: String get() = name.lowercase()
 }
+
+/** The endings of logs with targets of their own. */
+private val OWN = setOf("wpilog", "dslog", "dsevents")

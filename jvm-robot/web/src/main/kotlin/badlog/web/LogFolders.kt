@@ -110,7 +110,13 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
 
     private companion object {
         val BAG = Regex("""(?is).+\.(bag|badbag)(\.gz)?""")
-        val LOG = Regex("""(?is).+\.(bag|badbag|csv|wpilog|wpilogxz|dslog|dsevents|revlog|hoot)(\.gz)?""")
+
+        /** The endings of logs that a laptop can convert, beside those that it can read. */
+        val CONVERTED = listOf(".wpilogxz", ".hoot")
+        val LOG = Regex((readable() + CONVERTED).joinToString("|", "(?is).+(", ")(\\.gz)?") { Regex.escape(it) })
+
+        fun readable(): List<String> =
+            checkNotNull(LogFolders::class.java.getResourceAsStream("endings.txt")).use { it.readBytes().decodeToString().lines() }
 
         fun isLog(path: Path, attributes: BasicFileAttributes) = attributes.isRegularFile && LOG.matches(path.name)
 

@@ -1,6 +1,7 @@
 package badlog.expression
 
 import badlog.expression.syntax.ExpressionErrorKind
+import badlog.expression.syntax.SUGGESTION
 
 /**
  * The mistake that makes a text an invalid expression.
@@ -33,3 +34,6 @@ class ExpressionError internal constructor(
 
     override fun toString(): String = message
 }
+
+/** Returns whether the [message] of an [ExpressionError] suggests another name. */
+fun isSuggestion(message: String): Boolean = SUGGESTION in message

@@ -35,7 +35,7 @@ class FindResult internal constructor(
 fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
     if (results.any { it.reply is Reply.Answered || it.reply is Reply.LeftOut }) return null
     val refusals = results.map { it.reply }.filterIsInstance<Reply.NotAsked>()
-    return refusals.filter { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC }.ifEmpty { refusals }.maxByOrNull { it.place }
+    return mostHelpful(refusals.filter { it.kind != ExpressionErrorKind.UNKNOWN_TOPIC }.ifEmpty { refusals })
 }
 
 /** The possible replies to a question for a file. */

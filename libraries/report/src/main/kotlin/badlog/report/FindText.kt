@@ -70,7 +70,7 @@ private fun summaryOf(results: List<FindResult>, names: Map<LogFile, String>, fo
         lines += "${count(lacking.size, "log")} $lack some topics of the question: ${listed(lacking.map { it.file })}."
     }
     // If no log has the topic, it may be misspelled, and the message says more.
-    if (missing.isNotEmpty() && !isAnswered) lines += missing.map { it.reply }.maxBy { it.place }.pointed
+    if (!isAnswered) mostHelpful(missing.map { it.reply })?.let { lines += it.pointed }
     mistaken.map { it.reply }.groupBy { it.pointed }.forEach { (pointed, replies) ->
         lines +=
             "Skipped for ${count(replies.size, "log")}: $pointed"

@@ -37,7 +37,8 @@ internal class SkippedRules(private val rules: RuleSet) {
     private fun skipped(rule: Rule, asked: List<Pair<RuleOutcome, Int>>): SkippedRule? {
         val refused = asked.filter { (outcome, _) -> outcome.refusal != null }
         val mistaken = refused.find { (outcome, _) -> outcome.mistake != null }
-        val first = (mistaken ?: refused.firstOrNull() ?: return null).first
+        if (refused.isEmpty()) return null
+        val first = (mistaken ?: mostHelpful(refused, { (_, logs) -> logs }) { (outcome, _) -> outcome.refusal.orEmpty() }).first
         // A rule that runs for one log is valid; other logs only lack its topics.
         val isMistake = mistaken != null && refused.size == asked.size
         val logs = refused.sumOf { (_, logs) -> logs }

@@ -9,7 +9,7 @@ import badlog.catalog.examine.UndefinedTopic
 fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
     val ofDefinition = undefined.flatten().groupBy { it.definition }
     return ofDefinition.map { (definition, errors) ->
-        val worst = errors.find { !it.isMissing } ?: errors[0]
+        val worst = errors.find { !it.isMissing } ?: mostHelpful(errors) { it.message }
         if (errors.size == undefined.size) worst.pointed else "“$definition” is not in ${count(errors.size, "log")}: ${worst.message}"
     }
 }

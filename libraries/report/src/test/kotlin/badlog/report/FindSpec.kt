@@ -8,6 +8,7 @@ import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
@@ -78,6 +79,19 @@ class FindSpec : FunSpec({
                 "Did you mean “System/Battery Voltage”?\nBatery Voltage < 7\n^^^"
             findText(Find("Battery Voltage <").over(files)) shouldContain "Something is missing here"
             findText(emptyList()) shouldBe "Found in 0 of 0 logs."
+        }
+    }
+
+    test("a misspelled name is compared with the names of all logs, and the one that most of them have is suggested") {
+        inFolder { folder ->
+            folder.put("1.bag", batteryBag(6.0, name = "Other"))
+            folder.put("2.bag", batteryBag(6.0, name = "Battery Voltages"))
+            for (i in 3..4) folder.put("$i.bag", batteryBag(6.0))
+            val results = Find("Batery Voltage < 7").over(logsIn(folder))
+            findText(results) shouldContain "Did you mean “System/Battery Voltage”?\nBatery Voltage < 7\n^^^"
+            mistakeIn(results).shouldNotBeNull().message shouldContain "Did you mean “System/Battery Voltage”?"
+            val undefined = Find("P > 7", listOf("P = Batery Voltage * 2")).over(logsIn(folder)).map { it.undefined }
+            undefinedTexts(undefined).single() shouldContain "Did you mean “System/Battery Voltage”?"
         }
     }
 

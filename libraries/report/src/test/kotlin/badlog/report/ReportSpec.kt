@@ -132,7 +132,9 @@ class ReportSpec : FunSpec({
 
     test("a topic that may be misspelled is reported in a sentence with one period") {
         inFolder { folder ->
-            folder.put("1.bag", batteryBag(6.0))
+            // The first log has no similar topic.
+            folder.put("1.bag", batteryBag(6.0, name = "Other"))
+            folder.put("2.bag", batteryBag(6.0))
             Report(rules("Batery Voltage < 7")).over(logsIn(folder)).skipped.single().toString() shouldEndWith
                 "Did you mean “System/Battery Voltage”?"
         }

@@ -163,6 +163,17 @@ class LakeSpec : FunSpec({
         }
     }
 
+    test("the first logs are soon in the tables, so that a program killed early keeps them") {
+        inFolder { folder ->
+            for (match in 1..20) (folder / "logs").put("q$match.bag", matchBag(match, 12.0, 11.0))
+            val there = HashMap<Int, Int>()
+            refresh(folder / "logs", folder / "lake") { done, _ ->
+                if (done in setOf(4, 8, 16)) there.getOrPut(done) { rowsOf(folder / "lake", "SELECT log FROM matches").size }
+            }
+            there.filter { (done, logs) -> logs >= done / 2 }.keys shouldBe setOf(4, 8, 16)
+        }
+    }
+
     test("leftovers of a killed run are overwritten or removed, and no reader sees them") {
         inFolder { folder ->
             (folder / "logs").put("one.bag", matchBag(1, 12.0))

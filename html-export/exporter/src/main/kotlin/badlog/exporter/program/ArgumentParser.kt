@@ -37,6 +37,12 @@ internal class ArgumentParser {
     }
 
     fun parse(arguments: List<String>): Result {
+        val expanded = withEachAttached(arguments)
+        // A log may have any name, so the last file may be the log after all.
+        return parsed(expanded).let { if (it is Result.Refuse && expanded != arguments) parsed(arguments) else it }
+    }
+
+    private fun parsed(arguments: List<String>): Result {
         val command = Command()
         return try {
             command.parse(arguments)
@@ -52,8 +58,8 @@ internal class ArgumentParser {
             .help("A log, also gzipped, or a folder of logs: $READABLE_LOGS.")
         private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
             .help("Write to this file; a name without an ending is a folder.")
-        private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
-            .help("Include this file in each page; may be repeated.")
+        private val attachments by option(*ATTACH, metavar = "FILE").path().multiple()
+            .help("Include this file in each page; several files may follow each other.")
         private val compared by option("--compare", metavar = "LOG").path().multiple()
             .help("Draw this log over the page's own; may be repeated.")
         private val isWithoutRules by option("--no-rules").flag()

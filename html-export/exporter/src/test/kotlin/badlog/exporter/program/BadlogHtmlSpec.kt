@@ -50,6 +50,23 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
+    test("several files can be attached at once, as by the original, and logs and pages after them are none of these") {
+        inFolder { folder ->
+            val text = folder.with("a.txt", "A")
+            val json = folder.with("b.json", "B")
+            val log = folder.with("match.bag")
+            val page = folder / "page.html"
+            val ways = listOf(arrayOf("-a", text, json, log, page), arrayOf(log, page, "-a", text, json), arrayOf("--attach", text, json, "-t", log, page))
+            for (arguments in ways) {
+                run(*arguments).lines shouldContainExactly listOf("$page")
+                ReadPage(page).attachments.mapValues { it.value.decodeToString() } shouldBe mapOf("a.txt" to "A", "b.json" to "B")
+            }
+            // Both may be logs.
+            run("-a", text, folder.with("log.txt")).lines shouldContainExactly listOf("${folder / "log.txt.html"}")
+            run("-a", text, "--", log, folder.with("c.json")).lines shouldContainExactly listOf("${folder / "match.bag.html"}", "${folder / "c.json.html"}")
+        }
+    }
+
     test("with --compare, each page has the other log's bytes, but not its own a second time") {
         inFolder { folder ->
             val other = folder.with("best.bag", "Time,A\n0,1\n")

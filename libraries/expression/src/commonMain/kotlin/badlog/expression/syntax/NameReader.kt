@@ -93,7 +93,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         val until = nameEnd(from)
         val name = text.substring(from, until)
         val near = vocabulary.nearest(name) ?: vocabulary.find(name.substringAfterLast('/')).firstOrNull()
-        val nearest = if (near == null) "" else " Did you mean “${near.name}”?"
+        val nearest = if (near == null) "" else " $SUGGESTION“${near.name}”?"
         val divided = name.replaceFirst("/", " / ")
         throw Mistake(
             from,
@@ -183,7 +183,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, ambiguityText(signal, topics))
         }
         val near = near(name)
-        val suggestion = if (near.isEmpty()) "" else " Did you mean ${near.joinToString(" or ")}?"
+        val suggestion = if (near.isEmpty()) "" else " $SUGGESTION${near.joinToString(" or ")}?"
         throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${unknownNameText(name)}.$suggestion")
     }
 

@@ -1,6 +1,7 @@
 package badlog.formats.column
 
 import badlog.core.analysis.stableOrder
+import kotlin.math.round
 
 /** The growing list of times of one or several columns, in s. */
 internal class Timestamps(private val keepsSamples: Boolean) {
@@ -42,13 +43,19 @@ internal class Timestamps(private val keepsSamples: Boolean) {
     }
 
     /**
-     * Ends the times. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span].
-     * May be called again.
+     * Ends the times. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span]. If that is a time since
+     * 1970, all are then counted from it. May be called again.
      */
     fun finish(span: ClosedFloatingPointRange<Double>) {
         if (isFinished || !keepsSamples) return
         isFinished = true
-        val all = growing.take()
+        order(growing.take(), span)
+        // Beside a number as large as that, a fraction has rounding errors; whole µs have none.
+        val origin = originOf(round(span.start * MICROS))
+        if (origin > 0) for (i in times.indices) times[i] = round(times[i] * MICROS - origin) / MICROS
+    }
+
+    private fun order(all: DoubleArray, span: ClosedFloatingPointRange<Double>) {
         val kept = all.count { it < 0 || it in span }
         if (isOrdered && kept == size) {
             for (i in all.indices) if (all[i] < 0) all[i] = span.start else break
@@ -64,3 +71,5 @@ internal class Timestamps(private val keepsSamples: Boolean) {
         times = DoubleArray(kept) { i -> all[sorted[i]].let { if (it < 0) span.start else it } }
     }
 }
+
+private const val MICROS = 1e6

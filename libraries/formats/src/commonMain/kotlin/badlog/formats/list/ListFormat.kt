@@ -7,7 +7,7 @@ import badlog.core.recording.LogParser
  * A list of samples, one in each line of a CSV file: its time in s, the name of its topic, and its value. DataLogTool of WPILib and
  * AdvantageScope export such lists; the titles `Timestamp`, `Name` or `Key`, and `Value` show them.
  */
-public object ListFormat : LogFormat {
+internal object ListFormat : LogFormat {
     override val id: String get() = "csv_list"
 
     override val title: String get() = "CSV list"
@@ -21,7 +21,7 @@ public object ListFormat : LogFormat {
     override fun parser(keepSamples: Boolean): LogParser = ListParser(keepSamples)
 
     /** Returns the byte between the titles of a list that begins with the first [size] of [bytes]; null if it is not one. */
-    internal fun separatorIn(bytes: ByteArray, size: Int): Int? {
+    fun separatorIn(bytes: ByteArray, size: Int): Int? {
         val text = bytes.decodeToString(0, minOf(size, SIGNATURE_SIZE)).removePrefix("\uFEFF")
         val end = text.indexOfFirst { it == '\n' || it == '\r' }
         if (end < 0) return null

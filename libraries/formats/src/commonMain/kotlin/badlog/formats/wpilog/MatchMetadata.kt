@@ -3,6 +3,7 @@ package badlog.formats.wpilog
 import badlog.core.recording.PathName
 import badlog.core.recording.Value
 import badlog.core.text.wallTimeText
+import badlog.formats.column.originOf
 
 /** The facts about the whole run that certain entries report: the match, and the time of day. */
 internal class MatchMetadata {
@@ -50,8 +51,8 @@ internal class MatchMetadata {
         }
     }
 
-    /** Returns the time of day at [micros], in µs since 1970; null if it is unknown. */
-    fun startMicros(micros: Double): Double? = wallOffset?.let { it + micros }
+    /** Returns the time of day at [micros], in µs since 1970; null if it is unknown. Records of a laptop may have it as their time. */
+    fun startMicros(micros: Double): Double? = (wallOffset ?: if (originOf(micros) > 0) 0.0 else null)?.plus(micros)
 
     /** Returns the facts that were found, for a recording that begins at [firstMicros]. */
     fun values(firstMicros: Double): List<Value> = buildList {

@@ -20,6 +20,14 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
     /** The id by which links find its part of the page. */
     val id: String get() = "log-$number"
 
+    /** Its match on The Blue Alliance, as HTML after its name; empty if that is unknown. */
+    val blueAlliance: String
+        get() {
+            val address = blueAllianceOf(report.match, yearOf(report)) ?: return ""
+            val label = "TBA: ${escaped(name)} on The Blue Alliance"
+            return " <a class=\"alliance\" href=\"$address\" rel=\"noreferrer\" aria-label=\"$label\">TBA</a>"
+        }
+
     /** The attributes by which the filter finds its parts. */
     val data: String get() = "data-log=\"$number\" data-type=\"${escaped(report.matchType.orEmpty())}\""
 }
@@ -28,7 +36,7 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
 internal fun matchPart(log: IndexedLog): String {
     val report = log.report
     val out = StringBuilder("<article id=\"${log.id}\" class=\"match card\" ${log.data} aria-labelledby=\"${log.id}-name\">\n")
-    out.append("<header><h3 id=\"${log.id}-name\">${linked(log.name, log.page)}</h3>")
+    out.append("<header><h3 id=\"${log.id}-name\">${linked(log.name, log.page)}</h3>${log.blueAlliance}")
     if (report.title != null) out.append("<small>${escaped(log.file)}</small>")
     out.append("</header>\n")
     val facts = factsOf(report)

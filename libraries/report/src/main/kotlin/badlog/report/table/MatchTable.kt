@@ -24,6 +24,7 @@ import badlog.report.errorForEveryLog
 import badlog.report.holdsFor
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
+import badlog.report.mostHelpful
 import badlog.report.notAsked
 import badlog.report.runCached
 import badlog.report.withAnyX
@@ -155,11 +156,11 @@ class MatchTable(
     /** Returns the mistake in a question that failed for all [rows]; null if there is none. */
     fun mistakeIn(rows: List<TableRow>): Reply.NotAsked? {
         val wrong = rows.mapNotNull { it.mistake }
-        if (wrong.isNotEmpty() && rows.all { it.mistake != null || it.unreadable != null }) return wrong.maxBy { it.place }
+        if (wrong.isNotEmpty() && rows.all { it.mistake != null || it.unreadable != null }) return mostHelpful(wrong)
         val cells = rows.filter { it.isWanted }.map { it.cells }.filter { it.isNotEmpty() }
         return questions.indices.firstNotNullOfOrNull { column ->
             val refusals = cells.mapNotNull { it[column].refusal }
-            if (refusals.size < cells.size) null else refusals.maxByOrNull { it.place }
+            if (refusals.size < cells.size) null else mostHelpful(refusals)
         }
     }
 

@@ -9,6 +9,18 @@
     if (heading) log.name = heading.parentElement.textContent.toLowerCase();
     for (const item of part.querySelectorAll('li')) log.items.push({ item, level: +item.dataset.level, text: item.textContent.toLowerCase() });
   }
+  const table = document.querySelector('.overview');
+  const rows = [...table.querySelectorAll('[data-log]')];
+  const groups = [...table.querySelectorAll('.group')];
+  const order = () => {
+    const isGrouped = form.elements.order && form.elements.order.value === 'event';
+    if (isGrouped) {
+      for (const row of [...rows].sort((one, other) => one.dataset.place - other.dataset.place)) groups[row.dataset.group].append(row);
+    } else {
+      table.tBodies[0].append(...rows);
+    }
+    for (const group of groups) group.hidden = !group.querySelector('[data-log]:not([hidden])');
+  };
   const apply = () => {
     const words = form.elements.words.value.toLowerCase().split(/\s+/).filter(word => word);
     const least = +form.elements.level.value;
@@ -27,6 +39,7 @@
       for (const part of log.parts) part.hidden = !isShown || (part.matches('article') && shown === 0);
       if (isShown) { matches++; findings += shown; }
     }
+    order();
     form.elements.found.value = matches + ' of ' + logs.size + (logs.size === 1 ? ' match' : ' matches') + ', ' + findings + (findings === 1 ? ' entry' : ' entries');
   };
   form.hidden = false;

@@ -92,6 +92,21 @@ class IndexPageSpec : FunSpec({
         reportPage(Report().over(logsIn(folder.resolve("logs"))))
     }
 
+    browserTest("matches are ordered by event and match, and a filter hides the titles of others", { page ->
+        page.shownMatches() shouldBe listOf("Playoff 1", "Qualification 1")
+        page.set("order", "event")
+        page.shownMatches() shouldBe listOf("Mill Creek · Qualification", "Qualification 1", "Mill Creek · Playoff", "Playoff 1")
+        page.set("type", "Playoff")
+        page.shownMatches() shouldBe listOf("Mill Creek · Playoff", "Playoff 1")
+        page.set("type", "")
+        page.set("order", "")
+        page.shownMatches() shouldBe listOf("Playoff 1", "Qualification 1")
+    }) { folder ->
+        folder.put("logs/1.bag", batteryBag(6.0, 6.0, 6.0).replace("Qualification", "Playoff"))
+        folder.put("logs/2.bag", batteryBag(6.0, 6.0, 6.0))
+        reportPage(Report().over(logsIn(folder.resolve("logs"))))
+    }
+
     for (screen in listOf(Screen.WIDE, Screen.PHONE, Screen.PHONE.copy(width = 320, isDark = true))) {
         browserTest("nothing is wider than a screen of ${screen.width}, and no word is broken", { page ->
             page.number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual screen.width.toDouble()

@@ -78,7 +78,7 @@ class Lake(val folder: Path) {
      * @param rules the rules for findings, and the names of topics.
      * @param isBusy called from time to time while another badlog writes to the lake; returns whether to wait until it has finished. An
      *   exception from it is passed on.
-     * @param batch the minimum number of logs after which the tables are written.
+     * @param batch the number of logs after which the tables of a small lake are written at the latest.
      * @param progress called on this thread with the number of changed logs that are done. An exception from it stops the work and is
      *   passed on; completed work stays in the lake.
      * @throws LakeException if [folder] is something else, is being written to, or cannot be written to.
@@ -179,8 +179,7 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
                     val work = { file: LogFile, cores: Int -> writeUnlessStopped(file.path, byPath.getValue(pathOf(file.path)), cores) }
                     FolderRun().forEach(changed, work, advance) { file, found ->
                         examined[pathOf(file.path)] = found
-                        // Tables are rewritten each time, so the larger they are, the more logs are collected first.
-                        if (stage.size >= maxOf(batch, (registered.size + examined.size) / GROWTH)) stage.flush()
+                        if (stage.size >= most(examined.size, batch)) stage.flush()
                         advance()
                     }
                 }
@@ -195,6 +194,12 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
         if (examined.isNotEmpty()) noteIgnored(outcomes)
         return LakeResult(outcomes, plan.gone.size)
     }
+
+    /**
+     * Returns the number of logs after which the tables are written, when [examined] were examined. They are rewritten each time, so the
+     * larger they are, the more logs are collected first. The first logs are in them soon, so that a program killed early keeps some.
+     */
+    private fun most(examined: Int, batch: Int) = maxOf(minOf(batch, maxOf(FIRST, examined / 2)), (registered.size + examined) / GROWTH)
 
     /**
      * Waits for the logs that are being written, and adds them to the tables. Nothing is written later: the lock is released, or the
@@ -230,5 +235,6 @@ internal class LakeRefresh(private val folder: Path, private val engine: Engine,
 
     private companion object {
         const val GROWTH = 4
+        const val FIRST = 4
     }
 }

@@ -75,7 +75,7 @@ public class RecordCopy(
     ) {
         val isKept = BooleanArray(store.size) { store.isControl(it) }
         val begins = IntArray(spans.size) { store.size }
-        var first = spans.firstOrNull()?.let { round(it.from * WpilogEntries.MICROS) } ?: 0.0
+        var first = spans.firstOrNull()?.let { microsOf(it.from) } ?: 0.0
         for (entry in log.entries) {
             for ((index, span) in spans.withIndex()) {
                 for (i in firstAt(entry, span.from) until firstAfter(entry, span.to)) {
@@ -113,7 +113,7 @@ public class RecordCopy(
      * the span's first record in the file.
      */
     private fun heldIn(entry: RecordEntry, span: Span, begin: Int): Held? {
-        val micros = round(span.from * WpilogEntries.MICROS)
+        val micros = microsOf(span.from)
         val next = firstAt(entry, span.from)
         val isThere = next < firstAfter(entry, span.to) && log.micros(entry.records[next]) <= micros
         if (next == 0 || isThere) return null
@@ -122,6 +122,9 @@ public class RecordCopy(
         val isValid = begin > record && store.sessionEnd(record) > begin
         return Held(record, micros, if (isValid) begin else record + 1)
     }
+
+    /** Returns the time in the file, in µs, for [seconds] from time 0 of the recording. */
+    private fun microsOf(seconds: Double) = round(seconds * WpilogEntries.MICROS) + log.origin
 
     private fun firstAt(entry: RecordEntry, seconds: Double) = firstWhere(entry) { it >= seconds }
 

@@ -4,6 +4,7 @@ import badlog.core.analysis.stableOrder
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Value
 import badlog.formats.column.ColumnSource
+import badlog.formats.column.originOf
 import badlog.formats.wpilog.ControlKind
 import badlog.formats.wpilog.Entry
 import badlog.formats.wpilog.MatchMetadata
@@ -29,10 +30,13 @@ public class RecordLog internal constructor(
     private val match: MatchMetadata,
     private val firstMicros: Double,
 ) {
-    /** Returns the time from which record [index] holds, in µs; one before 0 holds from the start of the log. */
+    /** Time 0 of its recording, in µs in its file. It is more than 0 if its records have times since 1970. */
+    internal val origin: Double = originOf(firstMicros)
+
+    /** Returns the time from which record [index] holds, in µs in its file; one before 0 holds from the start of the log. */
     internal fun micros(index: Int): Double = store.micros(index).let { if (it < 0) firstMicros else it }
 
-    /** Returns the facts about its run, as if it began at [micros]. */
+    /** Returns the facts about its run, as if it began at [micros] in its file. */
     internal fun valuesAt(micros: Double): List<Value> = match.values(micros)
 
     /** Reads the inflated bytes of a WPILOG, and keeps its records. Not thread-safe. */
@@ -74,8 +78,8 @@ public class RecordEntry internal constructor(
     /** Whether it has the time of day, which is only correct at the original times of its records. */
     internal val isSystemTime: Boolean get() = name == Entry.SYSTEM_TIME
 
-    /** Returns the time from which its record [index] holds, in s. Times ascend. */
-    public fun time(index: Int): Double = log.micros(records[index]) / WpilogEntries.MICROS
+    /** Returns the time from which its record [index] holds, in s from time 0 of the recording. Times ascend. */
+    public fun time(index: Int): Double = (log.micros(records[index]) - log.origin) / WpilogEntries.MICROS
 
     /** Returns the bytes of record [index]. */
     public fun payload(index: Int): ByteArray = log.store.payload(records[index])

@@ -8,7 +8,10 @@ import badlog.formats.wpilog.WpilogParser
 import badlog.formats.wpilog.intAt
 import badlog.formats.wpilog.metadataOf
 
-/** The records of [entry], all of them delayed by [offsetMicros]. */
+/**
+ * The records of [entry], all of them delayed by [offsetMicros]. If that is 0, a log with times since 1970 keeps its own clock. Otherwise the
+ * recordings of all logs have the same time 0.
+ */
 public class RecordPiece(public val entry: RecordEntry, public val offsetMicros: Double = 0.0)
 
 /**
@@ -32,6 +35,10 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
     private val times = ArrayList<DoubleArray>()
 
     private val repeats = IntArray(entries.size)
+
+    // Time 0 of the merged log.
+    private val origin =
+        entries.asSequence().flatMap { it.pieces }.filter { it.offsetMicros == 0.0 }.map { it.entry.log.origin }.find { it > 0 } ?: 0.0
 
     /** For each entry, the number of records skipped because another piece also has them. */
     public val repeated: List<Int> get() = repeats.asList()
@@ -79,7 +86,7 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
             merged.pieces.size > 1 || begin == null -> entry.metadata
             else -> startMetadata(entry.log.store.payload(begin))
         }
-        val micros = begin?.let { entry.log.store.micros(it) + first.offsetMicros } ?: 0.0
+        val micros = begin?.let { entry.log.store.micros(it) + later(first) } ?: 0.0
         out.start(id, merged.name, entry.type, metadata, maxOf(0.0, micros))
     }
 
@@ -120,7 +127,7 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
             if (kind != ControlKind.SET_METADATA && !isEnd) continue
             add(index, 0, control)
             // Records after an entry's end are not read, so the end is not before the last record.
-            kept[size++] = maxOf(only.entry.log.store.micros(control) + only.offsetMicros, if (isEnd) last else 0.0)
+            kept[size++] = maxOf(only.entry.log.store.micros(control) + later(only), if (isEnd) last else 0.0)
         }
         times += kept.copyOf(size)
     }
@@ -144,7 +151,13 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
         record.add(current)
     }
 
-    private fun micros(piece: RecordPiece, record: Int) = piece.entry.log.micros(record) + piece.offsetMicros
+    private fun micros(piece: RecordPiece, record: Int) = piece.entry.log.micros(record) + later(piece)
+
+    /** Returns how much later the records of [piece] are here than in their file, in µs. */
+    private fun later(piece: RecordPiece): Double {
+        val own = piece.entry.log.origin
+        return if (own > 0 && piece.offsetMicros == 0.0) 0.0 else origin - own + piece.offsetMicros
+    }
 
     private fun copy(id: Int, from: RecordPiece, index: Int, micros: Double) {
         val store = from.entry.log.store
