@@ -22,7 +22,7 @@ import java.nio.file.Path
 /**
  * Merges several logs into one, [out].
  *
- * @param station the folder to search for the Driver Station log of the first log, which is put beside it; empty for the log's own
+ * @param station the folder to search for the Driver Station log of the robot's log, which is put beside it; empty for the log's own
  *   folder, null for none.
  */
 internal class MergeTask(
@@ -42,7 +42,7 @@ internal class MergeTask(
             val target = plan.checked(out)
             val found = console.searching().use { LogSearch(it::next).find(paths) }
             for (failure in found.failures) outcomes.failed(failure.file, failure.message)
-            val logs = found.inputs.mapNotNull { read(it, console, outcomes) }
+            val logs = found.inputs.mapNotNull { read(it, console, outcomes) }.sortedWith(PART_ORDER)
             val beside = if (station == null || logs.isEmpty()) null else stationOf(logs.first(), station)
             val parts = logs + listOfNotNull(beside?.part)
             if (parts.size < 2) {

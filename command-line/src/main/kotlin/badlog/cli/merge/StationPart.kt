@@ -16,12 +16,13 @@ import java.time.LocalDateTime
 import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 
-/** A Driver Station log that becomes part of a merge, beside the robot's log, with [fit] for their clocks. */
-internal class StationPart(val part: LogPart, val fit: ClockFit) {
-    /** Returns it at the times of [robot]; anything before those begin is omitted. */
-    fun beside(robot: LogPart): LogPart {
-        val all = if (part.firstX + fit.seconds < 0) part.from(-fit.seconds + ONE_MICRO) else part
-        return all.later(fit.seconds).withStartOf(robot)
+/** A Driver Station log that becomes part of a merge, beside the log of [robot], with [fit] for their clocks. */
+internal class StationPart(val robot: LogPart, val part: LogPart, val fit: ClockFit) {
+    /** Returns it at the times of [moved], the robot's log in its place; anything before 0 is omitted. */
+    fun beside(moved: LogPart): LogPart {
+        val seconds = fit.seconds + moved.offset
+        val all = if (part.firstX + seconds < 0) part.from(-seconds + ONE_MICRO) else part
+        return all.later(seconds).withStartOf(moved)
     }
 
     companion object {
@@ -41,7 +42,7 @@ internal class StationPart(val part: LogPart, val fit: ClockFit) {
                 "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
                     "to merge one anyway, name it as a log, with --align enabled.",
             )
-            return StationPart(LogPart(found.log.path, found.station.recording), found.fit)
+            return StationPart(robot, LogPart(found.log.path, found.station.recording), found.fit)
         }
     }
 }
