@@ -7,6 +7,7 @@ import badlog.files.reading
 import badlog.files.unreadable
 import badlog.files.wholeLogs
 import badlog.signals.match.NaturalOrder
+import badlog.signals.match.files.MatchManifest
 import java.io.IOException
 import java.nio.file.AccessDeniedException
 import java.nio.file.Files
@@ -31,9 +32,10 @@ internal class LogInput(val file: Path, val folder: Path?, val seen: LogFile? = 
  * Finds the logs below files and folders. Files in a folder are selected by name, which is cheap; named files are
  * always included.
  *
+ * @param opensMatches whether a folder with a `match.json` is one log, that file.
  * @param checkpoint called for each file.
  */
-internal class LogSearch(private val checkpoint: () -> Unit = {}) {
+internal class LogSearch(private val opensMatches: Boolean = false, private val checkpoint: () -> Unit = {}) {
     /**
      * The result of a search.
      *
@@ -48,7 +50,10 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
 
     /** Searches below [paths]. Call it once. */
     fun find(paths: List<Path>): SearchResult {
-        for (path in paths) if (Files.isDirectory(path)) lookInto(path) else inputs += LogInput(path, null)
+        for (path in paths) {
+            val manifest = path.resolve(MatchManifest.NAME).takeIf { opensMatches && Files.isRegularFile(it) }
+            if (manifest == null && Files.isDirectory(path)) lookInto(path) else inputs += LogInput(manifest ?: path, null)
+        }
         return SearchResult(wholeLogs(inputs.distinctBy { identityOf(it.file) }) { it.file }, failures)
     }
 

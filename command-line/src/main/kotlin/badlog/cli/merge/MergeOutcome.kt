@@ -37,6 +37,14 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
 }
 
+/** Returns the outcome of a ZIP of the logs [moved], as they are, which was written to [target]. */
+internal fun zipOutcome(moved: MovedLogs, target: Path): Outcome {
+    val count = counted(moved.parts.size.toLong(), "log")
+    val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved)
+    val json = ZipJson(moved.parts.map { it.file.toString() }, moved.moves.map(::MoveJson), moved.pauses.map(::PauseJson))
+    return Outcome(isSalvaged = false, text.joinToString("\n"), jsonOf(json))
+}
+
 private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildList {
     val recording = merge.recording
     val noun = if (recording.format.hasRows) "row" else "sample"
@@ -92,6 +100,9 @@ private class MergeJson(
     private val moved: List<MoveJson>,
     private val apart: List<PauseJson>,
 )
+
+@Serializable
+private class ZipJson(private val logs: List<String>, private val moved: List<MoveJson>, private val apart: List<PauseJson>)
 
 @Serializable
 private class MoveJson(private val log: String, private val seconds: JsonNumber, private val edges: Int, private val error: JsonNumber) {

@@ -32,17 +32,25 @@ internal class StationPart(val robot: LogPart, val part: LogPart, val fit: Clock
         /**
          * Returns the Driver Station log of the same match as [robot], below [folder].
          *
+         * @param acceptsOnly see [badlog.signals.clock.StationSearch.over].
          * @throws Failure if none can be identified.
          */
-        fun of(robot: LogPart, folder: Path): StationPart {
-            val logs = StationLogs(folder)
-            if (logs.size == 0) throw Failure("No Driver Station log found in $folder; name its folder with --with-ds=FOLDER.")
-            val clocked = ClockedLog(robot.file.fileName.toString(), robot.recording, signalsBeside(robot.file))
-            val found = logs.of(clocked, robot.file, acceptsOnly = true) ?: throw Failure(
+        fun of(robot: LogPart, folder: Path, acceptsOnly: Boolean): StationPart {
+            if (StationLogs(folder).size == 0) {
+                throw Failure("No Driver Station log found in $folder; name its folder with --with-ds=FOLDER.")
+            }
+            return find(robot, folder, acceptsOnly) ?: throw Failure(
                 "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
                     "to merge one anyway, name it as a log, with --align enabled.",
             )
-            return StationPart(robot, LogPart(found.log.path, found.station.recording), found.fit)
+        }
+
+        /** Returns the same, or null if none can be identified. */
+        fun find(robot: LogPart, folder: Path, acceptsOnly: Boolean): StationPart? {
+            val clocked = ClockedLog(robot.file.fileName.toString(), robot.recording, signalsBeside(robot.file))
+            return StationLogs(folder).of(clocked, robot.file, acceptsOnly)?.let { found ->
+                StationPart(robot, LogPart(found.log.path, found.station.recording), found.fit)
+            }
         }
     }
 }

@@ -22,8 +22,14 @@ import java.nio.file.Path
  *
  * @param paths the paths given on the command line.
  * @param isForced whether existing files may be replaced.
+ * @param isOne whether all logs are one.
  */
-internal class OutputPlan(private val out: ResultPlace?, private val paths: List<Path>, private val isForced: Boolean) {
+internal class OutputPlan(
+    private val out: ResultPlace?,
+    private val paths: List<Path>,
+    private val isForced: Boolean,
+    private val isOne: Boolean = false,
+) {
     private val taken = HashSet<String>()
 
     // Determined before anything is written, so that it does not include results of this run.
@@ -36,7 +42,7 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
 
     val isGiven: Boolean get() = out != null
 
-    private fun isSingle() = paths.size == 1 && !Files.isDirectory(paths[0])
+    private fun isSingle() = isOne || (paths.size == 1 && !Files.isDirectory(paths[0]))
 
     /**
      * Returns where the result of [input] goes.
@@ -83,8 +89,8 @@ internal class OutputOptions : OptionGroup() {
         .help("Write to this file; a name without an ending is a folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
-    /** Returns the plan for the logs below [paths]. */
-    fun plan(paths: List<Path>) = OutputPlan(out, paths, isForced)
+    /** Returns the plan for the logs below [paths], which may be one. */
+    fun plan(paths: List<Path>, isOne: Boolean = false) = OutputPlan(out, paths, isForced, isOne)
 
     /** What `--out` names, or null. */
     val outPath: Path? get() = out?.path

@@ -1,5 +1,6 @@
 package badlog.cli.report
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
@@ -7,6 +8,9 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
+import badlog.cli.merge.MatchChoice
+import badlog.cli.merge.isSingle
+import badlog.cli.merge.matched
 import badlog.cli.plugin.ChartService
 import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.Search
@@ -15,7 +19,9 @@ import badlog.cli.search.rulesBeside
 import badlog.cli.station.StationsBeside
 import badlog.cli.text.jsonOf
 import badlog.exporter.ExportException
+import badlog.exporter.HtmlExporter
 import badlog.exporter.fieldFor
+import badlog.files.LogMaker
 import badlog.report.LogReport
 import badlog.report.Report
 import badlog.report.ReportJson
@@ -27,7 +33,10 @@ import badlog.report.reportCsv
 import badlog.report.reportText
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import badlog.signals.match.files.MatchManifest
+import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.name
 
 /**
  * Runs rules and hooks over every log below [paths].
@@ -39,6 +48,7 @@ import java.nio.file.Path
  * @param station the folder to search for Driver Station logs of the same matches, which provide what the robot's logs lack; empty for
  *   the folder of each log, null for none.
  * @param parts finds what draws charts.
+ * @param match which logs are read as one.
  */
 internal class ReportTask(
     private val paths: List<Path>,
@@ -49,14 +59,17 @@ internal class ReportTask(
     private val xTopic: String?,
     private val station: Path?,
     private val parts: PluginLoader,
+    private val match: MatchChoice = MatchChoice.AsTheyAre,
 ) : Task {
-    override fun run(console: Console): ExitCode {
-        if (pagesPlan?.hasCharts != true) return run(console, charts = null)
+    override fun run(console: Console): ExitCode = matched("report", paths, match, console, form == ResultForm.JSON, ::run)
+
+    private fun run(paths: List<Path>, maker: LogMaker, console: Console): ExitCode {
+        if (pagesPlan?.hasCharts != true) return run(paths, maker, console, charts = null)
         // Whoever lacks the part learns it before all logs are read.
-        return parts.call("report --charts", ChartService::class.java, console) { run(console, it) }
+        return parts.call("report --charts", ChartService::class.java, console) { run(paths, maker, console, it) }
     }
 
-    private fun run(console: Console, charts: ChartService?): ExitCode {
+    private fun run(paths: List<Path>, maker: LogMaker, console: Console, charts: ChartService?): ExitCode {
         pagesPlan?.field?.let { fieldFor(it, it).problem }?.let {
             console.warn(it)
             return ExitCode.USAGE
@@ -67,23 +80,29 @@ internal class ReportTask(
             val named = search.namedRules()
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
-            stations = station?.let { StationsBeside(it, rules.signals) }
+            stations = station?.let { StationsBeside(it, rules.signals, isSingle(paths)) }
             Report(
                 rules,
                 search.hooksWith(named),
                 search.virtualTopics,
-                cache,
+                // The files of a match may change while its match.json, or the first of them, does not.
+                cache.takeIf { maker == MatchMaker && paths.none(::isMatchFolder) },
                 xTopic,
                 stations?.let { it::over },
                 measures = charts != null,
+                // Rules use the Driver Station's log only for what the robot's lacks.
+                maker = if (stations == null) maker else MatchMaker,
             )
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
         }
-        val logs = LogFiles(paths, console)
+        val logs = LogFiles(paths, console, opensMatches = true)
         val pages = try {
-            pagesPlan?.let { ReportPages(ReportFolder(it.folder, logs.files, rules, search.virtualTopics, it.isForced, it.field)) }
+            pagesPlan?.let { 
+                val exporter = HtmlExporter(maker = maker)
+                ReportPages(ReportFolder(it.folder, logs.files, rules, search.virtualTopics, it.isForced, it.field, exporter))
+            }
         } catch (e: ExportException) {
             console.warn(e.message.orEmpty())
             return ExitCode.NOTHING
@@ -106,6 +125,8 @@ internal class ReportTask(
         if (form != ResultForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
     }
+
+    private fun isMatchFolder(path: Path) = path.name == MatchManifest.NAME || Files.exists(path.resolve(MatchManifest.NAME))
 
     private fun drawn(logs: List<LogReport>, charts: ChartService, console: Console): PageCharts {
         val drawn = console.progress("charts").use { bar ->

@@ -2,6 +2,7 @@ package badlog.files
 
 import java.io.IOException
 import java.nio.file.Files
+import java.nio.file.LinkOption
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
 
@@ -26,6 +27,22 @@ internal fun removeLeftFiles(folder: Path) {
     }
 }
 
+/**
+ * Returns the result of [work] in a new temporary folder, which is removed afterwards.
+ *
+ * @throws UnwritableFileException if it cannot be made.
+ */
+public fun <T> inMadeFolder(work: (Path) -> T): T {
+    val parent = Path.of(System.getProperty("java.io.tmpdir"))
+    if (isCleaned.compareAndSet(false, true)) removeLeftFiles(parent)
+    val folder = writing(parent) { Files.createTempDirectory(parent, "badlog-${ProcessHandle.current().pid()}-") }
+    try {
+        return work(folder)
+    } finally {
+        removeQuietly(folder)
+    }
+}
+
 private fun isLeft(file: Path): Boolean {
     val pid = MADE.matchEntire(file.fileName.toString())?.groupValues?.get(1)?.toLongOrNull() ?: return false
     return ProcessHandle.of(pid).isEmpty
@@ -33,6 +50,9 @@ private fun isLeft(file: Path): Boolean {
 
 private fun removeQuietly(file: Path) {
     try {
+        if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
+            Files.newDirectoryStream(file).use { inside -> inside.forEach(::removeQuietly) }
+        }
         Files.deleteIfExists(file)
     } catch (_: IOException) {
         // It belongs to another user.
@@ -40,4 +60,4 @@ private fun removeQuietly(file: Path) {
 }
 
 private val isCleaned = AtomicBoolean()
-private val MADE = Regex("badlog-(\\d+)-\\d+\\.(?:wpilog|txt)")
+private val MADE = Regex("badlog-(\\d+)-\\d+(?:\\.(?:wpilog|txt))?")

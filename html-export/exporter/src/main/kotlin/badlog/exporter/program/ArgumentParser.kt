@@ -22,6 +22,9 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.clikt.parameters.types.path
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
 
 internal class ArgumentParser {
     /** What the command line asks for: to do something, or to print something and exit. */
@@ -39,12 +42,36 @@ internal class ArgumentParser {
     fun parse(arguments: List<String>): Result {
         val command = Command()
         return try {
-            command.parse(arguments)
+            command.parse(withAllAttachments(arguments))
             Result.Run(command.result())
         } catch (e: CliktError) {
             val text = command.getFormattedHelp(e).orEmpty().trim()
             if (e.statusCode == 0) Result.Say(text) else Result.Refuse("$text\nTry: $NAME --help")
         }
+    }
+
+    /** Returns [arguments] with an option before each file after one to attach: the original badlog took several at once. */
+    private fun withAllAttachments(arguments: List<String>): List<String> {
+        val all = ArrayList<String>()
+        var isAttaching = false
+        var isValue = false
+        for ((index, argument) in arguments.withIndex()) {
+            val isOption = argument.startsWith("-")
+            if (argument == "--") return all + arguments.drop(index)
+            isAttaching = if (isOption) argument in ATTACHING else isAttaching && (isValue || isAttachment(argument))
+            if (isAttaching && !isOption && !isValue) all += ATTACHING.first()
+            all += argument
+            isValue = isOption && isAttaching
+        }
+        return all
+    }
+
+    /** Whether [word], after a file to attach, is another one, rather than a log, a folder or the page. */
+    private fun isAttachment(word: String): Boolean = try {
+        val file = Path.of(word)
+        !LogName.of("${file.fileName}").mayBeLog && PAGES.none { word.endsWith(it, ignoreCase = true) } && Files.isRegularFile(file)
+    } catch (_: InvalidPathException) {
+        false
     }
 
     private class Command : CoreCliktCommand(NAME) {
@@ -53,7 +80,7 @@ internal class ArgumentParser {
         private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
             .help("Write to this file; a name without an ending is a folder.")
         private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
-            .help("Include this file in each page; may be repeated.")
+            .help("Include this file in each page; several may follow.")
         private val compared by option("--compare", metavar = "LOG").path().multiple()
             .help("Draw this log over the page's own; may be repeated.")
         private val isWithoutRules by option("--no-rules").flag()
@@ -108,5 +135,7 @@ internal class ArgumentParser {
 
     private companion object {
         const val NAME = "badlog-html"
+        val ATTACHING = listOf("-a", "--attach")
+        val PAGES = listOf(".html", ".htm")
     }
 }

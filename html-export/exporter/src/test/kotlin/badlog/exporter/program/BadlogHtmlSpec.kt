@@ -50,6 +50,22 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
+    test("several files follow -a, as in the original, but no log, no page and no folder") {
+        inFolder { folder ->
+            val (one, two) = folder.with("a.txt", "one") to folder.with("b.txt", "two")
+            val log = folder.with("match.bag")
+            for (arguments in listOf(listOf("-a", one, two, log), listOf(log, "--attach", one, two), listOf("-a", one, "-a", two, log))) {
+                val ended = run(*arguments.toTypedArray(), "--out", folder / "out/page.html")
+                ended.code shouldBe ExitCode.WHOLE
+                ended.lines shouldContainExactly listOf("${folder / "out/page.html"}")
+                ReadPage(folder / "out/page.html").attachments.mapValues { it.value.decodeToString() } shouldBe mapOf("a.txt" to "one", "b.txt" to "two")
+            }
+            run("-a", one, log, folder / "out/page.html").code shouldBe ExitCode.WHOLE
+            ReadPage(folder / "out/page.html").attachments.keys shouldBe setOf("a.txt")
+            run("-a", one, two).code shouldBe ExitCode.USAGE
+        }
+    }
+
     test("with --compare, each page has the other log's bytes, but none its own once more") {
         inFolder { folder ->
             val other = folder.with("best.bag", "Time,A\n0,1\n")

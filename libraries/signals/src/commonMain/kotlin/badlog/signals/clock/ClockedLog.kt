@@ -17,8 +17,8 @@ import badlog.signals.withSignals
  * @property recording its content.
  * @param vocabulary the names of its topics.
  */
-class ClockedLog(val name: String, val recording: Recording, private val vocabulary: SignalVocabulary) {
-    private val view: LogView = LogView.of(recording)
+class ClockedLog(val name: String, val recording: Recording, internal val vocabulary: SignalVocabulary) {
+    internal val view: LogView = LogView.of(recording)
 
     /** Whether its x is a time, or a number without a unit that a person has made the x axis. */
     val hasClock: Boolean =
@@ -40,7 +40,7 @@ class ClockedLog(val name: String, val recording: Recording, private val vocabul
     val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary, name).enabledEdges() }
 
     /** What match it is of. */
-    internal val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
+    val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
 
     private companion object {
         /** The form in which WPILib names its logs, in UTC. */

@@ -1,0 +1,31 @@
+package badlog.signals.match
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+class SameMatchSpec : FunSpec({
+    fun same(one: String, other: String): Boolean? {
+        fun match(text: String) = text.split(' ').let { (type, number) -> MatchOfLog(type = type.takeIf { it != "?" }, number = number.takeIf { it != "?" }) }
+        return match(one).isSameAs(match(other)).also { match(other).isSameAs(match(one)) shouldBe it }
+    }
+
+    test("numbers and types that contradict are two matches; what a log lacks is open") {
+        same("Qualification 17", "Qualification 17") shouldBe true
+        same("Qualification 17", "? 17") shouldBe true
+        same("Qualification 17", "Qualification 11") shouldBe false
+        same("Qualification 17", "Practice 17") shouldBe false
+        same("Qualification 17", "Practice ?") shouldBe false
+        same("Qualification 17", "? ?") shouldBe null
+        same("Qualification 17", "Elimination 17") shouldBe false
+    }
+
+    test("a playoff is counted by the field, or named by its set and its match") {
+        same("Elimination 5", "Semifinal 5-1") shouldBe true
+        same("Semifinal 5-1", "Semifinal 5-1") shouldBe true
+        same("Semifinal 5-1", "Semifinal 5-2") shouldBe false
+        same("Elimination 5", "Elimination 6") shouldBe false
+        // Before 2023, the field counted the matches of all pairs in turn.
+        same("Elimination 5", "Quarterfinal 1-2") shouldBe null
+        same("Qualification 5", "Qualification 5-1") shouldBe false
+    }
+})
