@@ -35,12 +35,12 @@ import javax.tools.ToolProvider;
 /**
  * Puts Gradle 8.7 together from Maven Central, for machines that cannot reach Gradle's own server.
  *
- * <p>gradlew and gradlew.bat start it while Gradle is not installed; by hand it is {@code java gradle/InstallGradle.java}. It
- * needs a JDK 17 or newer and {@code mvn} on the PATH, whose mirrors and proxies apply. It does nothing if the wrapper can
- * download Gradle.
+ * <p>gradlew and gradlew.bat start it while Gradle is not installed; to run it by hand, use {@code java gradle/InstallGradle.java}. It
+ * needs JDK 17 or newer and {@code mvn} on the PATH, and uses Maven's mirrors and proxies. It does nothing if the wrapper can download
+ * Gradle.
  *
- * <p>{@code dev.gradleplugins:gradle-api} holds nearly every class of Gradle in one jar. That jar, a few changes to it, and
- * the libraries in {@link #PARTS} are the Gradle home.
+ * <p>{@code dev.gradleplugins:gradle-api} contains nearly every class of Gradle in one jar. The Gradle home consists of that jar with a few
+ * changes, and the libraries in {@link #PARTS}.
  *
  * <p>The file is plain ASCII, because Java 17 reads it in the platform's own encoding.
  */
@@ -87,7 +87,7 @@ public final class InstallGradle {
             }
             install(place, zip);
         } catch (IOException | UncheckedIOException e) {
-            // Java's own messages are often a path alone; the name of the exception says what is wrong with it.
+            // Java's messages are often only a path; the name of the exception describes the problem.
             String reason = e.getClass() == IOException.class ? e.getMessage() : e.toString();
             System.err.println("Gradle " + VERSION + " could not be put together: " + reason + ". Fix that, or give this machine"
                 + " access to the distributionUrl in gradle/wrapper/gradle-wrapper.properties, then try again.");
@@ -103,7 +103,7 @@ public final class InstallGradle {
         }
     }
 
-    /** The wrapper looks for Gradle here, below a hash of the address without user and password. */
+    /** Returns the folder in which the wrapper looks for Gradle: below a hash of the address without user and password. */
     private static Path place(String address, String zip) {
         String userHome = System.getenv("GRADLE_USER_HOME");
         Path folder = userHome == null ? Path.of(System.getProperty("user.home"), ".gradle") : Path.of(userHome);
@@ -112,7 +112,7 @@ public final class InstallGradle {
         return folder.toAbsolutePath().resolve(Path.of("wrapper", "dists", zip.replace(".zip", ""), hash));
     }
 
-    /** The wrapper downloads Gradle when it starts, also through proxies and with passwords that it alone knows of. */
+    /** Returns whether the wrapper can download Gradle, which may need proxies and passwords that only the wrapper knows. */
     private static boolean wrapperWorks(Path jar) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         for (String variable : List.of("JAVA_OPTS", "GRADLE_OPTS")) {
@@ -123,7 +123,7 @@ public final class InstallGradle {
         return new ProcessBuilder(command).inheritIO().redirectError(ProcessBuilder.Redirect.DISCARD).start().waitFor() == 0;
     }
 
-    /** The lock is the wrapper's own, so that an IDE's wrapper waits, too. */
+    /** Installs Gradle under the wrapper's own lock, so that an IDE's wrapper waits, too. */
     private static void install(Path place, String zip) throws IOException, InterruptedException {
         Path marker = place.resolve(zip + ".ok");
         Files.createDirectories(place);
@@ -142,7 +142,7 @@ public final class InstallGradle {
                 Path target = place.resolve(home.getFileName());
                 deleteTree(target);
                 Files.move(home, target, StandardCopyOption.ATOMIC_MOVE);
-                // The marker comes last, because the wrapper takes a folder that lacks it for not installed.
+                // The marker comes last, because without it the wrapper treats Gradle as not installed.
                 Files.createFile(marker);
             } finally {
                 deleteTree(work);
@@ -152,7 +152,7 @@ public final class InstallGradle {
 
     private static Path build(Path work) throws IOException, InterruptedException {
         Path home = work.resolve("gradle-" + VERSION);
-        // Gradle takes a lib folder for its own only if plugins is in it.
+        // Gradle accepts a lib folder as its own only if it contains plugins.
         Path lib = Files.createDirectories(home.resolve("lib").resolve("plugins")).getParent();
         fetch(work, lib);
         Path jar = lib.resolve("gradle-launcher-" + VERSION + ".jar");
@@ -162,7 +162,7 @@ public final class InstallGradle {
         return home;
     }
 
-    /** Maven gets relative paths alone: none of them has to survive a Windows command line. */
+    /** Downloads all libraries by Maven, with relative paths only, which are safe on a Windows command line. */
     private static void fetch(Path work, Path lib) throws IOException, InterruptedException {
         Files.writeString(work.resolve("pom.xml"), """
             <project>
@@ -195,7 +195,7 @@ public final class InstallGradle {
         }
     }
 
-    /** Only what is changed is compressed again; the file system copies the rest as it is. */
+    /** Changes the jar in place: only changed entries are compressed again. */
     private static void adapt(Path jar, Path work) throws IOException {
         Path classes = compileStandIns(jar, work);
         try (FileSystem zip = FileSystems.newFileSystem(jar)) {
@@ -213,7 +213,7 @@ public final class InstallGradle {
                 "\norg.gradle.kotlin.dsl.provider.KotlinStdlibApi\n", StandardOpenOption.APPEND);
             // Gradle's --version fails without it.
             Files.writeString(zip.getPath("gradle-kotlin-dsl-versions.properties"), "kotlin=" + KOTLIN + "\n");
-            // The first makes Gradle show all of its classes to plugins, the others hide classes and stop the daemon.
+            // The first entry makes Gradle show all of its classes to plugins; the others hide classes and stop the daemon.
             Files.delete(zip.getPath("META-INF/.gradle-runtime-shaded"));
             Files.delete(zip.getPath("META-INF/INDEX.LIST"));
             Files.delete(zip.getPath("META-INF/services/java.nio.file.spi.FileSystemProvider"));
@@ -221,7 +221,7 @@ public final class InstallGradle {
     }
 
     /**
-     * JUnit's classes get back the names that tests know; gradle-api has all libraries in a package of its own.
+     * Restores the original names of JUnit's classes; gradle-api moves all libraries into a package of its own.
      *
      * <p>Every name in a class is a Utf8 entry of its constant pool.
      */
@@ -313,7 +313,7 @@ public final class InstallGradle {
             return name + "-" + version + ".jar";
         }
 
-        /** Without what it depends on: only files with a known SHA-256 are wanted. */
+        /** Returns the Maven dependency, without transitive ones: only files with a known SHA-256 are allowed. */
         String dependency() {
             return """
                     <dependency>
@@ -326,7 +326,7 @@ public final class InstallGradle {
         }
     }
 
-    /** Classes that gradle-api lacks, or that replace one of it. */
+    /** Classes that gradle-api lacks, or replacements for its own. */
     private static final Map<String, String> STAND_INS = Map.of(
         // Gradle loads the reader of .gradle.kts files by this name. Here it is the reader of .gradle files.
         "KotlinScriptPluginFactory", """

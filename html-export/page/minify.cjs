@@ -8,7 +8,7 @@ const { code } = minifySync(readFileSync(script, 'utf8'), {
     ecma: 2020,
     module: false,
     toplevel: true,
-    compress: { passes: 2, toplevel: true },
+    compress: { passes: 4, toplevel: true },
     // Shortens the names that Kotlin's compiler gives to members, all of which end so, and which nothing outside this script uses;
     // docs/decisions/page-build.md.
     mangle: { toplevel: true, props: { regex: '(_1|_k\\$?)$' } },

@@ -1,4 +1,4 @@
-"""How fast a bag is read, beside Polars' `read_csv` on the same rows, in one run.
+"""Measures how fast a bag is read, beside Polars' `read_csv` on the same rows, in one run.
 
     python ports/python/benchmark.py LOG.bag [runs]
 """
@@ -27,7 +27,7 @@ def main() -> None:
         "badlog.read, samples": lambda: [topic.samples for topic in badlog.read(data).topics],
         "badlog.read, to_polars": lambda: badlog.read(data).to_polars(),
     }
-    # In turn, so that whatever else the machine does slows all of them.
+    # In turn, so that other work of the machine slows all of them.
     times: dict[str, list[float]] = {name: [] for name in ways}
     for _ in range(runs):
         for name, way in ways.items():

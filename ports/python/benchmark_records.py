@@ -1,4 +1,4 @@
-"""How fast a WPILOG and a log of the Driver Station are read, beside a bag with the same samples as the WPILOG, in one run.
+"""Measures the speed of reading a WPILOG, a log of the Driver Station, and a bag with the WPILOG's samples, in one run.
 
     python ports/python/benchmark_records.py LOG.bag [runs] [copies]
 
@@ -43,14 +43,14 @@ def main() -> None:
         "dslog": (dslog, lambda: driver_station_parser.parse(dslog, badlog.MAX_ROWS, reading.uses_numpy())),
         "dslog, only Python": (dslog, lambda: driver_station_parser.parse(dslog, badlog.MAX_ROWS, False)),
     }
-    # In turn, so that whatever else the machine does slows all of them.
+    # In turn, so that other work of the machine slows all of them.
     best: dict[str, float] = dict.fromkeys(ways, math.inf)
     samples: dict[str, int] = {}
     for _ in range(runs):
         for name, (_, way) in ways.items():
             began = time.process_time()
             recording = way()
-            # As a user of the samples would: what is lazy is done, too.
+            # Includes lazy work, as for a user of the samples.
             for topic in recording.topics:
                 _ = topic.samples
             best[name] = min(best[name], time.process_time() - began)
@@ -89,7 +89,7 @@ def as_wpilog(recording: badlog.Recording, copies: int) -> bytes:
 
 
 def driver_station_log(records: int) -> bytes:
-    """So many records with a power distribution."""
+    """A log of so many records, each with a power distribution."""
     log = DslogWriter()
     for i in range(records):
         log.record(volts=12 - i % 50 / 16, cpu=i % 200, power=pdh(lambda channel: (channel + i) % 256))

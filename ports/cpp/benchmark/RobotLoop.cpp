@@ -38,12 +38,12 @@ private:
     size_t m_loop = 0;
 };
 
-/** In memory if there is such a disk: the log is measured, not the disk. */
+/** Returns a folder in memory, if there is such a disk, so that the log is measured, not the disk. */
 std::filesystem::path Folder() {
     return std::filesystem::exists("/dev/shm") ? std::filesystem::path{"/dev/shm"} : std::filesystem::temp_directory_path();
 }
 
-/** The time of this thread in microseconds: what other programs and threads take meanwhile does not count. */
+/** Returns the time of this thread in microseconds. The time of other programs and threads does not count. */
 double ThreadTime() {
 #if defined(CLOCK_THREAD_CPUTIME_ID)
     timespec now{};
@@ -54,7 +54,7 @@ double ThreadTime() {
 #endif
 }
 
-/** The median of the microseconds that a loop takes in each round; after a round, `rest` is called. */
+/** Returns the median time of a loop over some rounds, in microseconds; `rest` is called after each round. */
 template <typename Loop, typename Rest>
 double Microseconds(Loop loop, Rest rest) {
     std::vector<double> rounds;
@@ -91,7 +91,7 @@ double Badlog() {
 }
 
 #if defined(BADLOG_WPILIB)
-/** As a team uses WPILib's log: an entry for each number, one append each; the log writes in a thread of its own. */
+/** Measures WPILib's log as teams use it. It has an entry for each number, and one append each; the log writes in its own thread. */
 double WpilibDataLog() {
     Signals signals;
     wpi::log::DataLogBackgroundWriter log{Folder().string(), "badlog-benchmark.wpilog"};
@@ -101,7 +101,7 @@ double WpilibDataLog() {
         signals.Next();
         for (size_t i = 0; i < entries.size(); i++) entries[i].Append(signals.Signal(i));
     }, [&] {
-        // Otherwise it would drop what it cannot keep in memory, and dropping costs nothing.
+        // Otherwise it would drop the entries that do not fit into memory, and dropping costs nothing.
         log.Flush();
         std::this_thread::sleep_for(std::chrono::milliseconds{200});
     });

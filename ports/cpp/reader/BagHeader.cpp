@@ -5,7 +5,7 @@
 namespace badlog::reader {
 namespace {
 
-/** The text of a member, or its JSON if it is of another type; nothing if it is missing or null. */
+/** Returns the text of a member, or its JSON if it has another type. Returns nothing if it is missing or null. */
 std::optional<std::string> TextOf(const JsonValue& object, std::string_view key) {
     const auto* const value = object.Member(key);
     if (value == nullptr) return std::nullopt;

@@ -16,7 +16,7 @@ struct BagTopic {
     std::vector<std::string> attributes;
 };
 
-/** What the line of JSON says, in its order. */
+/** The content of the line of JSON, in its order. */
 struct BagHeader {
     std::vector<BagTopic> topics;
     std::vector<RecordedValue> values;
@@ -24,7 +24,7 @@ struct BagHeader {
     std::vector<std::string> Names() const;
 };
 
-/** The header, or nothing if the line is not one whole JSON object. */
+/** Returns the header, or nothing if the line is not one whole JSON object. */
 std::optional<BagHeader> ReadHeader(std::string_view line);
 
 }  // namespace badlog::reader

@@ -12,7 +12,7 @@
 
 namespace badlog::reader {
 
-/** One column while its file is read: its numbers, its texts, and what was odd about it. */
+/** One column while its file is read: its numbers, its texts, and counts of oddities. */
 class Column {
 public:
     Column(std::string name, std::string unit, std::vector<std::string> attributes);
@@ -24,10 +24,13 @@ public:
 
     /** Adds the cell in a row, which is on a line. */
     void Add(int64_t row, const Cell& cell, int64_t line);
-    /** Adds a line to the text in the last row; false if that cell is not text, or would become too long. */
+    /**
+     * Adds a line to the text in the last row. Returns false if that cell is not a text, or would become too
+     * long.
+     */
     bool ExtendText(int64_t row, std::string_view more, size_t longest);
 
-    /** Returns the topic that all rows make; what was odd about the column is reported. Call it once, last. */
+    /** Returns the topic made of all rows, and reports the column's oddities. Call it once, last. */
     RecordedTopic Finish(ProblemList& problems);
 
 private:

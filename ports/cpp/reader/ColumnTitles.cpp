@@ -13,7 +13,7 @@
 namespace badlog::reader {
 namespace {
 
-constexpr size_t FEW = 4;  // if one title of this many is in the order of line 1, the order is that of line 1
+constexpr size_t NAMES_PER_MATCH = 4;  // if one title in this many is in line 1's order, line 1's order counts
 
 std::string Joined(const Names& names) {
     std::string line;
@@ -21,7 +21,7 @@ std::string Joined(const Names& names) {
     return line;
 }
 
-/** Removes the first of that name from a list; false if there is none. */
+/** Removes the first of that name from a list. Returns false if there is none. */
 bool Remove(Names& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) return false;
@@ -33,7 +33,7 @@ bool EndsWith(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/** Some titles differ from the names. */
+/** Pairs names with titles if some of them differ. */
 ColumnTitles Paired(const Names& names, const Names& titles) {
     size_t same = 0;
     Names waiting;
@@ -44,7 +44,7 @@ ColumnTitles Paired(const Names& names, const Names& titles) {
             waiting.push_back(names[i]);
         }
     }
-    // If line 2 has an order of its own, each title is at its place there.
+    // If line 2 has its own order, each title is at its place there.
     const bool isReordered = same * 2 < names.size();
     auto result = ColumnTitles::Certain(titles);
     for (size_t i = 0; i < titles.size(); i++) {
@@ -62,7 +62,7 @@ ColumnTitles Paired(const Names& names, const Names& titles) {
     return result;
 }
 
-/** There are too few or too many titles. */
+/** Uses the names because there are too few or too many titles. */
 ColumnTitles OfNames(const Names& names, const Names& titles) {
     std::map<std::string, std::deque<size_t>> places;
     for (size_t i = 0; i < names.size(); i++) places[names[i]].push_back(i);
@@ -75,13 +75,13 @@ ColumnTitles OfNames(const Names& names, const Names& titles) {
     }
     const bool isAtEnd = titles.front() == names.front() || titles.back() == names.back();
     const bool ascends = std::is_sorted(found.begin(), found.end());
-    // What a hole leaves may be the beginning or the end of one name.
+    // A hole may leave only the beginning or the end of a name.
     const auto line = Joined(names);
     const auto rest = Joined(titles);
-    if ((isAtEnd && found.size() * FEW >= names.size() && ascends) || line.compare(0, rest.size(), rest) == 0 || EndsWith(line, rest)) {
+    if ((isAtEnd && found.size() * NAMES_PER_MATCH >= names.size() && ascends) || line.compare(0, rest.size(), rest) == 0 || EndsWith(line, rest)) {
         return ColumnTitles::Certain(names);
     }
-    // Line 2 had an order of its own, which is known from both of its ends.
+    // Line 2 had its own order, which is known from both ends of the line inwards.
     auto left = names;
     size_t first = 0;
     while (first < titles.size() && Remove(left, titles[first])) first++;
@@ -111,7 +111,7 @@ Names UniqueNames(const Names& titles, int64_t line, ProblemList& problems) {
     return names;
 }
 
-/** The first character of a name that is neither a letter, nor a digit, nor one of ` _/`. */
+/** Returns the first character of a name that is neither a letter, nor a digit, nor one of ` _/`. */
 std::optional<std::string> OddCharacter(const std::string& name) {
     for (size_t i = 0; i < name.size();) {
         const auto character = CharacterAt(name, i);

@@ -12,10 +12,10 @@ namespace badlog::reader {
 
 using Names = std::vector<std::string>;
 
-/** Whether two lists have the same names, each as often, in any order. */
+/** Returns whether two lists have the same names, each equally often, in any order. */
 bool HaveSameNames(Names one, Names other);
 
-/** A title for each column, and whether it may be another's. */
+/** A title for each column, and whether it may belong to another column. */
 struct ColumnTitles {
     Names titles;
     std::vector<bool> isDoubtful;
@@ -24,19 +24,19 @@ struct ColumnTitles {
     static ColumnTitles Doubtful(const Names& titles) { return {titles, std::vector<bool>(titles.size(), true)}; }
 
     /**
-     * The titles where line 1 has these names, line 2 has these titles, and the rows have `width` cells, or 0 if that is not
-     * known. Line 1 wins if it has that many.
+     * Returns the titles for these names on line 1, these titles on line 2, and rows of `width` cells. A `width` of 0 is
+     * not known. Line 1 wins if it has that many names.
      */
     static ColumnTitles Of(const Names& names, const Names& titles, size_t width);
 };
 
-/** How the topics of line 1 and the columns of line 2 belong together. */
+/** The columns of line 2, matched with the topics of line 1. */
 struct HeaderColumns {
     /** The name of each column, unique, in the order of line 2. */
     Names names;
     /** For each column, its topic of line 1, or null. */
     std::vector<const BagTopic*> topics;
-    /** The columns in the order in which they are shown: that of line 1, then those it does not name. */
+    /** The columns in display order: first in the order of line 1, then those that line 1 does not name. */
     std::vector<size_t> order;
 
     /** Matches by name, the first of equal names to the first; `header` may be null. */

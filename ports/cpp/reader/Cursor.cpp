@@ -22,7 +22,7 @@ void Cursor::AdvanceTo(size_t following) {
 }
 
 size_t Cursor::PassBlankLine(size_t end, size_t following, ProblemList& problems) {
-    // The end of a line whose beginning is lost is not blank.
+    // The rest of a line after a hole is not a blank line.
     if (!IsAfterHole()) problems.Add("BLANK_LINE", "A blank line was skipped.", line);
     if (following > end) line++;
     return following;

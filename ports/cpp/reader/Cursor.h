@@ -8,13 +8,16 @@
 
 namespace badlog::reader {
 
-/** Where the line ends: at its LF or CR, or at a NUL, where the original bytes are lost; otherwise `until`. */
+/**
+ * Returns the end of the line: its LF or CR, or a NUL, where the original bytes are lost. Returns `until`
+ * if there is none.
+ */
 size_t LineEndIn(std::string_view data, size_t start, size_t until);
 
-/** Where the line after the one that ends at `end` begins; after a NUL, that is the NUL itself. */
+/** Returns the start of the line after the one that ends at `end`; for a NUL, the NUL itself. */
 size_t AfterLineEnd(std::string_view data, size_t end);
 
-/** The bytes of a file and how far they are read. */
+/** The bytes of a file, and the place up to which they are read. */
 class Cursor {
 public:
     explicit Cursor(std::string_view bytes) : data{bytes} {}

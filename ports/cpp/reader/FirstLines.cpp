@@ -10,12 +10,12 @@
 namespace badlog::reader {
 namespace {
 
-constexpr size_t ROWS = 20;  // the number of rows that are looked at
+constexpr size_t ROWS = 20;  // the number of rows that are examined
 constexpr size_t MAX_BYTES = 1 << 20;
 constexpr size_t CLEARLY = 3;
-constexpr size_t LEAST_ROWS = 3;  // this many rows of one width count more than the titles
+constexpr size_t MIN_ROWS = 3;  // this many rows of one width count more than the titles
 
-// Of random bytes, every ninth is a control character; of a text with a few damaged places, less than one in this many.
+// Among random bytes, every ninth is a control character; in a text with a few damaged places, fewer than one in this many.
 constexpr size_t MIN_TEXT = 20;
 constexpr size_t MIN_CONTROLS = 16;
 
@@ -51,7 +51,7 @@ FirstLines::FirstLines(const Cursor& cursor) {
             lines.push_back(LineOf(data, at, end, following));
             if (lines.back().cells > 0) rows++;
         }
-        // A line that ends at a NUL goes on there.
+        // After a line that ends at a NUL, go on from that NUL.
         at = following == end ? end + 1 : following;
     }
     const auto lookedAt = cursor.Piece(cursor.start, at);
@@ -65,7 +65,7 @@ FirstLines::FirstLines(const Cursor& cursor) {
 void FirstLines::FindWidth() {
     std::vector<Line> rows;
     std::copy_if(lines.begin() + (lines.empty() ? 0 : 1), lines.end(), std::back_inserter(rows), [](const Line& line) { return line.cells > 0; });
-    // What damage tore off the titles has no numbers.
+    // A piece of the titles, split off by damage, has no numbers.
     const auto hasNumbers = [](const Line& line) { return line.numbers > 0; };
     if (std::any_of(rows.begin(), rows.end(), hasNumbers)) {
         rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const Line& line) { return !hasNumbers(line); }), rows.end());
@@ -73,7 +73,7 @@ void FirstLines::FindWidth() {
     std::map<size_t, size_t> counts;
     for (const auto& row : rows) counts[row.cells]++;
     if (!counts.empty()) {
-        // Of widths that are equally frequent, the greater.
+        // Of equally frequent widths, the greater one counts.
         auto best = counts.begin();
         for (auto count = counts.begin(); count != counts.end(); count++) {
             if (count->second >= best->second) best = count;
@@ -89,7 +89,7 @@ void FirstLines::FindWidth() {
 
 size_t FirstLines::ClearWidth(size_t names) const {
     const auto ofWidth = std::count_if(lines.begin() + (lines.empty() ? 0 : 1), lines.end(), [&](const Line& line) { return line.cells == width; });
-    return width == names || static_cast<size_t>(ofWidth) >= LEAST_ROWS ? width : 0;
+    return width == names || static_cast<size_t>(ofWidth) >= MIN_ROWS ? width : 0;
 }
 
 size_t FirstLines::RestOfTitles(size_t following, size_t cells) const {

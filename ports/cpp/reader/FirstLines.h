@@ -8,10 +8,10 @@
 
 namespace badlog::reader {
 
-/** Whether there are bytes that no text has. */
+/** Returns whether there are bytes that do not occur in text. */
 bool HasControls(std::string_view line);
 
-/** What the first lines from the titles on look like; the rows show whether a line of titles is damaged or only odd. */
+/** The first lines from the titles on: the rows show whether a line of titles is damaged or merely unusual. */
 class FirstLines {
 public:
     /** A line without its end. */
@@ -20,9 +20,9 @@ public:
         size_t end;
         /** Where the next line begins. */
         size_t following;
-        /** The number of its cells; 0 if its quotes or its bytes are not those of a row. */
+        /** The number of its cells; 0 if its quotes or bytes cannot be in a row. */
         size_t cells;
-        /** The number of them that are numbers, or true or false. */
+        /** The number of cells with a number, `true` or `false`. */
         size_t numbers;
         size_t texts;
 
@@ -30,7 +30,7 @@ public:
         bool IsTitles() const { return texts == cells; }
     };
 
-    /** Looks at the titles, at the cursor, and some lines after them. */
+    /** Examines the titles, which are at the cursor, and some lines after them. */
     explicit FirstLines(const Cursor& cursor);
 
     std::vector<Line> lines;
@@ -38,12 +38,12 @@ public:
     size_t width = 0;
     /** Whether there are rows with numbers among them. */
     bool hasRows = false;
-    /** Whether they are the bytes of a picture, an archive or a program: damage leaves more text than that. */
+    /** Whether the bytes are a picture, an archive or a program: even a damaged log has more text than those. */
     bool isBinary = false;
 
-    /** The number of cells of a row, if line 1 has that many names; 0 if it is not clear. */
+    /** Returns the number of cells in a row; 0 if that is not clear. */
     size_t ClearWidth(size_t names) const;
-    /** The end of the lines that damage tore off the line of titles: they are not rows. */
+    /** Returns the end of the lines that damage split off the line of titles: they are not rows. */
     size_t RestOfTitles(size_t following, size_t cells) const;
 
 private:

@@ -15,7 +15,7 @@ constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 constexpr const char* UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8.";
 
 std::string Binary() {
-    return std::string{NO_LOG} + ": it has bytes that never occur in text.";
+    return std::string{NOT_A_LOG} + ": it has bytes that never occur in text.";
 }
 
 bool StartsWith(std::string_view text, std::string_view start) {
@@ -26,9 +26,7 @@ bool IsControl(char byte) {
     return static_cast<unsigned char>(byte) < ' ' && byte != '\t';
 }
 
-/**
- * Whether a line was torn off the line of JSON: it has the characters between a key and its value, which no title has.
- */
+/** Returns whether a line is a piece of the line of JSON. It then has the characters between a key and its value, which no title has. */
 bool IsRestOfJson(std::string_view line) {
     return line.find("\":\"") != std::string_view::npos || line.find("\":[") != std::string_view::npos;
 }
@@ -81,7 +79,7 @@ size_t HeaderReader::TakeTitles(size_t lineEnd, size_t following) {
     const bool isCut = following == lineEnd;
     const auto line = m_cursor.Piece(m_cursor.start, lineEnd);
     if (hasLine && !header) {
-        // What a hole left of the line of JSON holds no titles.
+        // The rest of a line of JSON after a hole is not the line of titles.
         const bool isRest = !m_cursor.IsAfterHole() && IsRestOfJson(line);
         if (isRest) {
             ReportUnreadable("Line " + std::to_string(m_cursor.line) + " is part of the JSON line before it; it was skipped.");
@@ -111,10 +109,10 @@ size_t HeaderReader::TakeWithHeader(const Names& titles, size_t following, bool 
     const bool isNone = !names.empty() && std::none_of(titles.begin(), titles.end(), [&](const std::string& title) {
         return std::find(names.begin(), names.end(), title) != names.end();
     });
-    // Damage, such as a hole, may have taken line 2: then this is a row.
+    // Line 2 may be lost, to a hole or to damage: then this is a row.
     const bool fits = firstLines && names.size() == width && titles.size() == width && firstLines->lines[0].numbers > 0;
     const bool isRow = isNone && (m_cursor.holeLine > 0 || fits);
-    // The line of JSON knows the topics better than a line of titles that is cut.
+    // The line of JSON is more reliable than a line of titles that is cut.
     const bool isOnlyNames = isRow || (isCut && !names.empty() && width == 0);
     columns = ColumnsOf(isOnlyNames ? ColumnTitles::Certain(names) : ColumnTitles::Of(names, titles, width), titles);
     const bool isUneven = width > 0 && titles.size() != width;
@@ -144,13 +142,13 @@ size_t HeaderReader::TakeWithoutHeader(const Names& titles, size_t lineEnd, size
     }
     const auto& lines = firstLines.lines;
     if (isDamaged && firstLines.hasRows) {
-        // Before the titles, there may be damage or somebody's remarks.
+        // Damage, or remarks of the file's author, may come before the titles.
         const auto begin = std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.cells == width; });
         if (begin != lines.end() && begin->IsTitles()) return SkipTo(*begin, lines[0].end);
     }
     if (!lines.empty() && titles.size() == width && (lines[0].texts == 0 || (hasLine && lines[0].numbers > 0))) return TakeUntitled(width);
     auto known = isDamaged ? ColumnTitles::Of({}, titles, width) : ColumnTitles::Certain(titles);
-    // A hole took the rest of the line, which may have had more titles.
+    // A hole destroyed the rest of the line, which may have had more titles.
     if (following == lineEnd && firstLines.hasRows) known.isDoubtful.assign(known.titles.size(), true);
     for (size_t i = 0; i < known.titles.size(); i++) {
         auto& title = known.titles[i];
@@ -247,7 +245,7 @@ void HeaderReader::ReportEncoding() {
 size_t HeaderReader::Refuse(std::string message) {
     m_problems.Add("NOT_A_RECORDING", std::move(message), m_cursor.line);
     isDone = true;
-    isNoLog = true;
+    isNotLog = true;
     return m_cursor.End();
 }
 

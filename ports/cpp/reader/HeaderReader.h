@@ -13,26 +13,26 @@
 
 namespace badlog::reader {
 
-constexpr std::string_view NO_LOG = "This file is neither a bag nor a CSV file";
+constexpr std::string_view NOT_A_LOG = "This file is neither a bag nor a CSV file";
 
-/** Reads what is before the rows: the line of JSON, if there is one, and the line of column titles. */
+/** Reads the lines before the rows: the line of JSON, if there is one, and the line of column titles. */
 class HeaderReader {
 public:
     HeaderReader(Cursor& cursor, ProblemList& problems) : m_cursor{cursor}, m_problems{problems} {}
 
     /** Whether there is a line of JSON, readable or not. */
     bool hasLine = false;
-    /** What it says; nothing if it is missing or cannot be read. */
+    /** The content of that line; nothing if it is missing or cannot be read. */
     std::optional<BagHeader> header;
     /** The columns; nothing if the line of titles is missing. */
     std::optional<HeaderColumns> columns;
     bool isDone = false;
     /** Whether the bytes turned out not to be a log. */
-    bool isNoLog = false;
+    bool isNotLog = false;
 
     const BagHeader* Header() const { return header ? &*header : nullptr; }
 
-    /** Reads one line of it; returns where the next begins. */
+    /** Reads one line of the header. Returns where the next begins. */
     size_t Read();
 
 private:

@@ -15,7 +15,9 @@ bool IsDigit(char byte) {
     return byte >= '0' && byte <= '9';
 }
 
-/** Whether a word is a number of JSON's: no sign but a minus, no leading zero, digits on both sides of the point. */
+/**
+ * Returns whether a word is a JSON number. It has no sign but a minus, no leading zero, and digits on both sides of the point.
+ */
 bool IsNumber(std::string_view word) {
     if (!word.empty() && word.front() == '-') word.remove_prefix(1);
     if (word.empty() || !IsDigit(word[0]) || (word.size() > 1 && word[0] == '0' && IsDigit(word[1]))) return false;
@@ -24,7 +26,7 @@ bool IsNumber(std::string_view word) {
     return ReadDecimal(word, '.').has_value();
 }
 
-/** Each function returns false if the text is malformed. */
+/** Reads JSON; each function returns false if the text is malformed. */
 class JsonReader {
 public:
     explicit JsonReader(std::string_view text) : m_text{text} {}
@@ -150,7 +152,7 @@ private:
         while (m_at < m_text.size() && std::string_view{" \t\n\r"}.find(m_text[m_at]) != std::string_view::npos) m_at++;
     }
 
-    /** NUL at the end, which is malformed anywhere outside strings. */
+    /** Returns the next character; at the end NUL, which is malformed anywhere outside strings. */
     char Peek() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
 
     bool Skip(char byte) {

@@ -3,13 +3,13 @@
 namespace badlog::reader {
 namespace {
 
-constexpr int LISTED = 10;
+constexpr int MAX_LISTED = 10;
 
 }  // namespace
 
 void ProblemList::Add(std::string_view kind, std::string message, Line line, TopicName topic, int64_t count) {
     const Key key{kind, topic};
-    if (++m_seen[key] <= LISTED) {
+    if (++m_seen[key] <= MAX_LISTED) {
         m_problems.push_back({kind, std::move(message), line, std::move(topic), count});
         return;
     }

@@ -54,7 +54,7 @@ Recording ReadBag(std::string_view bytes) {
     }
 
     if (!header.columns) {
-        // Without a line of titles there are no rows, but the line of JSON may still have the topics that there were to be.
+        // Without a line of titles there are no rows, but the line of JSON may still list the topics.
         const auto names = header.header ? header.header->Names() : Names{};
         header.columns = HeaderColumns::Match(header.Header(), names, cursor.line, problems);
     }
@@ -64,12 +64,12 @@ Recording ReadBag(std::string_view bytes) {
     recording.rowCount = rows ? rows->rowCount : 0;
     if (header.header) recording.values = header.header->values;
     for (const auto place : header.columns->order) recording.topics.push_back(columns[place].Finish(problems));
-    const bool ignoresTheRest = header.isNoLog || (rows && rows->gaveUp);
+    const bool ignoresTheRest = header.isNotLog || (rows && rows->gaveUp);
     if (cursor.sawCarriageReturn && !ignoresTheRest) {
         problems.Add("CARRIAGE_RETURNS", "Lines end in a carriage return, as on Windows; that is fine.");
     }
     if (!header.header && recording.topics.size() == 1 && recording.rowCount > 0 && IsProse(recording.topics[0])) {
-        problems.Add("NOT_A_RECORDING", std::string{NO_LOG} + ": it is text without columns of numbers.", 1);
+        problems.Add("NOT_A_RECORDING", std::string{NOT_A_LOG} + ": it is text without columns of numbers.", 1);
         recording = {};
     } else if (!ignoresTheRest) {
         ReportEmptiness(header, recording, problems);

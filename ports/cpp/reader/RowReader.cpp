@@ -9,7 +9,7 @@ namespace {
 
 constexpr int64_t MAX_ROWS = 50'000'000;
 constexpr size_t MAX_ROW_BYTES = 1 << 24;
-// A damaged row may make the reader look ahead, but never further than this.
+// For a damaged row the reader may look ahead, but never further than this.
 constexpr int64_t MAX_LINES = 100;
 constexpr size_t MAX_BYTES = 1 << 16;
 constexpr size_t QUOTED_BYTES = 200;
@@ -18,7 +18,7 @@ bool IsDigit(char byte) {
     return byte >= '0' && byte <= '9';
 }
 
-/** Whether it is a number directly followed by letters: damage left only the x and the end of this row. */
+/** Returns whether it is a number directly followed by letters. Then damage left only the x and the end of this row. */
 bool IsEndOfRow(std::string_view piece) {
     size_t at = 0;
     while (at < piece.size() && IsDigit(piece[at])) at++;
@@ -80,7 +80,7 @@ size_t RowReader::Repair() {
     }
     if (ReadWithOddQuotes(start, end, true)) return Take(false, following);
     if (m_cursor.IsAfterHole()) {
-        // What follows a hole up to the next newline is whole only by chance.
+        // The bytes between a hole and the next newline would be a whole row only by chance.
         m_problems.Add(
             "ROW_CUT", "The end of a row whose beginning is lost was dropped; it held " + Quotation(start, end) + ".", m_cursor.line);
         return following;
@@ -90,7 +90,7 @@ size_t RowReader::Repair() {
     return TakeUneven(start, end, following);
 }
 
-/** A quoted cell with newlines inside, as RFC 4180 allows; nothing if it is not one. */
+/** Reads a row with newlines inside a quoted cell, as RFC 4180 allows; returns nothing if it is not one. */
 RowReader::Next RowReader::QuotedLines(size_t start, size_t secondLine) {
     const auto data = m_cursor.data;
     auto at = secondLine;
@@ -120,14 +120,14 @@ RowReader::Next RowReader::QuotedLines(size_t start, size_t secondLine) {
 }
 
 bool RowReader::HasSameNumbers() const {
-    // A line of a quoted text may have the cells of a row, but seldom a number where the row has one.
+    // A line of a quoted text may have as many cells as a row, but seldom a number wherever the row has one.
     for (size_t i = 0; i < m_numbersBefore.size(); i++) {
         if (m_numbersBefore[i] && KindOf(i) == CellKind::TEXT) return false;
     }
     return true;
 }
 
-/** The readings under which quotes that were never escaped give the row its right number of cells. */
+/** Tries readings of quotes that were never escaped, until one gives the row its right number of cells. */
 bool RowReader::ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen) {
     const auto data = m_cursor.data;
     const bool fits = (m_splitter.Split(data, start, end, Quotes::LENIENT) == m_wanted && !m_splitter.isOpen) ||
@@ -143,11 +143,11 @@ bool RowReader::ReadWithOddQuotes(size_t start, size_t end, bool mayBeOpen) {
     return fits;
 }
 
-/** A text cell that a raw newline has torn: the pieces fit together when they have the right number of cells. */
+/** Joins a text cell that a raw newline has split. The pieces belong together if they then have the right number of cells. */
 RowReader::Next RowReader::JoinedLines(size_t start, size_t newline, size_t secondLine) {
     const auto data = m_cursor.data;
     auto at = secondLine;
-    // Without quotes the commas give the number of cells, and nothing has to be split repeatedly.
+    // Without quotes, counting commas gives the number of cells, so nothing has to be split repeatedly.
     const auto countOf = [&](char byte, size_t from, size_t until) {
         const auto piece = m_cursor.Piece(from, until);
         return static_cast<size_t>(std::count(piece.begin(), piece.end(), byte));
@@ -182,7 +182,7 @@ RowReader::Next RowReader::JoinedLines(size_t start, size_t newline, size_t seco
 }
 
 bool RowReader::IsTextTornAt(size_t newline, size_t following) const {
-    // Two short rows of numbers would fit together as well, but a newline never stands inside a number.
+    // Two short rows of numbers could also be joined, but a newline is never inside a number.
     for (const auto& place : m_splitter.places) {
         if (place.start > newline || newline > place.end) continue;
         const auto rest = std::min(following, place.end);
@@ -192,7 +192,7 @@ bool RowReader::IsTextTornAt(size_t newline, size_t following) const {
     return false;
 }
 
-/** A piece of the last topic's text, which a raw newline has torn off: a line of one text, where a number should be. */
+/** Handles a piece of the last topic's text that a raw newline split off. It is a line of one text, where a number should be. */
 bool RowReader::ContinuesText(size_t start, size_t end) {
     const auto piece = m_cursor.Piece(start, end);
     const bool isPiece = m_wanted > 1 && !m_columns.front().HasText() && piece.find(',') == std::string_view::npos &&
@@ -206,7 +206,7 @@ bool RowReader::IsCompleteRow(size_t start, size_t until) {
     return m_wanted > 1 && m_splitter.Split(m_cursor.data, start, until, Quotes::STRICT) == m_wanted && m_splitter.IsProper();
 }
 
-/** A row with too few or too many cells under every reading. */
+/** Takes a row with too few or too many cells in every reading. */
 size_t RowReader::TakeUneven(size_t start, size_t end, size_t following) {
     auto count = m_splitter.Split(m_cursor.data, start, end, Quotes::STRICT);
     const bool isStrict = m_splitter.IsProper();
@@ -225,8 +225,8 @@ size_t RowReader::TakeUneven(size_t start, size_t end, size_t following) {
 }
 
 /**
- * A row without a newline at the end of the file or before a hole; `isCut` means that a missing newline is a sign of missing
- * bytes.
+ * Reads a row without a newline, at the end of the file or before a hole. `isCut` says whether a missing newline means that bytes are
+ * missing.
  */
 size_t RowReader::Tail(size_t start, size_t until, bool isCut) {
     m_linesPassed = 1;
@@ -239,7 +239,7 @@ size_t RowReader::Tail(size_t start, size_t until, bool isCut) {
             if (isCut) DropLastCell();
             return until;
         }
-        // As in core, what the last reading left open counts.
+        // As in core, the last reading decides.
         isOpen = m_splitter.isOpen;
     }
     if (isOpen || count < m_wanted) {
@@ -265,7 +265,7 @@ void RowReader::DropLastCell() {
         m_cursor.line, m_columns.back().Name());
 }
 
-/** Makes a row of what the splitter found; cells that it lacks are empty, those beyond the row's are dropped. */
+/** Makes a row of the cells that the splitter found. Missing cells are empty, and extra ones are dropped. */
 size_t RowReader::Take(bool undouble, size_t following) {
     auto& row = m_row.emplace(m_wanted);
     for (size_t i = 0; i < std::min(m_wanted, m_splitter.places.size()); i++) row[i] = CellOf(i, undouble);

@@ -15,8 +15,8 @@
 namespace badlog::reader {
 
 /**
- * Reads one row after another, also quoted, cut, torn, too short and too long ones. One rule is above the others: a line
- * that is a complete row by itself is never swallowed by a damaged one before it.
+ * Reads one row after another, even quoted, cut, split, too short and too long ones. A line that is a complete row by
+ * itself is never merged into a damaged one before it.
  */
 class RowReader {
 public:
@@ -24,10 +24,10 @@ public:
     RowReader(Cursor& cursor, std::vector<Column>& columns, ProblemList& problems, bool endsInNewline);
 
     int64_t rowCount = 0;
-    /** Whether what follows is not a row at all and is not read. */
+    /** Whether reading stopped because the bytes that follow are not rows at all. */
     bool gaveUp = false;
 
-    /** Reads from the cursor, the start of a line, on; returns where the next row begins. */
+    /** Reads from the cursor on, which is at the start of a line. Returns where the next row begins. */
     size_t Read();
 
 private:

@@ -5,7 +5,7 @@
 namespace badlog::reader {
 namespace {
 
-/** The first place of a byte between two places, or the second of these. */
+/** Returns the first index of a byte in a range, or the end of the range. */
 size_t Find(std::string_view data, char byte, size_t start, size_t until) {
     return std::min(data.substr(0, until).find(byte, start), until);
 }

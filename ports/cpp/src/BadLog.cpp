@@ -35,21 +35,21 @@ std::shared_ptr<LogSession> CurrentSession() {
     return current.session;
 }
 
-/** Makes a session the log in which topics are created; returns the one before it. */
+/** Makes a session the log in which topics are created. Returns the previous one. */
 std::shared_ptr<LogSession> Exchange(std::shared_ptr<LogSession> session) {
     auto& current = Current();
     const std::lock_guard lock{current.mutex};
     return std::exchange(current.session, std::move(session));
 }
 
-void SayFailure(std::string_view failure) {
-    SayOnStandardError(failure);
+void ReportFailure(std::string_view failure) {
+    PrintOnStandardError(failure);
 }
 
-/** The session to which a name is added; null, which is reported, if there is none. */
+/** Returns the session to which a name is added. If there is none, reports that and returns null. */
 std::shared_ptr<LogSession> SettingUp(std::string_view name) {
     auto session = CurrentSession();
-    if (!session) SayOnStandardError("\"" + std::string{name} + "\" was created too early: call BadLog::Init(path) first.");
+    if (!session) PrintOnStandardError("\"" + std::string{name} + "\" was created too early: call BadLog::Init(path) first.");
     return session;
 }
 
@@ -57,12 +57,12 @@ TopicDescription Described(std::string_view name, std::string_view unit, BadLog:
     return {std::string{name}, std::string{unit}, {attributes.begin(), attributes.end()}};
 }
 
-/** Creates a topic that is asked for its values; `more` are the other arguments of its constructor. */
+/** Creates a topic that calls a supplier; `more` are the other arguments of its constructor. */
 template <typename Queried, typename Supplier, typename... More>
 bool CreateQueried(TopicDescription description, Supplier supplier, const std::shared_ptr<LogSession>& session, More&... more) {
     if (!session) return false;
     if (!supplier) {
-        SayOnStandardError("The topic \"" + description.name + "\" was created without a supplier, and left out.");
+        PrintOnStandardError("The topic \"" + description.name + "\" was created without a supplier, and left out.");
         return false;
     }
     return session->Add(std::make_shared<Queried>(std::move(description), session->faults, std::move(supplier), more...));
@@ -78,11 +78,11 @@ std::shared_ptr<SubscribedTopic> CreateSubscribed(TopicDescription description, 
     return {topic.get(), [topic, session](SubscribedTopic*) {}};
 }
 
-/** What an action returns; nothing if it failed, which is reported. */
+/** Returns the result of an action. If it fails, reports that and returns nothing. */
 template <typename Action>
 auto Result(Action action) noexcept {
     decltype(action()) result{};
-    Guarded([&] { result = action(); }, SayFailure);
+    Guarded([&] { result = action(); }, ReportFailure);
     return result;
 }
 
@@ -101,17 +101,17 @@ void Events::Event(std::string_view text) const noexcept {
     if (!IsBlank(text)) return m_topic->Texts()->Add(text);
     Guarded(
         [&] { m_session->faults.CallIgnored("The event log \"" + m_topic->Name() + "\"", "was given an event without a text."); },
-        SayFailure);
+        ReportFailure);
 }
 
 BadLog BadLog::Init(std::string_view path, LogOptions options) noexcept {
     auto session = std::make_shared<LogSession>(options);
     const auto before = Exchange(session);
     if (before && before->State() != LogState::CLOSED) {
-        SayOnStandardError("A new log was started while another was open; the other one was closed.");
+        PrintOnStandardError("A new log was started while another was open; the other one was closed.");
         before->Close();
     }
-    Guarded([&] { session->Open(path); }, SayFailure);
+    Guarded([&] { session->Open(path); }, ReportFailure);
     return BadLog{std::move(session)};
 }
 
@@ -203,7 +203,7 @@ void BadLog::Flush() const noexcept {
 }
 
 void BadLog::SetDoubleToStringFunction(DoubleToString function) const noexcept {
-    Guarded([&] { m_session->text.Set(std::move(function)); }, SayFailure);
+    Guarded([&] { m_session->text.Set(std::move(function)); }, ReportFailure);
 }
 
 void BadLog::SetSyncing(bool isSyncing) const noexcept {

@@ -18,7 +18,7 @@ bool EqualsIgnoringCase(std::string_view text, std::string_view lowerCase) {
     });
 }
 
-/** Removes digits from the beginning; returns how many there were. */
+/** Removes digits from the beginning. Returns their number. */
 size_t SkipDigits(std::string_view& text) {
     const auto count = std::min(text.find_first_not_of(DIGITS), text.size());
     text.remove_prefix(count);
@@ -31,7 +31,7 @@ bool SkipAny(std::string_view& text, std::string_view characters) {
     return true;
 }
 
-/** Whether Java reads a text as a decimal number, suffixes such as `1f` included. */
+/** Returns whether Java reads a text as a decimal number, suffixes such as `1f` included. */
 bool IsNumber(std::string_view text) {
     SkipAny(text, "+-");
     auto digits = SkipDigits(text);

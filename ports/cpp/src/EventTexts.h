@@ -9,8 +9,8 @@
 namespace badlog {
 
 /**
- * Events that wait for a row, and those in rows that are not written yet: they wait again if their rows cannot be written. Any
- * thread may add events; all else is done under the log's lock.
+ * Events that wait for a row, and events in rows that are not written yet. If writing fails, the latter wait again. Any thread
+ * may add events; everything else needs the log's lock.
  */
 class EventTexts {
 public:
@@ -21,8 +21,8 @@ public:
     void Add(std::string_view text) noexcept;
 
     /**
-     * All that waited, as the text of one cell, which a reader never takes for a number; empty if nothing waits. Use it before
-     * the next call.
+     * Takes all waiting events, and returns them as the text of one cell; empty if none wait. The text never looks like a
+     * number, and is valid until the next call.
      */
     std::string_view Take() noexcept;
 
@@ -30,7 +30,7 @@ public:
     void Written() noexcept;
     /** Lets the events of lost rows wait again. */
     void Restore() noexcept;
-    /** Counts what still waits: no row will take it. */
+    /** Counts the events that still wait as dropped, because no row will take them. */
     void End() noexcept;
 
 private:

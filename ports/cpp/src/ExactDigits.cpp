@@ -33,7 +33,7 @@ int Scale(uint64_t factor, int top, int power) {
     const uint64_t power0 = powers.Low(power);
     const uint64_t power1 = powers.Middle(power);
     const uint64_t power2 = powers.High(power);
-    // Two by three 32-bit words, of which only the top 64 bits are kept. No sum exceeds 64 bits.
+    // Multiplies two by three 32-bit words, and keeps only the top 64 bits. No sum exceeds 64 bits.
     const uint64_t a = high * power0 + ((low * power0) >> 32);
     const uint64_t b = low * power1 + (a & LOW_HALF);
     const uint64_t c = high * power1 + (a >> 32) + (b >> 32);
@@ -71,7 +71,7 @@ RoundedDigits RoundGenerated(int64_t generated) {
 }
 
 /**
- * Rounds units times 2^-1074, less than 2^20 units: Java's margin is so wide there that its digits have to be generated one
+ * Rounds units times 2^-1074, less than 2^20 units. Java's margin is so wide there that its digits have to be generated one
  * by one.
  */
 RoundedDigits RoundFewBits(int64_t units) {

@@ -10,7 +10,7 @@ struct RoundedDigits {
 
 /**
  * The five significant digits of Java 17's `String.format("%.5g")` for any finite double above zero, by integer arithmetic
- * alone; `ExactDigits` in badlog's core says why this is right.
+ * alone. `ExactDigits` in badlog's core explains why this is correct.
  */
 RoundedDigits RoundToFiveDigits(double magnitude);
 

@@ -8,11 +8,11 @@
 namespace badlog {
 namespace {
 
-// A program that makes up names must not fill the memory with them.
+// A program that invents names must not fill the memory with them.
 constexpr size_t MAX_MESSAGES = 100;
 
 void IgnoreFailure(std::string_view) {
-    // Without memory for a message, the counters have to do.
+    // Without memory for a message, only the counters show the fault.
 }
 
 }  // namespace
@@ -33,10 +33,10 @@ LogCounters Counters::Snapshot() const {
 
 void Faults::CellMissed(Topic& topic, std::string_view what, std::string_view detail) noexcept {
     counters.cellsMissed++;
-    if (topic.isFaultSaid.exchange(true)) return;
+    if (topic.isFaultReported.exchange(true)) return;
     Guarded(
         [&] {
-            Say("The topic \"" + topic.Name() + "\" " + std::string{what} + std::string{detail} +
+            Report("The topic \"" + topic.Name() + "\" " + std::string{what} + std::string{detail} +
                 ", so its cell is empty. Further gaps of this topic are only counted.");
         },
         IgnoreFailure);
@@ -44,41 +44,41 @@ void Faults::CellMissed(Topic& topic, std::string_view what, std::string_view de
 
 void Faults::CallIgnored(std::string_view about, std::string_view why) noexcept {
     if (!IsCountedNew(m_ignoredCalls, about)) return;
-    Guarded([&] { Say(std::string{about} + " " + std::string{why}); }, IgnoreFailure);
+    Guarded([&] { Report(std::string{about} + " " + std::string{why}); }, IgnoreFailure);
 }
 
 void Faults::PublishIgnored(std::string_view name) noexcept {
     if (!IsCountedNew(m_ignoredNames, name)) return;
     Guarded(
         [&] {
-            Say("Values published to \"" + std::string{name} +
+            Report("Values published to \"" + std::string{name} +
                 "\" are ignored: CreateTopicSubscriber() was not called for it.");
         },
         IgnoreFailure);
 }
 
-void Faults::SayOnce(std::string_view about, std::string_view message) noexcept {
+void Faults::ReportOnce(std::string_view about, std::string_view message) noexcept {
     if (!IsNew(about)) return;
     Guarded(
         [&] {
             const std::lock_guard lock{m_mutex};
-            m_said.emplace(about);
+            m_reported.emplace(about);
         },
         IgnoreFailure);
-    Say(message);
+    Report(message);
 }
 
 bool Faults::IsNew(std::string_view about) noexcept {
     const std::lock_guard lock{m_mutex};
-    return m_said.find(about) == m_said.end();
+    return m_reported.find(about) == m_reported.end();
 }
 
 void Faults::Note(std::string_view text) noexcept {
     if (auto* const texts = room.load()) texts->Add(text);
 }
 
-void Faults::Say(std::string_view message) noexcept {
-    SayOnStandardError(message);
+void Faults::Report(std::string_view message) noexcept {
+    PrintOnStandardError(message);
     Note(message);
 }
 

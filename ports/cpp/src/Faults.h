@@ -14,7 +14,7 @@ namespace badlog {
 class EventTexts;
 class Topic;
 
-/** The counters while they count; any thread reads them. */
+/** The live counters; any thread may read them. */
 struct Counters {
     std::atomic<int64_t> rowsWritten{0};
     std::atomic<int64_t> rowsMissed{0};
@@ -30,8 +30,8 @@ struct Counters {
 };
 
 /**
- * Takes everything that goes wrong in a robot's loop: it is counted each time, reported once on standard error, and noted as an
- * event in the log if that has an event log. Texts are only made when they are reported.
+ * Handles the faults in a robot's loop. Each is counted every time, reported once on standard error, and noted as an event if
+ * the log has an event log. Texts are built only when they are reported.
  */
 class Faults {
 public:
@@ -41,13 +41,13 @@ public:
 
     /** The cell of a topic stays empty in this row, because its supplier did `what`. */
     void CellMissed(Topic& topic, std::string_view what, std::string_view detail = {}) noexcept;
-    /** A call of what `about` names was ignored, because it `why`; reported once each. */
+    /** Handles an ignored call: `about` names it, `why` gives the reason. Each `about` is reported once. */
     void CallIgnored(std::string_view about, std::string_view why) noexcept;
-    /** What was published to a name was ignored. */
+    /** Handles a value that was published to a name but is ignored. */
     void PublishIgnored(std::string_view name) noexcept;
     /** Reports a message, unless its subject, one of the log's own few, was reported before. */
-    void SayOnce(std::string_view about, std::string_view message) noexcept;
-    /** Whether SayOnce would report something. */
+    void ReportOnce(std::string_view about, std::string_view message) noexcept;
+    /** Whether ReportOnce would report something. */
     bool IsNew(std::string_view about) noexcept;
     /** Keeps a text for the next row that has room. */
     void Note(std::string_view text) noexcept;
@@ -55,12 +55,12 @@ public:
 private:
     using Names = std::set<std::string, std::less<>>;
 
-    void Say(std::string_view message) noexcept;
+    void Report(std::string_view message) noexcept;
     bool IsCountedNew(Names& before, std::string_view about) noexcept;
 
     std::mutex m_mutex;
-    // Three, so that the names that a program makes up are confused neither with each other nor with the log's own subjects.
-    Names m_said;
+    // Three sets, because a program's names must not clash with each other or with the log's own subjects.
+    Names m_reported;
     Names m_ignoredCalls;
     Names m_ignoredNames;
 };

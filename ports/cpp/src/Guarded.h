@@ -7,7 +7,7 @@
 namespace badlog {
 
 /**
- * Runs the robot's code, or code that may run out of memory, so that no exception leaves it; `failed` gets the exception's
+ * Runs the robot's code, or code that may run out of memory, and catches every exception. `failed` gets the exception's
  * text. badlog itself throws nothing, and can be compiled without exceptions.
  */
 template <typename Action, typename Failed>

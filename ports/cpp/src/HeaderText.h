@@ -21,10 +21,10 @@ struct NamedValue {
     std::string text;
 };
 
-/** The title of a topic: its name, with what a line of titles cannot hold replaced. */
+/** Returns the title of a topic: its name, with replacements for characters that a line of titles cannot hold. */
 std::string TitleOf(std::string_view name);
 
-/** The first line of a bag, without its newline, in the bytes of badlog for Java. */
+/** Returns the first line of a bag, without its newline, in the same bytes as badlog for Java. */
 std::string HeaderText(const std::vector<const TopicDescription*>& topics, const std::vector<NamedValue>& values);
 
 }  // namespace badlog

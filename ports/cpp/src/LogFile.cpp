@@ -33,7 +33,7 @@ std::error_code LogFile::Append(std::string_view bytes) {
         if (count <= 0) {
             const auto failure = LastError();
             m_isTorn = true;
-            // Tried again before the next row; a file that has vanished cannot be cut.
+            // Tried again before the next row; a file that has disappeared cannot be truncated.
             CutTornEnd();
             return failure;
         }

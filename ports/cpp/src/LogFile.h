@@ -9,7 +9,7 @@
 
 namespace badlog {
 
-/** A file that only grows, by one write for each Append. A failed Append leaves nothing behind. */
+/** A file that only grows: one write for each Append. A failed Append leaves the file unchanged. */
 class LogFile {
 public:
     /** Creates or empties the file at a path in UTF-8, and its folders; see IsOpen and Failure. */
@@ -20,7 +20,7 @@ public:
 
     const std::string& Path() const { return m_path; }
     bool IsOpen() const { return m_descriptor >= 0; }
-    /** Why it could not be opened. */
+    /** The reason why it could not be opened. */
     std::error_code Failure() const { return m_failure; }
     /** The number of bytes that were appended. */
     int64_t Length() const { return m_length; }
@@ -30,8 +30,8 @@ public:
     /** Waits until everything is on the disk. Only for a thread that has nothing else to do. */
     std::error_code Sync();
     /**
-     * Brings the names of its folder's files to the disk: otherwise, a loss of power could take even the name of a new
-     * file.
+     * Syncs the names of its folder's files to the disk. Otherwise, a loss of power could remove even the name of a
+     * new file.
      */
     void SyncFolder();
     /** Whether it still exists; a deleted file can still be written to. */

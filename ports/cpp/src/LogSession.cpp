@@ -20,7 +20,7 @@ void LogSession::Open(std::string_view path) {
     auto file = std::make_unique<LogFile>(std::string{path});
     const std::lock_guard lock{m_mutex};
     if (!file->IsOpen()) {
-        return faults.SayOnce("open", OpenFailureText(file->Path(), file->Failure()));
+        return faults.ReportOnce("open", OpenFailureText(file->Path(), file->Failure()));
     }
     m_file = std::move(file);
     m_sink = std::make_unique<RowSink>(*m_file, m_flushesEachRow, faults);
@@ -39,7 +39,7 @@ bool LogSession::AddValue(std::string_view name, std::string_view value) {
 bool LogSession::FinishSetup() {
     const std::lock_guard lock{m_mutex};
     if (m_phase != LogState::SETTING_UP) {
-        SayOnStandardError("The log was set up already: call FinishInitialization() only once.");
+        PrintOnStandardError("The log was set up already: call FinishInitialization() only once.");
         return false;
     }
     EventTexts* subscribed = nullptr;
@@ -63,7 +63,7 @@ bool LogSession::FinishSetup() {
     if (!m_sink) return true;
     m_syncThread = std::make_shared<SyncThread>(*m_file, *m_sink, faults, m_isSyncing, [this] { FlushWaiting(); });
     if (!m_syncThread->Start(shared_from_this())) {
-        faults.SayOnce("thread", "The system has no thread to sync the log with. A power cut may cost its last half minute.");
+        faults.ReportOnce("thread", "The system has no thread to sync the log with. A power cut may cost its last half minute.");
         m_syncThread.reset();
     }
     return true;
@@ -74,7 +74,7 @@ void LogSession::PrepareRows() {
     size_t room = ROWS_ROOM;
     for (auto* topic : m_topics) room += TEXT_ROOM + (topic->Texts() != nullptr ? EventTexts::MAX_BYTES * 2 : 0);
     m_sink->row.Reserve(room);
-    // Makes the tables that numbers are written with.
+    // Creates the tables for writing numbers.
     char number[MAX_NUMBER_LENGTH];
     WriteFiveDigits(1e100, number);
 }
@@ -173,7 +173,7 @@ LogState LogSession::State() const {
 
 bool LogSession::IsSettingUp(std::string_view name) {
     if (m_phase == LogState::SETTING_UP) return true;
-    SayOnStandardError(
+    PrintOnStandardError(
         "\"" + std::string{name} + "\" was created too late: create all topics and values before FinishInitialization().");
     return false;
 }

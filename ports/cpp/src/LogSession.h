@@ -20,10 +20,10 @@
 namespace badlog {
 
 /**
- * One log from its set-up to its end.
+ * One log from its setup to its end.
  *
- * Two kinds of locks, so that nobody waits unnecessarily: one is held while a row is built and written, each SubscribedTopic
- * has its own for what is published to it, and none is held while suppliers are called.
+ * There are two kinds of locks, so that no thread waits unnecessarily: one is held while a row is built and written, and
+ * each SubscribedTopic has its own for its published values. None is held while suppliers are called.
  */
 class LogSession : public std::enable_shared_from_this<LogSession> {
 public:
@@ -35,7 +35,7 @@ public:
     /** Creates the file; a failure is reported once. */
     void Open(std::string_view path);
 
-    /** Adds a topic; returns false if that is impossible, which is reported. */
+    /** Adds a topic. If that is impossible, reports it and returns false. */
     bool Add(std::shared_ptr<Topic> topic);
     bool AddValue(std::string_view name, std::string_view value);
     bool FinishSetup();
@@ -43,7 +43,7 @@ public:
     void Update();
     void Log();
     void Flush();
-    /** The topic to publish to, or null if the call is to be ignored. */
+    /** Returns the topic to publish to, or null if the call is to be ignored. */
     SubscribedTopic* Publishing(std::string_view name);
     void SetSyncing(bool isSyncing);
     void Close();
@@ -58,11 +58,11 @@ private:
     void Ignored(const char* call);
 
     const bool m_flushesEachRow;
-    // A formatter of the program's own is called while it is held, and may call this again.
+    // Recursive, because the program's own formatter is called while it is held, and may call this again.
     mutable std::recursive_mutex m_mutex;
     Namespace m_namespace;
     std::vector<Topic*> m_topics;
-    /** By name. Not changed after the set-up, so that publishing needs no lock. */
+    /** By name. Not changed after the setup, so that publishing needs no lock. */
     std::vector<std::pair<std::string_view, SubscribedTopic*>> m_subscribers;
     std::unique_ptr<LogFile> m_file;
     std::unique_ptr<RowSink> m_sink;
@@ -70,7 +70,7 @@ private:
     std::atomic<LogState> m_phase{LogState::SETTING_UP};
     std::atomic<bool> m_isSampling{false};
     bool m_isSyncing;
-    /** Whether a row is being built: whoever calls then, holding the lock, is the program's own formatter. */
+    /** Whether a row is being built: a caller that then holds the lock is the program's own formatter. */
     bool m_isInRow = false;
     bool m_closesAfterRow = false;
 };

@@ -47,13 +47,13 @@ std::string Namespace::HeaderLines() const {
 
 bool Namespace::Claim(std::string_view name) {
     if (!m_names.emplace(name).second) {
-        SayOnStandardError(
+        PrintOnStandardError(
             "There is already a topic or value \"" + std::string{name} + "\" in this log. Give one of the two another name.");
         return false;
     }
     for (const char byte : name) {
         if (IsUsual(byte)) continue;
-        SayOnStandardError(
+        PrintOnStandardError(
             "The name \"" + std::string{name} + "\" has the character '" + byte + "'; letters, digits, spaces, _ and / are safer.");
         break;
     }

@@ -11,19 +11,19 @@
 
 namespace badlog {
 
-/** The topics and values of a log while it is set up, each under a name of its own. Guarded by the log's lock. */
+/** The topics and values of a log during setup, each with a unique name. Guarded by the log's lock. */
 class Namespace {
 public:
-    /** False if its name is taken. */
+    /** Adds a topic. Returns false if its name is taken. */
     bool Add(std::shared_ptr<Topic> topic);
-    /** False if the name is taken. */
+    /** Adds a value. Returns false if the name is taken. */
     bool AddValue(std::string_view name, std::string_view text);
 
     const std::vector<std::shared_ptr<Topic>>& Topics() const { return m_topics; }
-    /** The topic that is published to under a name, or null. */
+    /** Returns the subscriber topic of a name, or null. */
     SubscribedTopic* Subscriber(std::string_view name) const;
 
-    /** Line 1 and line 2 of the file. */
+    /** Returns lines 1 and 2 of the file. */
     std::string HeaderLines() const;
 
 private:

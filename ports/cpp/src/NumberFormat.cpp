@@ -100,7 +100,7 @@ char* WriteMicroseconds(double value, char* into) {
 }
 
 char* WriteInteger(int64_t value, char* into) {
-    // Negative numbers reach one farther than positive ones, so that is the side to count on.
+    // There is one more negative number than positive ones, so the digits are taken from the negative value.
     int64_t rest = value > 0 ? -value : value;
     if (value < 0) *into++ = '-';
     char* const start = into;

@@ -12,8 +12,8 @@
 namespace badlog {
 
 /**
- * How a log's numbers become text: by `%.5g`, or by the program's own function once it is set. A number keeps the function that
- * was set when it was supplied or published.
+ * Converts a log's numbers to text: by `%.5g`, or by the program's own function once it is set. The function that was set when
+ * a number was supplied or published converts it.
  */
 class NumberText {
 public:
@@ -27,7 +27,7 @@ public:
     /** The program's own function, if any; it lives as long as this. */
     const Function* Latest() const { return m_function.load(std::memory_order_acquire); }
 
-    /** What Latest was when the current values were supplied. Guarded by the log's lock, as Commit is. */
+    /** The value of Latest when the current values were supplied. Guarded by the log's lock, like Commit. */
     const Function* Current() const { return m_current; }
     void Commit() { m_current = Latest(); }
 
@@ -37,7 +37,7 @@ public:
 private:
     Faults& m_faults;
     std::mutex m_mutex;
-    // All that were ever set: a number that was published may wait with an earlier one.
+    // All functions that were ever set: a published number may still wait for an earlier one.
     std::vector<std::unique_ptr<Function>> m_functions;
     std::atomic<const Function*> m_function{nullptr};
     const Function* m_current = nullptr;

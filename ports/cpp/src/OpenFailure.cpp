@@ -19,7 +19,7 @@ std::string NameOf(const std::filesystem::path& folder) {
     return folder.empty() ? "the current folder" : "the folder " + TextOf(folder);
 }
 
-/** Why nothing can be created in a folder. */
+/** Returns why nothing can be created in a folder. */
 std::string ReadOnlyReason(const std::filesystem::path& folder, bool isDisk) {
     auto present = folder;
     while (!present.empty() && present != present.parent_path() && !Exists(present)) present = present.parent_path();

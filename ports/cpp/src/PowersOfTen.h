@@ -7,8 +7,8 @@
 namespace badlog {
 
 /**
- * The top 96 bits of the powers of ten from 10^MIN to 10^MAX, cut off, each as three words: 10^power is their number times
- * 2^(Log2Floor(power) - 95), or more than that by less than one unit.
+ * The top 96 bits of the powers of ten from 10^MIN to 10^MAX, cut off, each as three words. `10^power` is their number
+ * times 2^(Log2Floor(power) - 95), or more than that by less than one unit.
  */
 class PowersOfTen96 {
 public:

@@ -43,9 +43,9 @@ void RowSink::EndRow(Time began) {
 
 void RowSink::DropRow() {
     m_faults.counters.rowsMissed++;
-    // With the events of rows that still wait: an event in two rows is better than in none.
+    // This includes the events of buffered rows: an event in two rows is better than in none.
     for (auto* texts : m_events) texts->Restore();
-    m_faults.SayOnce("row", "A row of the log was lost: there is not memory enough for its texts.");
+    m_faults.ReportOnce("row", "A row of the log was lost: there is not memory enough for its texts.");
 }
 
 void RowSink::Flush() {
@@ -74,7 +74,7 @@ void RowSink::Write(Time now) {
     if (m_rowsWaiting > 0) {
         if (const auto failure = Append(row.Bytes())) return Failed(failure);
     }
-    // A deleted file accepts rows without an error; it may come back, if it was only moved for a while.
+    // Writing to a deleted file succeeds silently; a file that was only moved may come back.
     auto& counted = m_file.isMissing ? m_faults.counters.rowsMissed : m_faults.counters.rowsWritten;
     counted += m_rowsWaiting;
     m_faults.counters.bytesWritten = m_file.Length();
@@ -99,7 +99,7 @@ void RowSink::Failed(std::error_code failure) {
     if (!m_faults.IsNew("write")) return;
     Guarded(
         [&] {
-            m_faults.SayOnce(
+            m_faults.ReportOnce(
                 "write", "The log " + m_file.Path() + " cannot be written: " + failure.message() +
                              ". Rows are lost until it can; check whether the disk is full or was removed.");
         },

@@ -15,9 +15,9 @@
 namespace badlog {
 
 /**
- * Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the previous
- * write. Rows that cannot be written are lost and counted; the sink then waits a little before it tries again, because a disk
- * that is full or gone may be slow to say so. Guarded by the log's lock.
+ * Writes rows: each at once, or several together at most a quarter of a second after the previous write. Rows that cannot be
+ * written are lost and counted. After a failure it waits before the next attempt, because a full or missing disk may be slow
+ * to report it. Guarded by the log's lock.
  */
 class RowSink {
 public:
@@ -25,7 +25,7 @@ public:
 
     RowSink(LogFile& file, bool flushesEachRow, Faults& faults);
 
-    /** The cells of the next row are written here. */
+    /** The writer for the next row's cells. */
     RowWriter row;
     /** Whether the last attempt to write failed. */
     std::atomic<bool> isFailing{false};
@@ -34,7 +34,7 @@ public:
 
     /** Writes lines before any row. Rows will take events from `events`. */
     void Begin(std::string lines, std::vector<EventTexts*> events);
-    /** Whether a row begun now would be lost. It is better not begun then, so that it takes no events with it. */
+    /** Returns whether a row begun now would be lost. Do not begin it then, so that no events are lost with it. */
     bool IsRefusing(Time now) const;
     /** Counts a row that was not begun. */
     void MissRow() { Lose(1); }
@@ -42,9 +42,9 @@ public:
     void EndRow(Time began);
     /** Writes all rows that wait. */
     void Flush();
-    /** Does what Flush does, unless that failed a moment ago. */
+    /** Does the same as Flush, unless a write has just failed. */
     void FlushWaiting();
-    /** Writes what waits; no row follows. */
+    /** Writes the waiting rows; no row may follow. */
     void Finish();
 
 private:

@@ -8,16 +8,16 @@
 namespace badlog {
 
 /**
- * Writes the lines of a bag into a buffer of its own, cell by cell: texts quoted as RFC 4180 asks, in UTF-8, each row ended by
- * one newline. Once the buffer has grown to the longest row, nothing is allocated.
+ * Writes the lines of a bag into its buffer, cell by cell. Texts are in UTF-8 with quotes according to RFC 4180, and each
+ * row ends in one newline. Once the buffer has grown to the longest row, nothing is allocated.
  */
 class RowWriter {
 public:
-    /** What was written since the last Clear. */
+    /** The bytes written since the last Clear. */
     std::string_view Bytes() const { return {m_bytes.get(), m_size}; }
     size_t Size() const { return m_size; }
 
-    /** Makes room for this many more bytes; false if there is no memory for them. */
+    /** Makes room for this many more bytes. Returns false if memory is lacking. */
     bool Reserve(size_t more);
 
     void Number(double value);
@@ -25,14 +25,14 @@ public:
     void Integer(int64_t value);
     void Truth(bool value) { Text(value ? "true" : "false"); }
     void Text(std::string_view text);
-    /** An empty cell: a gap. */
+    /** Writes an empty cell: a gap. */
     void Empty() { BeginCell(); }
 
-    /** Ends the row; false if there was not enough memory for it, and it is dropped. */
+    /** Ends the row. If there was not enough memory for it, drops it and returns false. */
     bool EndRow();
-    /** Forgets the cells written since the last row ended. */
+    /** Discards the cells written since the last row ended. */
     void DropRow();
-    /** Forgets all that was written. */
+    /** Discards everything written. */
     void Clear();
 
 private:

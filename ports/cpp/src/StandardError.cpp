@@ -30,7 +30,7 @@ Messages& TheMessages() {
     return *messages;
 }
 
-[[noreturn]] void SayAll(Messages& messages) {
+[[noreturn]] void PrintAll(Messages& messages) {
     std::unique_lock lock{messages.mutex};
     while (true) {
         messages.changed.wait(lock, [&] { return !messages.waiting.empty(); });
@@ -45,7 +45,7 @@ Messages& TheMessages() {
 
 }  // namespace
 
-void SayOnStandardError(std::string_view message) noexcept {
+void PrintOnStandardError(std::string_view message) noexcept {
     Guarded(
         [&] {
             auto& messages = TheMessages();
@@ -53,17 +53,17 @@ void SayOnStandardError(std::string_view message) noexcept {
             if (messages.waiting.size() < MAX_WAITING) messages.waiting.emplace_back(message);
             messages.changed.notify_all();
             if (messages.isStarted) return;
-            std::thread{SayAll, std::ref(messages)}.detach();
+            std::thread{PrintAll, std::ref(messages)}.detach();
             messages.isStarted = true;
-            // If the program ends at once because of what went wrong, the message should still appear.
-            std::atexit([] { AwaitSaid(EXIT_MILLISECONDS); });
+            // If the fault ends the program, the message must still be printed.
+            std::atexit([] { AwaitPrinted(EXIT_MILLISECONDS); });
         },
         [](std::string_view) {
             // The system has no thread or no memory for this; the next message tries again.
         });
 }
 
-bool AwaitSaid(int milliseconds) noexcept {
+bool AwaitPrinted(int milliseconds) noexcept {
     auto& messages = TheMessages();
     std::unique_lock lock{messages.mutex};
     return messages.changed.wait_for(

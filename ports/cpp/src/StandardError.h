@@ -5,12 +5,12 @@
 namespace badlog {
 
 /**
- * Reports what went wrong on standard error, soon, from a thread of its own: if that is a pipe that nobody reads, a write may
- * never return, and a robot's loop cannot wait for that. Messages that come while too many wait are dropped.
+ * Prints a message on standard error soon, from another thread. If standard error is a pipe without a reader, a write may
+ * never return, and a robot's loop cannot wait for that. Messages that arrive while too many are waiting are dropped.
  */
-void SayOnStandardError(std::string_view message) noexcept;
+void PrintOnStandardError(std::string_view message) noexcept;
 
 /** Waits until all messages are written, but no longer than this; returns whether they are. */
-bool AwaitSaid(int milliseconds) noexcept;
+bool AwaitPrinted(int milliseconds) noexcept;
 
 }  // namespace badlog

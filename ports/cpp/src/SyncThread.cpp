@@ -54,33 +54,33 @@ bool SyncThread::Pause() {
 
 void SyncThread::Sync() {
     if (!isSyncing || !m_sink.isDirty) return;
-    // Before the sync, so that what is written meanwhile is not missed.
+    // Before the sync, so that rows written meanwhile are not missed.
     m_sink.isDirty = false;
     const auto failure = m_file.Sync();
     if (!failure) return;
     m_faults.counters.failedSyncs++;
-    m_faults.SayOnce(
+    m_faults.ReportOnce(
         "sync", "The log " + m_file.Path() + " could not be synced to the disk: " + failure.message() +
                     ". A power cut may cost more than the last quarter of a second.");
 }
 
-/** A file counts as missing when it was not found twice: it may just be being renamed. */
+/** Checks twice before a file counts as missing, because it may be in the middle of being renamed. */
 void SyncThread::LookForFile() {
     m_timesMissing = m_file.Exists() ? 0 : m_timesMissing + 1;
     const bool isMissing = m_timesMissing > 1;
     if (isMissing) {
-        m_faults.SayOnce(
+        m_faults.ReportOnce(
             "missing", "The log " + m_file.Path() +
                            " was deleted, or its disk was removed, while it was being written. From now on, data is lost; "
                            "restart the robot program to start a new log.");
     }
-    // Reported before it is visible, so that whoever sees the log fail can read why.
+    // Reported before the state changes, so that code that sees the log fail can read why.
     m_file.isMissing = isMissing;
 }
 
 void CloseFile(LogFile& file, Faults& faults) {
     if (const auto failure = file.Close()) {
-        faults.SayOnce(
+        faults.ReportOnce(
             "close", "The log " + file.Path() + " could not be closed: " + failure.message() + ". Its end may be missing.");
     }
 }

@@ -13,20 +13,21 @@
 namespace badlog {
 
 /**
- * Four times a second, writes the rows that wait and brings what was written to the disk, so that a loss of power takes no more
- * than that. It holds no lock while it waits for a sync. It also notices when the file is deleted. In the end, it closes the
- * file.
+ * Writes the waiting rows and syncs the file to the disk, four times a second. So a loss of power costs no more than that
+ * time. It holds no lock while it waits for a sync. It also notices if the file was deleted. At the end, it closes the file.
  */
 class SyncThread : public std::enable_shared_from_this<SyncThread> {
 public:
     SyncThread(LogFile& file, RowSink& sink, Faults& faults, bool isSyncing, std::function<void()> flush);
 
-    /** Whether it syncs rows to the disk; it does the rest anyway. */
+    /** Whether to sync rows to the disk; the rest is always done. */
     std::atomic<bool> isSyncing;
 
-    /** Starts it; it keeps the owner of all that it uses alive. False if the system has no thread for it. */
+    /**
+     * Starts the thread, which keeps the owner of everything it uses alive. Returns false if the system has no thread for it.
+     */
     bool Start(std::shared_ptr<void> owner);
-    /** Ends it soon, without waiting for it. */
+    /** Ends the thread soon, without waiting for it. */
     void Finish();
 
 private:

@@ -45,7 +45,7 @@ std::error_code LastError() {
 #if defined(_WIN32)
 int OpenNew(const std::filesystem::path& path) {
     int descriptor = -1;
-    // Others may read it meanwhile. Microsoft's compiler warns of the shorter _wopen.
+    // Other programs may read it meanwhile. Microsoft's compiler warns of the shorter _wopen.
     _wsopen_s(&descriptor, path.c_str(), _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, _S_IREAD | _S_IWRITE);
     return descriptor;
 }
@@ -99,7 +99,7 @@ std::error_code CreateFolders(const std::filesystem::path& folder) {
     }
     if (MakeFolder(folder)) return {};
     const auto failure = LastError();
-    // Another program may have made it meanwhile; and `logs/` is made by its parent `logs`.
+    // Another program may have created it meanwhile; and `logs/` was already created as its parent `logs`.
     return Exists(folder) ? std::error_code{} : failure;
 }
 

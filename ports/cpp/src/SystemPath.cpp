@@ -38,7 +38,7 @@ std::filesystem::path SystemPath(std::string_view path) {
 #endif
 
 std::string TextOf(const std::filesystem::path& path) {
-    // Of char8_t in C++20, of char before.
+    // A text of char8_t in C++20, of char before.
     const auto text = path.u8string();
     return {text.begin(), text.end()};
 }

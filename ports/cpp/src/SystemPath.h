@@ -7,8 +7,8 @@
 namespace badlog {
 
 /**
- * Returns a path in UTF-8 as the system's calls want it: on Windows in UTF-16, where invalid bytes become U+FFFD; elsewhere, its
- * bytes.
+ * Converts a path in UTF-8 to the form of the system's calls. On Windows that is UTF-16, where invalid bytes become U+FFFD;
+ * elsewhere, its bytes.
  */
 std::filesystem::path SystemPath(std::string_view path);
 

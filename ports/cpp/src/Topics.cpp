@@ -39,7 +39,7 @@ void SubscribedTopic::Publish(std::string_view value) noexcept {
             m_isPublished = true;
         },
         [](std::string_view) {
-            // No memory: what was published before stays.
+            // Without memory, the previously published text stays.
         });
 }
 

@@ -19,8 +19,8 @@ namespace badlog {
 constexpr size_t TEXT_ROOM = 256;
 
 /**
- * One column. A row is made in three steps: Sample calls the robot's code, without any lock held, because that code may do
- * anything; Commit makes all samples the current ones at once, and Write writes those, both under the log's lock.
+ * One column. A row is made in three steps: Sample calls the robot's code, without holding any lock, because that code may
+ * do anything; Commit makes all samples current at once; Write writes them. The last two run under the log's lock.
  */
 class Topic {
 public:
@@ -32,25 +32,25 @@ public:
 
     const TopicDescription& Description() const { return m_description; }
     const std::string& Name() const { return m_description.name; }
-    /** Whether it is the x of all other topics, which needs more digits than they do. */
+    /** Whether it is the x axis of all other topics, which needs more digits than they do. */
     bool IsXAxis() const { return m_isXAxis; }
 
     virtual void Sample() noexcept = 0;
     virtual void Commit() noexcept = 0;
     virtual void Write(RowWriter& row) noexcept = 0;
 
-    /** Where it takes events, if it does. */
+    /** The events that its cells take; null if it takes none. */
     virtual EventTexts* Texts() { return nullptr; }
 
-    /** Whether it was reported that this topic leaves gaps. */
-    std::atomic<bool> isFaultSaid{false};
+    /** Whether it was reported that this topic has gaps. */
+    std::atomic<bool> isFaultReported{false};
 
 private:
     TopicDescription m_description;
     bool m_isXAxis;
 };
 
-/** A topic whose value the log gets by calling the robot's code. A failed call leaves a gap. */
+/** A topic with values from a supplier in the robot's code. A failed call leaves a gap. */
 template <typename Supplier, typename Value>
 class QueriedTopic : public Topic {
 public:
@@ -147,7 +147,7 @@ protected:
     void WriteValue(const int64_t& value, RowWriter& row) override { row.Integer(value); }
 };
 
-/** A topic of events: each row takes all that happened since the row before, no matter how often the topics were updated. */
+/** A topic of events: each row has all events since the previous row, however often the topics were updated. */
 class EventTopic : public Topic {
 public:
     EventTopic(std::string name, std::atomic<int64_t>& dropped)
@@ -163,8 +163,8 @@ private:
 };
 
 /**
- * A topic whose value the robot's code publishes, from any thread, at any time. Because it has a lock of its own, publishers
- * never wait for a write. If it is an event log, it also takes the log's own events, in rows in which it has no new text.
+ * A topic with values that the robot's code publishes, from any thread, at any time. It has its own lock, so publishers
+ * never wait for a write. An event log also takes the log's own events, in rows without a new text.
  */
 class SubscribedTopic : public Topic {
 public:

@@ -7,7 +7,7 @@ uint32_t ByteAt(std::string_view text, size_t index) {
     return static_cast<unsigned char>(text[index]);
 }
 
-/** The place where the last character of a text begins; the text is not empty. */
+/** Returns the index of the last character of a text, which is not empty. */
 size_t LastStart(std::string_view text) {
     auto start = text.size() - 1;
     while (start > 0 && text.size() - start < 4 && (ByteAt(text, start) & 0xC0) == 0x80) start--;

@@ -6,10 +6,10 @@
 
 namespace badlog {
 
-/** Replaces bytes that are not UTF-8, and NUL, which in a bag is a sign of damage. */
+/** Stands for bytes that are not UTF-8, and for NUL, which in a bag is a sign of damage. */
 constexpr std::string_view REPLACEMENT = "\xEF\xBF\xBD";
 
-/** A character of a text, and how many bytes it takes there. */
+/** A character of a text, and its number of bytes there. */
 struct Character {
     uint32_t code;
     size_t length;
@@ -17,19 +17,19 @@ struct Character {
     bool isValid;
 };
 
-/** The character that begins at an index of a text. */
+/** Returns the character that begins at an index of a text. */
 Character CharacterAt(std::string_view text, size_t index);
 
-/** Whether Java counts it as whitespace of any kind. */
+/** Returns whether Java counts it as whitespace of any kind. */
 bool IsWhitespace(uint32_t code);
 
-/** Whether the first or the last character of a text is whitespace. */
+/** Returns whether the first or the last character of a text is whitespace. */
 bool HasOuterWhitespace(std::string_view text);
 
-/** Whether a text is nothing but whitespace. */
+/** Returns whether a text is nothing but whitespace. */
 bool IsBlank(std::string_view text);
 
-/** The text without whitespace at its ends. */
+/** Returns the text without whitespace at its ends. */
 std::string_view Trimmed(std::string_view text);
 
 }  // namespace badlog

@@ -35,7 +35,7 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
-TEST_CASE("nothing is allocated after FinishInitialization, whatever numbers, texts and events a loop logs") {
+TEST_CASE("nothing is allocated after FinishInitialization for any numbers, texts and events") {
     const std::string text(200, 'x');
     double number = 0;
     badlog::Publisher publisher;

@@ -105,7 +105,7 @@ void CheckTopic(const badlog::RecordedTopic& topic, const JsonValue& expected, i
 
 }  // namespace
 
-TEST_CASE("each file of the conformance corpus is read as its expectation says") {
+TEST_CASE("each file of the conformance corpus is read as expected") {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator{badlog::SystemPath(BADLOG_ROOT "/core/conformance")}) {
         auto path = entry.path();

@@ -29,7 +29,7 @@ void RowsUntil(const BadLog& log, LogState wanted) {
 }  // namespace
 
 TEST_CASE("a file that cannot be created is reported, and nothing is logged") {
-    const auto said = StandardErrorOf([] {
+    const auto messages = StandardErrorOf([] {
         const auto log = BadLog::Init("/dev/null/a.bag");
         BadLog::CreateTopic("A", "ul", [] { return 1; });
         log.FinishInitialization();
@@ -38,11 +38,11 @@ TEST_CASE("a file that cannot be created is reported, and nothing is logged") {
         CHECK(log.Counters().rowsMissed == 10);
         log.Close();
     });
-    CHECK(said.find("The log /dev/null/a.bag cannot be created") != std::string::npos);
+    CHECK(messages.find("The log /dev/null/a.bag cannot be created") != std::string::npos);
 }
 
 TEST_CASE("events that no row could take before the end are counted" * doctest::skip(!std::filesystem::exists("/dev/full"))) {
-    const auto said = StandardErrorOf([] {
+    const auto messages = StandardErrorOf([] {
         const auto log = BadLog::Init("/dev/full");
         const auto events = BadLog::CreateEvents("Events");
         log.FinishInitialization();
@@ -53,10 +53,10 @@ TEST_CASE("events that no row could take before the end are counted" * doctest::
         CHECK(log.Counters().eventsDropped == 2);
         CHECK(log.Counters().rowsMissed == 1);
     });
-    CHECK(said.find("No space left") != std::string::npos);
+    CHECK(messages.find("No space left") != std::string::npos);
 }
 
-TEST_CASE("while a file may not grow, rows are lost and nothing else, and no row is torn") {
+TEST_CASE("a file that may not grow loses rows and nothing else, and tears no row") {
     const Folder folder;
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
@@ -93,10 +93,10 @@ TEST_CASE("while a file may not grow, rows are lost and nothing else, and no row
     CHECK(RowsIn(folder / "a.bag").back().find("rows before this one could not be written") != std::string::npos);
 }
 
-TEST_CASE("a file that is deleted while it is written is noticed, whether syncing is on or off") {
+TEST_CASE("deleting a file while it is written is noticed, with syncing on or off") {
     for (const bool isSyncing : {true, false}) {
         const Folder folder;
-        const auto said = StandardErrorOf([&] {
+        const auto messages = StandardErrorOf([&] {
             const auto log = BadLog::Init(folder / "a.bag", {/*flushesEachRow=*/true, isSyncing});
             BadLog::CreateTopic("A", "ul", [] { return 1; });
             log.FinishInitialization();
@@ -107,7 +107,7 @@ TEST_CASE("a file that is deleted while it is written is noticed, whether syncin
             CHECK(log.Counters().rowsMissed >= 1);
             log.Close();
         });
-        CHECK(said.find("was deleted, or its disk was removed") != std::string::npos);
+        CHECK(messages.find("was deleted, or its disk was removed") != std::string::npos);
     }
 }
 

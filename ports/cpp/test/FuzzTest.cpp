@@ -11,7 +11,7 @@ using badlog::BadLog;
 
 namespace {
 
-/** Random bytes, more often those that have a meaning in a bag. */
+/** Returns random bytes, with those that have a meaning in a bag more often. */
 std::string AnyText(std::mt19937& random) {
     static const std::vector<std::string> PIECES = {
         ",", "\"", "\n", "\r", " ", "\t", std::string(1, '\0'), "\\", "{", "é", "🤖", "\u00A0", "\u2028", "\xED\xA0\xBE", "\xF0\x9F", "1.5"};
@@ -23,7 +23,7 @@ std::string AnyText(std::mt19937& random) {
     return text;
 }
 
-/** The rows of a CSV text by RFC 4180; empty if it is not one. */
+/** Returns the rows of a CSV text by RFC 4180; empty if it is not one. */
 std::vector<std::vector<std::string>> Cells(const std::string& csv) {
     std::vector<std::vector<std::string>> rows{{""}};
     bool isQuoted = false;
@@ -63,7 +63,7 @@ bool IsText(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("whatever names, values, texts and events are, lines and cells are in order, and all is UTF-8") {
+TEST_CASE("any names, values, texts and events give well-formed lines and cells in UTF-8") {
     std::mt19937 random{20261122};
     for (int round = 0; round < 500; round++) {
         std::string bag;

@@ -41,7 +41,7 @@ constexpr int KILLS = 200;
 
 }  // namespace
 
-TEST_CASE("when 200 robots are killed in mid-loop, every row whose Log() returned is in the file") {
+TEST_CASE("after killing 200 robots within their loops, each file has every row for which Log() returned") {
     void* const shared = mmap(nullptr, sizeof(std::atomic<int64_t>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     REQUIRE(shared != MAP_FAILED);
     const Folder folder;

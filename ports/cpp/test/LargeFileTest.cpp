@@ -6,7 +6,7 @@
 
 #include <doctest/doctest.h>
 
-// Windows would fill such a file with zeros: minutes, and a disk.
+// Windows would fill such a file with zeros, which takes minutes and fills the disk.
 #if !defined(_WIN32)
 
 #include <cstdint>
@@ -29,7 +29,7 @@ namespace {
 constexpr int64_t TWO_GIB = int64_t{1} << 31;
 constexpr int64_t YEAR_2050 = 2'524'608'000;
 
-/** What is in a file from a place on. */
+/** Returns the content of a file from a position on. */
 std::string ReadFrom(const std::string& path, int64_t place) {
     std::ifstream file{path, std::ios::binary};
     file.seekg(place);
@@ -50,7 +50,7 @@ int DescriptorOf(const std::string& path) {
     return -1;
 }
 
-/** Dates a file or a folder to 2050; false if the C library, or the disk, knows no such time. */
+/** Dates a file or a folder to 2050. Returns false if the C library or the disk does not support such a time. */
 bool IsDated2050(const std::string& path) {
     if constexpr (sizeof(time_t) < sizeof(int64_t)) {
         return false;
@@ -64,7 +64,7 @@ bool IsDated2050(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a file is cut and written on above 2 GiB") {
+TEST_CASE("a file is cut and continued above 2 GiB") {
     const Folder folder;
     const auto path = folder / "large";
     const int file = badlog::OpenNew(path);
@@ -80,7 +80,7 @@ TEST_CASE("a file is cut and written on above 2 GiB") {
     CHECK(ReadFrom(path, TWO_GIB + 7) == "whole");
 }
 
-TEST_CASE("a log goes on above 2 GiB, is not taken for deleted, and is not replaced by the next one") {
+TEST_CASE("a log continues above 2 GiB, does not count as deleted, and is not replaced by the next one") {
     const Folder folder;
     const auto path = folder / "a.bag";
     const auto log = BadLog::Init(path);

@@ -28,7 +28,7 @@ using badlog::TextOf;
 
 namespace {
 
-constexpr int SAID_MILLISECONDS = 60'000;
+constexpr int MAX_PRINT_MILLISECONDS = 60'000;
 
 bool SendStandardErrorTo(const std::filesystem::path& path) {
 #if defined(_WIN32)
@@ -50,7 +50,7 @@ Folder::~Folder() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes{1};
     std::error_code failure;
     std::filesystem::remove_all(SystemPath(m_path), failure);
-    // Windows deletes no file that is open, and a log's own thread closes it a little after Close() returned.
+    // Windows does not delete open files, and a log's own thread closes its file a little after Close() has returned.
     while (failure && std::chrono::steady_clock::now() < end) {
         std::this_thread::sleep_for(std::chrono::milliseconds{1});
         std::filesystem::remove_all(SystemPath(m_path), failure);
@@ -86,16 +86,16 @@ std::string Logged(const std::function<void()>& create, const std::function<void
 
 std::string StandardErrorOf(const std::function<void()>& action) {
     const Folder folder;
-    badlog::AwaitSaid(SAID_MILLISECONDS);
+    badlog::AwaitPrinted(MAX_PRINT_MILLISECONDS);
     std::fflush(stderr);
     const int before = dup(fileno(stderr));
-    if (!SendStandardErrorTo(SystemPath(folder / "said"))) std::abort();
+    if (!SendStandardErrorTo(SystemPath(folder / "messages"))) std::abort();
     action();
-    badlog::AwaitSaid(SAID_MILLISECONDS);
+    badlog::AwaitPrinted(MAX_PRINT_MILLISECONDS);
     std::fflush(stderr);
     dup2(before, fileno(stderr));
     close(before);
-    return Read(folder / "said");
+    return Read(folder / "messages");
 }
 
 void Row(const badlog::BadLog& log) {

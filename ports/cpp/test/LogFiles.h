@@ -6,7 +6,7 @@
 
 #include "badlog/BadLog.h"
 
-/** A folder of its own, deleted at the end. */
+/** A new folder, deleted at the end. */
 class Folder {
 public:
     Folder();
@@ -20,19 +20,19 @@ private:
     std::string m_path;
 };
 
-/** All bytes of a file. */
+/** Returns all bytes of a file. */
 std::string Read(const std::string& path);
 
-/** The lines of a bag after its two header lines, without the empty one at the end. */
+/** Returns the lines of a bag after its two header lines, without the empty one at the end. */
 std::vector<std::string> RowsIn(const std::string& path);
 
-/** Logs into a new file: `create` makes topics, `loop` is what the robot does. Returns the file's bytes. */
+/** Logs to a new file: `create` makes topics, `loop` is the robot's loop. Returns the file's bytes. */
 std::string Logged(const std::function<void()>& create, const std::function<void(badlog::BadLog&)>& loop);
 
-/** The rows of what Logged returns. */
+/** Returns the rows in the bytes that Logged returns. */
 std::vector<std::string> Rows(const std::string& bag);
 
-/** What an action writes to standard error. */
+/** Returns the text that an action writes to standard error. */
 std::string StandardErrorOf(const std::function<void()>& action);
 
 void Row(const badlog::BadLog& log);

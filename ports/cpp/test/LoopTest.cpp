@@ -71,7 +71,7 @@ TEST_CASE("each kind of topic is written as in Java") {
         "100.020000,100.02,1234567890123,true," + text + ",0.5,\n");
 }
 
-TEST_CASE("what a line of titles cannot hold is replaced in both header lines") {
+TEST_CASE("characters that titles cannot hold are replaced in both header lines") {
     for (const std::string name : {"a\nb", "a\rb", "\xED\xA0\x80", "a\xFFz"}) {
         std::string bag;
         StandardErrorOf([&] {
@@ -82,7 +82,7 @@ TEST_CASE("what a line of titles cannot hold is replaced in both header lines") 
     }
 }
 
-TEST_CASE("a text is UTF-8 whatever its bytes were, and whitespace of any kind at its ends is kept") {
+TEST_CASE("a text becomes UTF-8 from any bytes, and keeps outer whitespace") {
     const auto bag = Logged(
         [&] {
             BadLog::CreateTopicStr("A", "ul", [] { return std::string{"a\0b\xC3(\xF0\x9F\xA4", 8}; });
@@ -97,7 +97,7 @@ TEST_CASE("a row of one empty text is not a blank line") {
     CHECK(Rows(Logged([] { BadLog::CreateTopicStr("A", "ul", [] { return ""; }); }, [](BadLog& log) { Row(log); })) == Lines{"\"\""});
 }
 
-TEST_CASE("an update consumes published data, of which the last counts") {
+TEST_CASE("an update consumes published data, and the last value counts") {
     const auto bag = Logged(
         [] {
             BadLog::CreateTopicSubscriber("Default", "ul", DataInferMode::DEFAULT);
@@ -118,9 +118,9 @@ TEST_CASE("an update consumes published data, of which the last counts") {
     CHECK(Rows(bag) == Lines{"-1.0,-1.0", "2.0000,2.0000", "2.0000,2.0000", "-1.0,2.0000", "text,2.0000"});
 }
 
-TEST_CASE("a supplier that throws or gives nothing leaves a gap, is counted, reported once, and noted as an event in the log") {
+TEST_CASE("a supplier that throws or returns nothing leaves a gap, is counted, reported once, and noted as an event in the log") {
     std::string bag;
-    const auto said = StandardErrorOf([&] {
+    const auto messages = StandardErrorOf([&] {
         bag = Logged(
             [] {
                 BadLog::CreateTopic("Good", "ul", [] { return 1; });
@@ -138,11 +138,11 @@ TEST_CASE("a supplier that throws or gives nothing leaves a gap, is counted, rep
     const auto rows = Rows(bag);
     CHECK(Contains(rows[0], "1.0000,,,,\"The topic \"\"Bad/Sensor\"\" threw unplugged, so its cell is empty."));
     CHECK(rows[2] == "1.0000,,,,");
-    CHECK(std::count(said.begin(), said.end(), '\n') == 3);
+    CHECK(std::count(messages.begin(), messages.end(), '\n') == 3);
 }
 
 TEST_CASE("publishing to a name that does not exist is ignored, counted, and reported once for each name") {
-    const auto said = StandardErrorOf([] {
+    const auto messages = StandardErrorOf([] {
         const auto bag = Logged(
             [] {
                 BadLog::CreateTopicSubscriber("Published", "ul", DataInferMode::LAST);
@@ -156,7 +156,7 @@ TEST_CASE("publishing to a name that does not exist is ignored, counted, and rep
             });
         CHECK(Rows(bag) == Lines{"1.0000"});
     });
-    CHECK(std::count(said.begin(), said.end(), '\n') == 1);
+    CHECK(std::count(messages.begin(), messages.end(), '\n') == 1);
 }
 
 TEST_CASE("a formatter that throws leaves a gap") {
@@ -178,7 +178,7 @@ TEST_CASE("a formatter that throws leaves a gap") {
 }
 
 TEST_CASE("a formatter that logs, updates, flushes or closes in the middle of a row does not tear the row") {
-    const auto said = StandardErrorOf([] {
+    const auto messages = StandardErrorOf([] {
         int calls = 0;
         const auto bag = Logged(
             [&] {
@@ -199,8 +199,8 @@ TEST_CASE("a formatter that logs, updates, flushes or closes in the middle of a 
             });
         CHECK(Rows(bag) == Lines{"1,0", "1,2", "1,4"});
     });
-    INFO(said);
-    CHECK(Contains(said, "Log() is ignored while a row is being written"));
+    INFO(messages);
+    CHECK(Contains(messages, "Log() is ignored while a row is being written"));
 }
 
 TEST_CASE("a supplier may publish, log and update") {
@@ -216,9 +216,9 @@ TEST_CASE("a supplier may publish, log and update") {
     CHECK(Rows(bag) == Lines{"2.0000,1.0000"});
 }
 
-TEST_CASE("mistakes in the setup are reported, and logging goes on") {
+TEST_CASE("mistakes in the setup are reported, and logging continues") {
     const Folder folder;
-    const auto said = StandardErrorOf([&] {
+    const auto messages = StandardErrorOf([&] {
         const auto first = BadLog::Init(folder / "first.bag");
         CHECK(BadLog::CreateTopic("A", "ul", [] { return 1; }));
         CHECK_FALSE(BadLog::CreateTopic("A", "ul", [] { return 2; }));
@@ -239,9 +239,9 @@ TEST_CASE("mistakes in the setup are reported, and logging goes on") {
         second.Close();
     });
     CHECK(RowsIn(folder / "first.bag") == Lines{"1.0000"});
-    CHECK(Contains(said, "There is already a topic or value \"A\""));
-    CHECK(Contains(said, "without a supplier"));
-    CHECK(Contains(said, "the other one was closed"));
+    CHECK(Contains(messages, "There is already a topic or value \"A\""));
+    CHECK(Contains(messages, "without a supplier"));
+    CHECK(Contains(messages, "the other one was closed"));
 }
 
 TEST_CASE("without flushing, rows are written together, by Flush, by Close, and after a quarter of a second") {

@@ -32,7 +32,7 @@ std::string Integer(int64_t value) {
     return {text, badlog::WriteInteger(value, text)};
 }
 
-/** The generator of the corpus: splitmix64. */
+/** Returns the next bits of the corpus's generator, splitmix64. */
 uint64_t NextBits(uint64_t& state) {
     state += 0x9E3779B97F4A7C15u;
     uint64_t bits = state;
@@ -67,7 +67,7 @@ uint64_t Digest(const std::string& kind, uint64_t state, int count) {
 
 }  // namespace
 
-TEST_CASE("numbers have the texts of the corpus, which are Java's") {
+TEST_CASE("numbers have the corpus's texts, which are Java's") {
     std::istringstream corpus{Read(BADLOG_ROOT "/core/conformance/numbers/five-digits.txt")};
     int cases = 0;
     for (std::string line; std::getline(corpus, line); cases++) {
@@ -92,7 +92,7 @@ TEST_CASE("numbers have the texts of the corpus, which are Java's") {
     CHECK(cases > 1000);
 }
 
-TEST_CASE("a row's numbers are those of the table in bag-format.md") {
+TEST_CASE("a row's numbers equal the table in bag-format.md") {
     CHECK(FiveDigits(12.3456) == "12.346");
     CHECK(FiveDigits(-100) == "-100.00");
     CHECK(FiveDigits(1e-4) == "0.00010000");

@@ -21,7 +21,7 @@ using badlog::LogState;
 
 namespace {
 
-/** What is said of a log that cannot be created; it logs nothing. */
+/** Returns the message about a log that cannot be created; checks that it logs nothing. */
 std::string RefusalOf(const std::string& path) {
     return StandardErrorOf([&] {
         const auto log = BadLog::Init(path);
@@ -39,7 +39,7 @@ std::string Reason(const std::string& path, std::errc failure) {
 }
 
 #if !defined(_WIN32)
-/** While it lives, the program is not allowed more than anybody: permissions do not hold for root. */
+/** While it lives, the program has an ordinary user's rights: permissions have no effect on root. */
 class WithoutRoot {
 public:
     WithoutRoot() {
@@ -49,7 +49,7 @@ public:
         if (!m_isRoot) return;
         CHECK(seteuid(0) == 0);
 #if defined(__linux__)
-        // Linux takes this away with the change of users, and AddressSanitizer looks for leaks by it.
+        // Linux removes this right with the change of users, and AddressSanitizer needs it to find leaks.
         prctl(PR_SET_DUMPABLE, 1);
 #endif
     }
@@ -65,7 +65,7 @@ private:
 }  // namespace
 
 #if !defined(_WIN32)
-TEST_CASE("a log in a read-only folder is refused by a message that says so, and what to do next") {
+TEST_CASE("the message about a read-only folder names the reason and the next step") {
     const Folder folder;
     const auto readOnly = folder / "read-only";
     std::filesystem::create_directory(readOnly);
@@ -85,7 +85,7 @@ TEST_CASE("a log in a read-only folder is refused by a message that says so, and
 }
 #endif
 
-TEST_CASE("a read-only file in the way of a log is named") {
+TEST_CASE("the message about a read-only file names it") {
     const Folder folder;
     const auto path = folder / "a.bag";
     std::ofstream{badlog::SystemPath(path)} << "old";
@@ -108,16 +108,16 @@ TEST_CASE("a read-only file in the way of a log is named") {
     std::filesystem::permissions(badlog::SystemPath(path), std::filesystem::perms{0666});
 }
 
-TEST_CASE("a folder in the place of a log is named") {
+TEST_CASE("the message about a folder at the log's path names it") {
     const Folder folder;
     const auto path = folder / "logs";
     std::filesystem::create_directory(badlog::SystemPath(path));
-    const auto said = RefusalOf(path);
-    CHECK(said.find("cannot be created: it is a folder. Nothing is logged; name a file in it, such as ") != std::string::npos);
-    CHECK(said.find("robot.bag.\n") != std::string::npos);
+    const auto messages = RefusalOf(path);
+    CHECK(messages.find("cannot be created: it is a folder. Nothing is logged; name a file in it, such as ") != std::string::npos);
+    CHECK(messages.find("robot.bag.\n") != std::string::npos);
 }
 
-TEST_CASE("a read-only disk is named, and the folder that is missing there") {
+TEST_CASE("the message about a read-only disk names it and the missing folder") {
     const Folder folder;
     const auto disk = badlog::TextOf(badlog::SystemPath(folder / "logs").parent_path());
     CHECK(
@@ -130,7 +130,7 @@ TEST_CASE("a read-only disk is named, and the folder that is missing there") {
     CHECK(Reason("a.bag", std::errc::permission_denied).find("the current folder is read-only for this program. ") != std::string::npos);
 }
 
-TEST_CASE("any other failure is given in the system's words") {
+TEST_CASE("any other failure is reported in the system's words") {
     const auto text = Reason("a.bag", std::errc::no_space_on_device);
     CHECK(text.find("The log a.bag cannot be created: " + std::make_error_code(std::errc::no_space_on_device).message()) == 0);
 }

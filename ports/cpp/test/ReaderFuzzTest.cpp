@@ -15,7 +15,7 @@ namespace {
 
 constexpr int MUTANTS = 20'000;
 
-/** The files of the corpus, in the same order on every machine. */
+/** Returns the files of the corpus, in the same order on every machine. */
 std::vector<std::string> Corpus() {
     std::set<std::string> paths;
     for (const auto& entry : std::filesystem::directory_iterator{badlog::SystemPath(BADLOG_ROOT "/core/conformance")}) {
@@ -26,7 +26,7 @@ std::vector<std::string> Corpus() {
     return files;
 }
 
-/** A file with a few pieces changed, cut, doubled, or taken from another file. */
+/** Returns a file with a few pieces changed, cut, doubled, or taken from another file. */
 std::string Mutant(const std::vector<std::string>& corpus, std::mt19937& random) {
     static const std::vector<std::string> PIECES = {
         ",", "\"", "\"\"", "\n", "\r", "\r\n", std::string(3, '\0'), "{", "}", "[", "\\u00", "\\ud83d", "NaN", "-inf", "1e999", "1,5",
@@ -58,7 +58,7 @@ std::string Mutant(const std::vector<std::string>& corpus, std::mt19937& random)
 
 }  // namespace
 
-TEST_CASE("whatever the bytes are, they are read, and each topic has a cell for each row") {
+TEST_CASE("any bytes are read, and each topic has a cell for each row") {
     const auto corpus = Corpus();
     std::mt19937 random{20261122};
     for (int i = 0; i < MUTANTS; i++) {

@@ -31,8 +31,8 @@ int64_t JavaRound(double value) {
 
 }  // namespace
 
-// What jvm-robot's RecordedScript.java does; its recording was made by the original badlog.
-TEST_CASE("a recorded script of calls gives the same bytes as with the original and in Java") {
+// The same calls as in jvm-robot's RecordedScript.java; the original badlog made the recording.
+TEST_CASE("a recorded script of calls writes the same bytes as with the original and in Java") {
     const Folder folder;
     int loop = 0;
     const auto log = BadLog::Init(folder / "script.bag", {/*flushesEachRow=*/false});

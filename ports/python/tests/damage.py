@@ -1,4 +1,4 @@
-"""Damages files as disks, power cuts and mischief do."""
+"""Damages files like bad disks, power cuts and mischief."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Runs robots, one after another, and kills each in mid-loop: `killed_robots.py FOLDER COUNT`.
+"""Runs robots, one after another, and kills each within its loop: `killed_robots.py FOLDER COUNT`.
 
 Robot N logs to `N.bag`, gzipped if N is odd; `N.returned` says how many of its calls of `log()` had returned. The robots count in memory that they
-share with this program, so that the count is right however they end.
+share with this program, so that the count is correct however they end.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Writes logs of the Driver Station byte by byte as the format says, for tests; knows nothing of the code that is tested."""
+"""Writes logs of the Driver Station byte by byte as the format says, for tests; independent of the tested code."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections.abc import Callable
 START = 3_855_740_645
 """2026-03-07 15:04:05 UTC, in s since 1904; files begin half a second later."""
 
-# What a record says of the robot and of the Driver Station: the bits that are low.
+# The status of robot and Driver Station in a record: a mode is on if its bit is 0.
 BOTH_DISABLED, BOTH_AUTO, BOTH_TELEOP, ONLY_DS_TELEOP, BROWNOUT_IN_TELEOP, NO_ROBOT = 0xF6, 0xED, 0xDB, 0xDF, 0x5B, 0xF7
 
 
@@ -49,7 +49,7 @@ class DseventsWriter:
         return bytes(self._out)
 
     def entry(self, seconds: float, text: str | bytes) -> DseventsWriter:
-        """An entry so many seconds after the header's time."""
+        """Adds an entry that is `seconds` s after the header's time."""
         whole, fraction = divmod(seconds + 0.5, 1)
         content = text.encode() if isinstance(text, str) else text
         self._out += struct.pack(">qQi", self._start + int(whole), int(fraction * 2**64), len(content)) + content
@@ -61,7 +61,7 @@ def _header(version: int, start: int) -> bytes:
 
 
 def pdp(raw: Callable[[int], int], voltage: int = 164, temperature: int = 88) -> bytes:
-    """The block of a PDP whose channels have `raw` eighths of an ampere, bit by bit."""
+    """The block of a PDP, bit by bit; its channels have `raw` eighths of an ampere."""
     bits = [""] * 3
     for channel in range(16):
         bits[channel // 6] += f"{raw(channel):010b}"
@@ -70,7 +70,7 @@ def pdp(raw: Callable[[int], int], voltage: int = 164, temperature: int = 88) ->
 
 
 def pdh(raw: Callable[[int], int]) -> bytes:
-    """The block of a PDH whose channels have `raw`: eighths of an ampere, sixteenths from channel 20 on."""
+    """The block of a PDH; its channels have `raw` eighths of an ampere, or sixteenths from channel 20 on."""
     words = [0] * 7
     for channel in range(20):
         words[channel // 3] |= raw(channel) << (10 * (channel % 3))
@@ -79,7 +79,8 @@ def pdh(raw: Callable[[int], int]) -> bytes:
 
 
 def short_match(seed: int = 1, records: int = 200) -> DslogWriter:
-    """Before the robot answers, disabled, autonomous and teleop, with brownouts and losses of the link; a power distribution comes and changes."""
+    """A match: before the robot answers, disabled, autonomous and teleop, with brownouts and link losses. A power distribution appears and changes.
+    """
     source = random.Random(seed)
     log = DslogWriter()
     for _ in range(15):
@@ -93,7 +94,7 @@ def short_match(seed: int = 1, records: int = 200) -> DslogWriter:
 
 
 def told_in_match() -> DseventsWriter:
-    """What was said in that match."""
+    """The messages of that match."""
     return (
         DseventsWriter()
         .entry(0.1, "FMS Connected:   Qualification - 42:1, Field Time: 26/3/7 10:4:5\n FMS Event Name: MILLC ")

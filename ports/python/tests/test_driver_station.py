@@ -1,4 +1,4 @@
-"""Logs of the Driver Station: what the corpus does not show, damage, and what another reader finds in real ones."""
+"""Logs of the Driver Station: cases that the corpus lacks, damage, and another reader's results for real logs."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_a_dslog_is_an_object_like_a_bags() -> None:
 
 
 @both_ways
-def test_what_the_robot_has_not_measured_is_a_gap(with_numpy: bool) -> None:
+def test_values_that_the_robot_has_not_measured_are_gaps(with_numpy: bool) -> None:
     log = DslogWriter().record(volts=math.nan, trip=255).record(volts=37.375, trip=9).record(volts=12.5, trip=255).record(volts=12.5, trip=10)
     recording = parsed(log.data, with_numpy)
     assert list(map(str, samples(recording, "Battery Voltage"))) == ["nan", "nan", "12.5", "12.5"]
@@ -67,7 +67,7 @@ def test_what_the_robot_has_not_measured_is_a_gap(with_numpy: bool) -> None:
 
 
 @both_ways
-def test_the_currents_of_a_power_distribution_are_those_that_were_written(with_numpy: bool) -> None:
+def test_the_currents_of_a_power_distribution_equal_the_written_ones(with_numpy: bool) -> None:
     log = DslogWriter().record(power=pdp(lambda channel: 1023 - channel)).record(power=pdh(lambda channel: 37 * channel % 256))
     recording = parsed(log.data, with_numpy)
     assert [float(recording[f"PDP/Channel {channel}"].samples[0]) for channel in range(16)] == [(1023 - channel) / 8 for channel in range(16)]
@@ -108,7 +108,7 @@ def test_events_have_their_times_the_oldest_of_an_entry_first() -> None:
 
 
 @pytest.mark.skipif(not uses_numpy(), reason="NumPy is not installed")
-def test_with_numpy_and_without_it_a_damaged_log_is_read_alike() -> None:
+def test_a_damaged_log_is_read_alike_with_and_without_numpy() -> None:
     source = random.Random(21)
     for seed in range(60):
         data = damaged(short_match(seed).data + told_in_match().data, source)
@@ -160,7 +160,7 @@ def test_hostile_sizes_take_no_memory(with_numpy: bool) -> None:
 
 
 @both_ways
-def test_no_more_records_are_read_than_wanted(with_numpy: bool) -> None:
+def test_no_more_records_are_read_than_the_maximum(with_numpy: bool) -> None:
     recording = parsed(short_match().data, with_numpy, max_rows=12 * 100)
     assert len(recording["Driver Station/Battery Voltage"]) == 100
     assert [problem.kind for problem in recording.problems] == [ProblemKind.TOO_MANY_ROWS]

@@ -23,7 +23,7 @@ def _blocks() -> list[str]:
     return re.findall(r"```python\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.DOTALL)
 
 
-def test_what_the_guide_shows_is_what_comes_out(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_guides_examples_give_the_shown_output(monkeypatch: pytest.MonkeyPatch) -> None:
     for library in ("numpy", "pandas", "polars", "pyarrow"):
         pytest.importorskip(library)
     monkeypatch.chdir(ROOT)

@@ -1,4 +1,4 @@
-"""The corpus of logs without rows that readers in all languages must read alike: `libraries/formats/conformance`."""
+"""Reads the corpus of logs without rows, `libraries/formats/conformance`, which all languages' readers must read alike."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LOGS = sorted(log for log in FOLDER.iterdir() if log.suffix in (".wpilog", ".dsl
 WAYS = [False, True] if uses_numpy() else [False]
 
 
-def test_the_corpus_is_what_its_writer_writes() -> None:
+def test_the_corpus_equals_the_output_of_its_writer() -> None:
     assert {log.name: log.read_bytes() for log in LOGS} == logs()
 
 

@@ -1,4 +1,4 @@
-"""What is built and shipped: types that mypy accepts, and a wheel with all of the package."""
+"""The built package: mypy accepts its types, and its wheel has all of the package."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ import pytest
 ROOT = Path(__file__).parents[1]
 
 
-def test_mypy_finds_nothing() -> None:
+def test_mypy_finds_no_errors() -> None:
     for library in ("mypy", "numpy"):
         pytest.importorskip(library)
     checked = subprocess.run([sys.executable, "-m", "mypy"], cwd=ROOT, capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
-def test_the_wheel_holds_the_package_and_says_that_it_is_typed(tmp_path: Path) -> None:
+def test_the_wheel_contains_the_package_and_is_marked_as_typed(tmp_path: Path) -> None:
     for library in ("build", "setuptools"):
         pytest.importorskip(library)
     sources = tmp_path / "sources"
@@ -47,8 +47,8 @@ def test_the_wheel_holds_the_package_and_says_that_it_is_typed(tmp_path: Path) -
 def test_a_robot_loads_no_table_library() -> None:
     program = "import sys, badlog.robot; print([name for name in ('numpy', 'pyarrow', 'pandas', 'polars') if name in sys.modules])"
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
-    said = subprocess.run([sys.executable, "-c", program], env=environment, check=True, capture_output=True, text=True).stdout
-    assert said == "[]\n"
+    output = subprocess.run([sys.executable, "-c", program], env=environment, check=True, capture_output=True, text=True).stdout
+    assert output == "[]\n"
 
 
 def _copy(source: Path, target: Path) -> None:

@@ -1,4 +1,4 @@
-"""Files and folders, compressed and damaged, and what a recording answers."""
+"""Reads files and folders, compressed and damaged, and queries recordings."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_gzip_stream_that_was_flushed_and_never_closed_is_whole() -> None:
     assert kinds_of(badlog.read(flushed)) == []
 
 
-def test_gzip_members_follow_one_another_and_remains_do_no_harm() -> None:
+def test_all_gzip_members_are_read_and_remains_are_ignored() -> None:
     both = gzip.compress(BAG[:100]) + gzip.compress(BAG[100:]) + bytes(40)
     recording = badlog.read(both)
     assert recording.row_count == 3
@@ -73,7 +73,7 @@ def test_gzip_members_follow_one_another_and_remains_do_no_harm() -> None:
 
 
 @pytest.mark.parametrize("cut", [12, 40, 90])
-def test_all_that_inflates_of_a_cut_gzip_file_is_read(cut: int) -> None:
+def test_everything_that_inflates_of_a_cut_gzip_file_is_read(cut: int) -> None:
     rows = b"".join(b"%d.5,\n" % row for row in range(500))
     whole = gzip.compress(HEADER + b"Time,Events\n" + rows)
     recording = badlog.read(whole[:-cut])
@@ -82,7 +82,7 @@ def test_all_that_inflates_of_a_cut_gzip_file_is_read(cut: int) -> None:
     assert recording.is_salvaged
 
 
-def test_a_gzip_file_damaged_in_the_middle_gives_what_is_before_the_damage() -> None:
+def test_a_gzip_file_damaged_in_the_middle_is_read_up_to_the_damage() -> None:
     rows = b"".join(b"%d.5,%d\n" % (row, row * row % 9973) for row in range(3000))
     damaged = bytearray(gzip.compress(HEADER + b"Time,Events\n" + rows))
     damaged[len(damaged) // 2 : len(damaged) // 2 + 40] = b"\xff" * 40
@@ -91,14 +91,14 @@ def test_a_gzip_file_damaged_in_the_middle_gives_what_is_before_the_damage() -> 
     assert recording.row_count > 1000
 
 
-def test_no_more_rows_are_read_than_wanted() -> None:
+def test_no_more_rows_are_read_than_the_maximum() -> None:
     recording = badlog.read(BAG, max_rows=2)
     assert recording.row_count == 2
     assert kinds_of(recording) == ["TOO_MANY_ROWS"]
 
 
 @pytest.mark.parametrize("data", [b"\x7fELF\x02\x01\x01" + bytes(range(14, 31)) * 9, b"\x89PNG\r\n\x1a\n" + bytes(range(256))])
-def test_what_is_not_a_log_says_so_and_names_what_can_be_read(data: bytes) -> None:
+def test_the_problem_of_a_foreign_file_names_the_readable_formats(data: bytes) -> None:
     recording = badlog.read(data)
     assert not recording.is_readable
     assert recording.topics == []
@@ -107,7 +107,7 @@ def test_what_is_not_a_log_says_so_and_names_what_can_be_read(data: bytes) -> No
 
 
 @pytest.mark.parametrize("name", ["a.wpilog", "a.dslog", "a.DSEVENTS", "a.wpilog.gz"])
-def test_a_log_of_bytes_without_its_beginning_says_so(name: str, tmp_path: Path) -> None:
+def test_the_problem_of_a_binary_log_without_its_beginning_says_so(name: str, tmp_path: Path) -> None:
     path = tmp_path / name
     path.write_bytes(bytes(100) + bytes(range(256)))
     recording = badlog.read(path)
@@ -142,7 +142,7 @@ def test_the_samples_of_the_project_open() -> None:
 
 @pytest.mark.skipif(not reading._has_arrow(), reason="pyarrow or numpy is not installed")
 def test_arrow_and_python_read_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("badlog._rows._LEAST_ARROW_BYTES", 200)
+    monkeypatch.setattr("badlog._rows._MIN_ARROW_BYTES", 200)
     random_source = random.Random(1)
     cells = [b"1.25", b"-0", b"", b"null", b"NULL", b"nan", b"-nan", b"inf", b"1e400", b"true", b"False", b" 7 ", b"text", b'"1,5"', b'"a, ""b"""']
     cells += [b"\xe9", b"+5", b"5.", b".5", b"1_0", b"0x10", b"\t", b"nan(1)", b'""', b"1e-400", b"#N/A", b"n/a", b"1d", b"\xc3\xa9"]
@@ -182,13 +182,13 @@ def test_no_damage_raises() -> None:
         assert all(isinstance(problem.kind, ProblemKind) for problem in recording.problems + recording.attribute_problems)
 
 
-def test_the_kinds_of_problems_and_their_severities_are_those_of_the_guide() -> None:
+def test_the_kinds_of_problems_and_their_severities_equal_the_guide() -> None:
     guides = [(ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("bag-format", "wpilog", "driver-station")]
     told = {kind for guide in guides for kind in re.findall(r"`([A-Z0-9_]+)` (error|warning|note)", guide)}
     assert told == {(kind.value, kind.severity.name.lower()) for kind in ProblemKind}
 
 
-def test_the_version_is_that_of_the_project() -> None:
+def test_the_version_equals_the_projects() -> None:
     properties = (ROOT / "gradle.properties").read_text(encoding="utf-8")
     assert f"version={badlog.__version__}\n" in properties
 

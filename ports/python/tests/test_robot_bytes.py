@@ -1,4 +1,4 @@
-"""The logger for RobotPy writes the bytes that jvm-robot writes."""
+"""The logger for RobotPy writes the same bytes as jvm-robot."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ ROOT = Path(__file__).parents[3]
 NUMBERS = ROOT / "core" / "conformance" / "numbers" / "five-digits.txt"
 
 
-def test_a_recorded_script_of_calls_gives_the_bytes_that_it_gave_with_the_original_and_gives_in_java(tmp_path: Path) -> None:
+def test_a_recorded_script_of_calls_writes_the_same_bytes_as_with_the_original_and_in_java(tmp_path: Path) -> None:
     recorded_script.run(tmp_path / "script.bag", 200)
     recorded = (ROOT / "jvm-robot" / "src" / "test" / "resources" / "recorded-script.bag").read_bytes()
     assert (tmp_path / "script.bag").read_bytes() == recorded
 
 
-def test_the_white_papers_example_gives_the_bytes_of_the_original(tmp_path: Path) -> None:
+def test_the_white_papers_example_writes_the_bytes_of_the_original(tmp_path: Path) -> None:
     match_time = 15.0
     log = BadLog.init(tmp_path / "test.bag")
     BadLog.create_value("Match_Number", "8")
@@ -58,7 +58,7 @@ def test_a_number_has_five_digits(value: float, text: str) -> None:
     assert five_digits(value) == text
 
 
-def test_quick_numbers_are_those_of_exact_arithmetic() -> None:
+def test_quick_numbers_equal_exact_arithmetic() -> None:
     random_source = random.Random(3)
     for _ in range(20_000):
         value = random_source.choice((random_source.uniform(-1e5, 1e5), 10 ** random_source.uniform(-4, 5)))
@@ -103,7 +103,7 @@ def test_a_text_is_quoted_as_readers_need_it(text: str, cell: bytes) -> None:
 
 
 @pytest.mark.parametrize("name", ["a\nb", "a\r\nb", "\n", "a\0b", "\ud83e", "a🤖b", 'a "b", c'])
-def test_what_a_line_of_titles_cannot_hold_is_replaced_in_both_header_lines(name: str, tmp_path: Path) -> None:
+def test_characters_that_titles_cannot_hold_are_replaced_in_both_header_lines(name: str, tmp_path: Path) -> None:
     log = BadLog.init(tmp_path / "log.bag")
     BadLog.create_topic(name, "s", lambda: 1.5, "xaxis", "hide")
     BadLog.create_topic("Other", "V", lambda: 2.0)

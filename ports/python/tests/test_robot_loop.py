@@ -1,4 +1,4 @@
-"""The logger for RobotPy never raises into the loop, whatever goes wrong, and loses no row whose `log()` returned."""
+"""The logger for RobotPy never raises into the loop, and loses no row after its call of `log()` returned."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def rows_in(path: Path) -> list[str]:
     return path.read_text(encoding="utf-8").split("\n")[2:-1]
 
 
-def test_a_callable_that_raises_or_gives_none_leaves_a_gap_and_is_said_once(path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_callable_that_raises_or_returns_none_leaves_a_gap_and_is_reported_once(path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     log = BadLog.init(path)
     BadLog.create_topic("Raises", "V", lambda: 1 / 0)
     BadLog.create_topic_str("None", "ul", lambda: None)
@@ -54,10 +54,10 @@ def test_a_callable_that_raises_or_gives_none_leaves_a_gap_and_is_said_once(path
     assert rows_in(path)[0].startswith(',,,1180591620717411303424,"The topic ""Raises"" raised ZeroDivisionError: division by zero')
     assert rows_in(path)[1] == ",,,1180591620717411303424,second"
     assert log.counters().cells_missed == 6
-    assert _standard_error.await_said(60)
-    said = capfd.readouterr().err
-    assert said.count("Raises") == said.count("None") - said.count("gave None") == 1
-    assert said.startswith('badlog: The topic "Raises" raised ZeroDivisionError')
+    assert _standard_error.await_printed(60)
+    messages = capfd.readouterr().err
+    assert messages.count("Raises") == messages.count("None") - messages.count("gave None") == 1
+    assert messages.startswith('badlog: The topic "Raises" raised ZeroDivisionError')
 
 
 def test_calls_that_come_too_early_or_too_late_are_ignored_and_counted(path: Path) -> None:
@@ -80,7 +80,7 @@ def test_calls_that_come_too_early_or_too_late_are_ignored_and_counted(path: Pat
     assert log.state is LogState.CLOSED
 
 
-def test_mistakes_of_the_set_up_raise(path: Path) -> None:
+def test_mistakes_during_setup_raise(path: Path) -> None:
     log = BadLog.init(path)
     BadLog.create_value("A", "1")
     with pytest.raises(DuplicateNameError, match='is already a topic or value "A"'):
@@ -99,7 +99,7 @@ def test_a_second_log_closes_the_first(path: Path, tmp_path: Path) -> None:
     assert [second.state] == [LogState.CLOSED]
 
 
-def test_events_of_a_row_stand_in_it_together_and_are_no_numbers(path: Path) -> None:
+def test_events_of_a_row_are_one_text_that_is_not_a_number(path: Path) -> None:
     log = BadLog.init(path)
     events = BadLog.create_events("Events")
     log.finish_initialization()
@@ -138,7 +138,7 @@ def test_a_formatter_that_fails_leaves_a_gap_and_one_that_calls_the_log_is_ignor
     assert log.state is LogState.CLOSED
 
 
-def test_a_log_that_cannot_be_created_says_so_and_the_robot_goes_on(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_log_that_cannot_be_created_is_reported_and_the_robot_continues(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("")
     log = BadLog.init(tmp_path / "file" / "log.bag")
     BadLog.create_topic("A", "V", lambda: 1.0)
@@ -147,11 +147,11 @@ def test_a_log_that_cannot_be_created_says_so_and_the_robot_goes_on(tmp_path: Pa
     assert log.state is LogState.FAILING
     assert log.counters().rows_missed == 1
     log.close()
-    assert _standard_error.await_said(60)
+    assert _standard_error.await_printed(60)
     assert "cannot be created" in capfd.readouterr().err
 
 
-def test_rows_lost_to_a_full_disk_are_counted_and_their_events_come_back(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rows_lost_to_a_full_disk_are_counted_and_their_events_are_logged_later(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     log = BadLog.init(path)
     BadLog.create_topic_int("Row", "ul", lambda: 7)
     events = BadLog.create_events("Events")
@@ -182,7 +182,7 @@ def test_rows_lost_to_a_full_disk_are_counted_and_their_events_come_back(path: P
     assert "rows before this one could not be written" in badlog.read(path).events[-1].text
 
 
-def test_rows_without_flush_are_written_soon_all_the_same(path: Path) -> None:
+def test_rows_without_flush_are_written_soon(path: Path) -> None:
     log = BadLog.init(path, flush=False)
     BadLog.create_topic("A", "V", lambda: 1.0)
     log.finish_initialization()
@@ -206,7 +206,7 @@ def test_a_deleted_file_is_noticed(path: Path) -> None:
     assert log.counters().rows_missed == 1
 
 
-def test_a_row_is_one_write(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_each_row_is_one_write(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     writes: list[bytes] = []
     write = os.write
 
@@ -224,7 +224,7 @@ def test_a_row_is_one_write(path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     assert len(writes) == 21
 
 
-def test_each_row_of_a_gzip_log_can_be_read_and_close_adds_the_end(path: Path) -> None:
+def test_each_row_of_a_gzip_log_can_be_inflated_and_close_adds_the_end(path: Path) -> None:
     log = BadLog.init(path, compress=True)
     BadLog.create_topic("A", "V", lambda: 1.0)
     log.finish_initialization()
@@ -270,7 +270,7 @@ def test_a_full_standard_error_never_blocks_the_loop(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": str(HERE.parent / "src")}
     robot = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment)
     assert robot.stdout is not None and robot.stderr is not None
-    # Nobody reads its standard error, whose pipe holds 64 KiB.
+    # Its standard error is a pipe of 64 KiB without a reader.
     assert robot.stdout.readline() == b"done\n"
     robot.kill()
     robot.wait()
@@ -279,7 +279,7 @@ def test_a_full_standard_error_never_blocks_the_loop(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system cannot fork")
-def test_robots_are_killed_in_mid_loop_and_every_row_whose_log_returned_is_in_the_file(tmp_path: Path) -> None:
+def test_killed_robots_leave_every_row_for_which_log_returned(tmp_path: Path) -> None:
     environment = {**os.environ, "PYTHONPATH": str(HERE.parent / "src")}
     command = [sys.executable, str(HERE / "killed_robots.py"), str(tmp_path), str(KILLS)]
     killed = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
@@ -289,11 +289,11 @@ def test_robots_are_killed_in_mid_loop_and_every_row_whose_log_returned_is_in_th
 
 
 def _fault_of(folder: Path, number: int) -> str | None:
-    """What is wrong with the log of a robot that was killed, or None."""
+    """The fault of a killed robot's log, or None."""
     rows = int((folder / f"{number}.returned").read_text())
     recording = badlog.read(folder / (f"{number}.bag.gz" if number % 2 == 1 else f"{number}.bag"))
     samples = recording["Row"].samples.tolist() if "Row" in recording else []
-    # The row whose log() had not returned may be cut, with the compressed bytes that hold it, but nothing before it.
+    # Only the row with an unfinished call of log() may be cut, with the compressed bytes that hold it, and nothing before it.
     cut = [problem for problem in recording.problems if problem.severity.name == "ERROR" and problem.kind is not ProblemKind.GZIP_CUT]
     lost = [problem for problem in cut if (problem.line or 0) < 3 + rows]
     if rows > 0 and samples[:rows] == list(range(rows)) and not lost:
@@ -301,7 +301,7 @@ def _fault_of(folder: Path, number: int) -> str | None:
     return f"robot {number}: {rows} rows returned, {len(samples)} found, {recording.problems}"
 
 
-def test_a_failed_append_leaves_nothing_behind(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failed_append_leaves_the_file_unchanged(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = AppendFile(path)
     file.append(b"one\n")
     monkeypatch.setattr("badlog.robot._output.os.write", lambda *_: (_ for _ in ()).throw(OSError(errno.EIO, "no")))

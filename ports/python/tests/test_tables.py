@@ -38,7 +38,7 @@ def test_a_table_of_arrow_has_types_gaps_units_and_values() -> None:
     assert json.loads(table.schema.metadata[b"values"]) == [["Match Number", "8"]]
 
 
-def test_units_outlive_a_parquet_file(tmp_path: Path) -> None:
+def test_units_survive_in_a_parquet_file(tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     parquet.write_table(badlog.read(BAG).to_arrow(), tmp_path / "log.parquet")
     assert parquet.read_table(tmp_path / "log.parquet").field("Voltage").metadata[b"unit"] == b"V"

@@ -1,4 +1,4 @@
-"""WPILOGs: what the corpus does not show, damage, and what WPILib's own reader finds in the same bytes."""
+"""WPILOGs: cases that the corpus lacks, damage, and the results of WPILib's own reader for the same bytes."""
 
 from __future__ import annotations
 
@@ -78,12 +78,12 @@ def test_numbers_and_times_are_read_only_arrays_of_numpy_in_small_and_large_logs
 
 
 @pytest.mark.skipif(not uses_numpy(), reason="NumPy is not installed")
-def test_with_numpy_and_without_it_a_large_log_is_read_alike() -> None:
+def test_a_large_log_is_read_alike_with_and_without_numpy() -> None:
     data = moving_robot(1500, seed=3)
     assert described(parsed(data, True)) == described(parsed(data, False))
 
 
-def test_compressed_logs_are_inflated_and_say_if_they_are_cut(tmp_path: Path) -> None:
+def test_compressed_logs_are_inflated_and_a_cut_is_a_problem(tmp_path: Path) -> None:
     data = moving_robot(30)
     whole = described(badlog.read(data))
     for pack in (gzip.compress, lzma.compress):
@@ -97,7 +97,7 @@ def test_compressed_logs_are_inflated_and_say_if_they_are_cut(tmp_path: Path) ->
 
 
 @both_ways
-def test_no_more_records_are_read_than_wanted(with_numpy: bool) -> None:
+def test_no_more_records_are_read_than_the_maximum(with_numpy: bool) -> None:
     recording = parsed(moving_robot(500), with_numpy, max_rows=1000)
     assert kinds_of(recording).count("TOO_MANY_ROWS") == 1
     assert recording.is_salvaged and 0 < recording.sample_count < 4000
@@ -136,7 +136,7 @@ def test_a_log_that_is_cut_anywhere_keeps_the_whole_records_before(with_numpy: b
     for size in range(0, len(data), 3):
         recording = parsed(data[:size], with_numpy)
         assert recording.sample_count <= whole.sample_count
-        # An entry whose schema or elements are cut off is one topic.
+        # An entry with its schema or elements cut off is one topic.
         assert all(any(name.startswith(topic.name) for name in whole) for topic in recording.topics)
 
 
@@ -183,7 +183,7 @@ def test_hostile_sizes_take_no_memory(with_numpy: bool) -> None:
 
 
 @both_ways
-def test_messages_that_never_end_or_have_too_many_values_are_shown_by_sizes(with_numpy: bool) -> None:
+def test_endless_messages_and_those_with_too_many_values_are_shown_as_sizes(with_numpy: bool) -> None:
     chain = b"".join(proto(4, proto(1, f"M{i}".encode()) + field("m", 1, 11, f".M{i + 1}", is_list=i % 2 == 0)) for i in range(3000))
     wide = proto(4, proto(1, b"Wide") + b"".join(field(f"v{i}", i + 1, 1) for i in range(1100)))
     self_containing = proto(4, proto(1, b"Self") + field("self", 1, 11, ".Self", is_list=True) + field("x", 2, 1))
@@ -212,8 +212,8 @@ def test_large_schemas_and_messages_of_many_fields_take_no_memory(with_numpy: bo
 
 
 @both_ways
-def test_messages_of_few_bytes_and_many_values_have_a_bound(with_numpy: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("badlog._wpilog.blocks._LEAST_MESSAGE_VALUES", 5000)
+def test_the_values_of_small_messages_are_bounded(with_numpy: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("badlog._wpilog.blocks._MIN_MESSAGE_VALUES", 5000)
     wide = proto(4, proto(1, b"Wide") + b"".join(field(f"v{i}", i + 1, 1) for i in range(1000)))
     log = WpilogWriter().start(1, "/.schema/proto:a", "proto:FileDescriptorProto").start(2, "wide", "proto:Wide").record(1, 1, wide)
     for i in range(100):
@@ -246,7 +246,7 @@ def _wpilib_values(path: Path) -> dict[tuple[str, str], list[tuple[int, Any]]]:
 
 
 def _must_agree_with_wpilib(path: Path) -> int:
-    """Compares each value of the log; returns how many there are."""
+    """Compares each value of the log. Returns their number."""
     recording = badlog.read(path)
     first = min(_floats(topic.times)[0] for topic in recording.topics if len(topic) > 0)
     compared = 0
@@ -295,7 +295,7 @@ def test_wpilibs_reader_finds_the_same_values_in_real_logs() -> None:
         assert not badlog.read(log).is_salvaged
 
 
-def test_rows_are_made_of_the_last_values() -> None:
+def test_rows_have_the_last_values() -> None:
     log = WpilogWriter().start(1, "a", "double").start(2, "state", "string").start(3, "messages", "string").start(4, "on", "boolean")
     log.double(1, 0, 1.0).double(1, 30_000, 3.0).string(2, 10_000, "idle").string(2, 35_000, "up").record(4, 15_000, b"\1")
     log.string(3, 1_000, "one").string(3, 19_000, "two").string(3, 40_000, "three").double(1, 60_000, math.nan)
@@ -321,7 +321,7 @@ def test_a_topic_that_was_sparse_in_a_bag_is_sparse_in_rows_again() -> None:
     assert rows["seen"].is_sparse and rows["seen"].counts.empty == 8
 
 
-def test_rows_are_refused_in_one_sentence() -> None:
+def test_impossible_rows_are_reported_in_one_sentence() -> None:
     log = badlog.read(moving_robot(5))
     for wrong in (0.0, -1.0, math.nan):
         with pytest.raises(ValueError, match="must be above 0"):
@@ -336,7 +336,7 @@ def test_rows_are_refused_in_one_sentence() -> None:
         badlog.read(b"a,b\n1,2\n").resampled(0.02)
 
 
-def test_a_table_needs_rows_and_says_how_to_make_them() -> None:
+def test_a_table_without_rows_is_an_error_that_names_resampled() -> None:
     log = badlog.read(moving_robot(5))
     pytest.importorskip("pyarrow")
     with pytest.raises(ValueError, match=r"recording\.resampled\(0\.02\)"):

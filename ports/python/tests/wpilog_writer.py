@@ -1,4 +1,4 @@
-"""Writes WPILOGs byte by byte as the format says, for tests; knows nothing of the code that is tested."""
+"""Writes WPILOGs byte by byte as the format says, for tests; independent of the tested code."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ SCHEMA = "double x;Rotation rotation;int16 counts[2];char name[6];uint8 low:3;ui
 
 
 def moving_robot(records: int, seed: int = 1) -> bytes:
-    """A log with a bit of everything, as from a robot that does much; `records` times of it."""
+    """A log with a bit of everything, as from a busy robot; `records` times of it."""
     source = random.Random(seed)
     log = WpilogWriter('{"from":"a test"}')
     types = {

@@ -108,8 +108,8 @@ def _properties() -> bytes:
         '{"properties":{"badlog":',
     ]
     log = WpilogWriter()
-    for i, said in enumerate(metadata, 1):
-        log.start(i, f"NT:/Telemetry/{i}", "double", said).double(i, 1000 * i, 1.0)
+    for i, entry_metadata in enumerate(metadata, 1):
+        log.start(i, f"NT:/Telemetry/{i}", "double", entry_metadata).double(i, 1000 * i, 1.0)
     log.start(20, "messages", "string", '{"properties":{"badlog":["area"]}}').string(20, 9000, "text")
     return log.metadata(1, '{"properties":{"unit":"rad"}}', 10_000).data
 

@@ -14,7 +14,7 @@ class EventTopic;
 class LogSession;
 class SubscribedTopic;
 
-/** What a subscriber topic's cell holds if nothing was published since the last UpdateTopics. */
+/** The content of a subscriber topic's cell if nothing was published since the last UpdateTopics. */
 enum class DataInferMode {
     /** The default, BadLog::DEFAULT_DATA. */
     DEFAULT,
@@ -22,7 +22,7 @@ enum class DataInferMode {
     LAST,
 };
 
-/** What a BadLog is doing. */
+/** The states of a BadLog. */
 enum class LogState {
     /** Topics and values can be created; nothing is logged yet. */
     SETTING_UP,
@@ -34,7 +34,7 @@ enum class LogState {
     CLOSED,
 };
 
-/** What a log has written, lost and ignored since BadLog::Init, as of one moment. */
+/** The numbers of rows, cells and calls that a log has written, lost or ignored since BadLog::Init, at one moment. */
 struct LogCounters {
     /** Rows that were passed to the operating system, except those written to a file known to be deleted. */
     int64_t rowsWritten = 0;
@@ -56,7 +56,7 @@ struct LogCounters {
     int64_t eventsDropped = 0;
 };
 
-/** How a log is written. */
+/** Options for writing a log. */
 struct LogOptions {
     /** True to write each row at once; false to write the rows of about a quarter of a second together. */
     bool flushesEachRow = true;
@@ -106,7 +106,7 @@ private:
 };
 
 /**
- * Logs what a robot does into a bag. There is one log at a time: Init starts it, the static functions create topics and values,
+ * Logs a robot's data into a bag. There is one log at a time: Init starts it, the static functions create topics and values,
  * FinishInitialization writes the header, and then each loop calls UpdateTopics and Log.
  *
  * No function throws. A mistake while a log is set up is reported on standard error, and false is returned. A failure in the loop
@@ -126,22 +126,22 @@ public:
 
     /** The unit of data that has none. */
     static constexpr std::string_view UNITLESS = "ul";
-    /** The content of a subscriber topic's cell when there is no value. */
+    /** The content of a subscriber topic's cell without a value. */
     static constexpr std::string_view DEFAULT_DATA = "-1.0";
 
     /**
      * Starts a log. Missing folders are created; an existing file of that name is replaced. If there already is a log, it is
      * closed first. If the file cannot be created, this is reported on standard error, and nothing is logged.
      *
-     * @param path where to write, such as `/home/lvuser/logs/match.bag`; in UTF-8, on Windows, too
+     * @param path the path of the file, such as `/home/lvuser/logs/match.bag`; in UTF-8, even on Windows
      */
     static BadLog Init(std::string_view path, LogOptions options = {}) noexcept;
 
-    /** Returns a path that no file has: this one, or one with a number before its ending, such as `robot_2.bag`. */
+    /** Returns the path of no existing file: this path, or one with a number before its ending, such as `robot_2.bag`. */
     static std::string FreePath(std::string_view path);
 
     /**
-     * Creates a topic of numbers; false if the name is taken, the supplier is empty, or it is too early or too late.
+     * Creates a topic of numbers. Returns false if the name is taken, the supplier is empty, or the call is too early or too late.
      *
      * @param name letters, digits, spaces, `_`, and `/` for folders
      * @param unit such as `V`, or UNITLESS
@@ -161,7 +161,7 @@ public:
     static bool CreateTopicLong(
         std::string_view name, std::string_view unit, std::function<int64_t()> supplier, Attributes attributes = {}) noexcept;
 
-    /** Creates a topic whose values are published. The mode decides its value if nothing was. Otherwise like CreateTopic. */
+    /** Creates a topic for published values. The mode decides its value if nothing was published. Otherwise like CreateTopic. */
     static bool CreateTopicSubscriber(
         std::string_view name, std::string_view unit, DataInferMode mode, Attributes attributes = {}) noexcept;
 
@@ -182,7 +182,7 @@ public:
     /** Ends the setup and writes the header. Returns false if that was done before. */
     bool FinishInitialization() const noexcept;
 
-    /** Calls all suppliers, and takes over what was published. All rows until the next call have these values. */
+    /** Calls all suppliers, and takes over the published values. All rows until the next call have these values. */
     void UpdateTopics() const noexcept;
 
     /** Writes a row with the values from the last UpdateTopics. */
@@ -200,13 +200,13 @@ public:
     /** Sets LogOptions::isSyncing. */
     void SetSyncing(bool isSyncing) const noexcept;
 
-    /** Returns what the log is doing. */
+    /** Returns the current state of the log. */
     LogState State() const noexcept;
 
-    /** Returns what was written, lost and ignored so far. */
+    /** Returns the numbers of rows, cells and calls that were written, lost or ignored so far. */
     LogCounters Counters() const noexcept;
 
-    /** Writes what is still buffered, and closes the file. Later calls are ignored. Happens at the end of the program, too. */
+    /** Writes the buffered rows, and closes the file. Later calls are ignored. Also called at the end of the program. */
     void Close() const noexcept;
 
 private:

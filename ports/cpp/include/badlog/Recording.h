@@ -10,10 +10,10 @@
 
 namespace badlog {
 
-/** What a topic's cells turned out to be; docs/bag-format.md has the rule. */
+/** The kinds of topics, by the content of their cells; docs/bag-format.md has the rule. */
 enum class TopicKind { EMPTY, NUMERIC, BOOLEAN, STATE, EVENT };
 
-/** How many cells of a topic hold what. */
+/** The number of a topic's cells for each kind of content. */
 struct CellCounts {
     int64_t numbers = 0;
     int64_t notFinite = 0;
@@ -25,7 +25,7 @@ struct CellCounts {
 
     int64_t Total() const { return numbers + notFinite + truthValues + texts + empty; }
     TopicKind Kind() const;
-    /** Whether fewer than half of the rows have a number, and those mostly stand alone: its empty cells are not gaps. */
+    /** Whether fewer than half of the rows have a number, mostly isolated ones: the topic's empty cells are not gaps. */
     bool IsSparse() const;
 };
 
@@ -37,7 +37,7 @@ struct RecordedTopic {
     std::string unit;
     std::vector<std::string> attributes;
     CellCounts counts;
-    /** For each row its number, true as 1 and false as 0; NaN where there is none. */
+    /** For each row its number, with true as 1 and false as 0; NaN if there is none. */
     std::vector<double> samples;
     /** The row, from 0, and the text of each cell that holds a text. */
     std::vector<std::pair<int64_t, std::string>> texts;
@@ -53,7 +53,7 @@ struct RecordedValue {
 
 /** Something that was wrong in a file, where, and how it was handled. */
 struct Problem {
-    /** Such as `ROW_CUT`; docs/bag-format.md has them all, with how much each matters. */
+    /** Such as `ROW_CUT`; docs/bag-format.md lists all kinds with their severities. */
     std::string_view kind;
     /** One sentence. */
     std::string message;
@@ -61,11 +61,11 @@ struct Problem {
     std::optional<int64_t> line;
     /** The name of the topic concerned. */
     std::optional<std::string> topic;
-    /** How often it occurred; line and message are about the first. */
+    /** How often it occurred; line and message describe the first occurrence. */
     int64_t count = 1;
 };
 
-/** What was read from one log: everything that could be kept, and the problems found. */
+/** The content of one log: everything that could be kept, and the problems found. */
 struct Recording {
     /** False for a plain CSV file, which has no units, attributes and values. */
     bool isBag = false;
@@ -77,8 +77,8 @@ struct Recording {
 };
 
 /**
- * Reads a bag or a CSV file from its bytes, which must not be compressed. Damage never stops it: what is wrong becomes a
- * problem. It does not apply attributes.
+ * Reads a bag or a CSV file from its bytes, which must not be compressed. Damage never stops it, but becomes a problem.
+ * It does not apply attributes.
  */
 Recording ReadBag(std::string_view bytes);
 

@@ -1,6 +1,6 @@
 """Reads plain rows with pyarrow's CSV reader, which uses several threads.
 
-Arrow only gets lines that have no NUL, no lone carriage return, and no quotes but those of RFC 4180. Its results are checked: only finite doubles are
+Arrow only gets lines without NULs, lone carriage returns, and quotes that RFC 4180 does not allow. Its results are checked: only finite doubles are
 used as they are; every other cell is read again by the rules of the format.
 """
 
@@ -19,7 +19,7 @@ _NO_NUMBERS = ["", "null", "NULL"]
 
 
 class ArrowRows:
-    """The columns of one file, and which of them have had anything other than numbers."""
+    """The columns of one file. Remembers which of them have had anything other than numbers."""
 
     def __init__(self, columns: list[Column]) -> None:
         import numpy
@@ -36,7 +36,7 @@ class ArrowRows:
         self._texts = pyarrow.dictionary(pyarrow.int32(), pyarrow.binary())
 
     def read(self, data: bytes, start: int, until: int, rows: int, row: int, line: int) -> bool:
-        """Adds `rows` rows, the first of which is number `row` and is on `line`; returns False, and adds nothing, if one is not plain."""
+        """Adds `rows` rows from number `row` on, which is on `line`. Returns False, and adds nothing, if one of them is not plain."""
         if row == 0:
             first = data[start : data.index(b"\n", start)].rstrip(b"\r").split(b",")
             for i, cell in enumerate(first[: len(self._columns)]):
@@ -81,7 +81,7 @@ class ArrowRows:
         return total is None or total - total == 0.0
 
     def _bytes_of(self, data: bytes, start: int, until: int, odd: list[int]) -> dict[int, Any]:
-        """The cells of columns in which Arrow found something that is not finite, as they are in the file."""
+        """The cells, as in the file, of columns in which Arrow found a number that is not finite."""
         if not odd:
             return {}
         table = self._read_csv(data, start, until, {self._names[i]: self._arrow.binary() for i in odd})

@@ -1,4 +1,4 @@
-"""What is odd about the attributes of topics, as the page and the window report it when they apply them."""
+"""The problems of topics' attributes, as reported by the page and the window."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ if TYPE_CHECKING:
 _PLAIN = ("hide", "log", "area", "zero", "xaxis", "delta", "differentiate", "integrate")
 _DERIVATIONS = {"delta": "Delta", "differentiate": "Derivative", "integrate": "Integral"}
 
-# Positions are wild if they are a hundred times as far from the others as those are from each other, and at most one in a hundred.
-_FAR = 100.0
-_FEW = 100
-_FEWEST = 100
-_PART = 20
-_LOOKED_AT = 2000
+# Positions are wild if they are a hundred times as far from the others as those are from one another. At most one in a hundred is
+# wild.
+_OUTLIER_DISTANCE = 100.0
+_POSITIONS_PER_OUTLIER = 100
+_MIN_POSITIONS = 100
+_POSITIONS_PER_IGNORED = 20
+_MAX_EXAMINED = 2000
 
 
 def attribute_problems(recording: Recording) -> list[Problem]:
@@ -46,7 +47,7 @@ class _AttributeReader:
         self.problems.append(Problem(kind, message, None, topic.name))
 
     def _read(self, topic: Topic) -> bool:
-        """Reads the attributes of one topic; returns whether it wants to be the x axis."""
+        """Reads the attributes of one topic. Returns whether it is to be the x axis."""
         name = topic.name
         seen: list[str] = []
         derived = self._derived.setdefault(name, [])
@@ -166,16 +167,16 @@ def _base_name(name: str) -> str:
 
 
 def _wild_among(positions: list[float]) -> int:
-    """The number of positions so far away that all others could not be told apart on an axis."""
-    step = max(1, len(positions) // _LOOKED_AT)
+    """The number of positions so far away that the others would be too small to see on an axis."""
+    step = max(1, len(positions) // _MAX_EXAMINED)
     some = sorted(position for position in positions[::step] if math.isfinite(position))
-    if len(some) < _FEWEST:
+    if len(some) < _MIN_POSITIONS:
         return 0
-    cut = len(some) // _PART
+    cut = len(some) // _POSITIONS_PER_IGNORED
     first = some[cut]
     last = some[len(some) - 1 - cut]
-    reach = (last - first) * _FAR
+    reach = (last - first) * _OUTLIER_DISTANCE
     if not 0 < reach < math.inf:
         return 0
     wild = sum(math.isfinite(position) and not first - reach <= position <= last + reach for position in positions)
-    return wild if wild <= len(positions) // _FEW else 0
+    return wild if wild <= len(positions) // _POSITIONS_PER_OUTLIER else 0

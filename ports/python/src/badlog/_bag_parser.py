@@ -1,4 +1,4 @@
-"""Makes a recording from the bytes of a bag or a CSV file, by the rules of `docs/bag-format.md`. It never raises, whatever the bytes."""
+"""Makes a recording from the bytes of a bag or a CSV file, by the rules of `docs/bag-format.md`. Never raises because of the bytes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from badlog._column import Column
 from badlog._cursor import Cursor
-from badlog._header_reader import NO_LOG, HeaderReader
+from badlog._header_reader import NOT_A_LOG, HeaderReader
 from badlog._rows import RowReader
 from badlog._titles import HeaderColumns
 from badlog.problem import ProblemKind, ProblemList
@@ -77,18 +77,18 @@ class _BagParser:
         header = self._header
         layout = header.columns
         if layout is None:
-            # Without a line of titles there are no rows, but the line of JSON may still have the topics that there were to be.
+            # Without a line of titles there are no rows, but the line of JSON may still list the topics.
             names = [topic.name for topic in header.header.topics] if header.header is not None else []
             layout = HeaderColumns.match(header.header, names, self._cursor.line, self._problems)
         rows = self._rows
         row_count = 0 if rows is None else rows.row_count
         columns = self._columns if rows is not None else _columns_of(layout)
         topics = [columns[i].topic(row_count, self._problems) for i in layout.order]
-        ignores_the_rest = header.is_no_log or (rows is not None and rows.gave_up)
+        ignores_the_rest = header.is_not_log or (rows is not None and rows.gave_up)
         if self._cursor.saw_carriage_return and not ignores_the_rest:
             self._problems.add(ProblemKind.CARRIAGE_RETURNS, "Lines end in a carriage return, as on Windows; that is fine.")
         if header.header is None and len(topics) == 1 and row_count > 0 and _is_prose(topics[0]):
-            self._problems.add(ProblemKind.NOT_A_RECORDING, f"{NO_LOG}: it is text without columns of numbers.", 1)
+            self._problems.add(ProblemKind.NOT_A_RECORDING, f"{NOT_A_LOG}: it is text without columns of numbers.", 1)
             return Recording(RecordingFormat.CSV, None, [], [], 0, self._problems.to_list())
         if not ignores_the_rest:
             self._report_emptiness(topics, row_count)

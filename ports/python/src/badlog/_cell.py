@@ -1,4 +1,4 @@
-"""What a cell's bytes are."""
+"""The kinds of cells, and how their bytes are read."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _WORDS: dict[bytes, tuple[int, float]] = {
     **{sign + word: (NOT_FINITE, math.inf) for sign in (b"", b"+") for word in (b"inf", b"infinity")},
     **{b"-" + word: (NOT_FINITE, -math.inf) for word in (b"inf", b"infinity")},
 }
-_LONGEST_WORD = len(b"-infinity")
+_MAX_WORD_LENGTH = len(b"-infinity")
 
 
 def read_cell(cell: bytes) -> tuple[int, float]:
@@ -33,11 +33,11 @@ def read_cell(cell: bytes) -> tuple[int, float]:
     if _DECIMAL.fullmatch(word):
         number = float(word)
         return (NUMBER if math.isfinite(number) else NOT_FINITE), number
-    if len(word) > _LONGEST_WORD:
+    if len(word) > _MAX_WORD_LENGTH:
         return TEXT, math.nan
     return _WORDS.get(word.lower(), (TEXT, math.nan))
 
 
 def read_decimal_comma(cell: bytes) -> float | None:
-    """The number with a decimal comma that the bytes are, such as `1,2345`, or None."""
+    """The number in bytes with a decimal comma, such as `1,2345`; None if they are not one."""
     return float(cell.replace(b",", b".")) if _WITH_COMMA.fullmatch(cell) else None

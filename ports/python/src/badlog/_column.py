@@ -1,4 +1,4 @@
-"""One column while its file is read: its numbers, its texts, and what was odd about it."""
+"""One column while its file is read: its numbers, its texts, and counts of oddities."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _QUOTED_BYTES = 60
 
 
 class Column:
-    """Takes cells row by row, or many of them at a time."""
+    """A column that takes cells row by row, or many at a time."""
 
     def __init__(self, name: str, unit: str, attributes: tuple[str, ...]) -> None:
         self.name = name
@@ -33,7 +33,7 @@ class Column:
         self._ids: dict[bytes, int] = {}
         self._written_nans: list[int] = []
         self.first_text: str | None = None
-        """The first text, as a message quotes it."""
+        """The first text, in the form for a message."""
         self._first_text_line = 0
         self._last_text_size = 0
         self._is_last_text_new = False
@@ -80,12 +80,12 @@ class Column:
         self._empty += count
 
     def add_gaps(self, first_row: int, last_row: int, runs: int) -> None:
-        """Counts runs of neighboring rows without a number, the first of which begins in `first_row`."""
+        """Counts `runs` runs of neighboring rows without a number; the first one begins in `first_row`."""
         self._gaps += runs - (first_row == self._last_gap_row + 1)
         self._last_gap_row = last_row
 
     def add_odd_number(self, row: int, kind: int, number: float, line: int) -> None:
-        """Counts a cell whose number is written in an unusual way; the number itself is added separately."""
+        """Counts a cell with a number in an unusual form; the number itself is added separately."""
         if kind == _cell.NOT_FINITE:
             self._not_finite += 1
             if math.isnan(number):
@@ -125,7 +125,7 @@ class Column:
         self.mark_text(text, text, line)
 
     def mark_text(self, first: bytes, last: bytes, line: int) -> None:
-        """Remembers the first text of the column, if it is that, and the last."""
+        """Remembers the last text, and the first one if there was none before."""
         self._last_text_size = len(last)
         if self.first_text is None:
             self.first_text = excerpt(first, _QUOTED_BYTES)
@@ -151,7 +151,7 @@ class Column:
         return True
 
     def topic(self, rows: int, problems: ProblemList) -> Topic:
-        """Returns the topic that all rows make; what was odd about the column is reported. Call it once, last."""
+        """Returns the topic made of all rows, and reports the column's oddities. Call it once, last."""
         texts = len(self.text_rows)
         numeric = rows - texts - self._empty
         counts = CellCounts(

@@ -1,4 +1,4 @@
-"""How far a file is read, and where its lines end."""
+"""The position in a file up to which it is read, and the ends of its lines."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ _LINE_FEEDS = re.compile(rb"\n*")
 _CRLFS = re.compile(rb"(?:\r\n)*")
 _LF = 10
 _CR = 13
-_LISTED = 10
+_MAX_LISTED = 10
 
 
 def line_end_in(data: bytes, start: int, until: int) -> int:
-    """Where the line ends: at its LF or CR, or at a NUL, where the original bytes are lost; otherwise `until`."""
+    """The end of the line: its LF or CR, or a NUL, where the original bytes are lost. It is `until` if there is none."""
     end = _LINE_END.search(data, start, until)
     return until if end is None else end.start()
 
@@ -30,7 +30,7 @@ def after_line_end(data: bytes, end: int) -> int:
 
 
 class Cursor:
-    """The bytes of a file, inflated, and how far they are read."""
+    """The bytes of a file, inflated, and the position up to which they are read."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
@@ -56,7 +56,9 @@ class Cursor:
         self.start = following
 
     def pass_blank_lines(self, end: int, following: int, problems: ProblemList) -> int:
-        """Skips the blank line that ends at `end`, before `following`, and all that follow it; returns where they end."""
+        """Skips the blank line that ends at `end`, before `following`, and all blank lines after it. Returns where they
+        end.
+        """
         size = following - end
         at = following
         more = _CRLFS if size == 2 else _LINE_FEEDS if self.data[end] == _LF else None
@@ -66,9 +68,9 @@ class Cursor:
             at = match.end()
         count = (at - end) // size
         blank = "A blank line was skipped."
-        for i in range(1 if self.is_after_hole else 0, min(count, _LISTED)):
+        for i in range(1 if self.is_after_hole else 0, min(count, _MAX_LISTED)):
             problems.add(ProblemKind.BLANK_LINE, blank, self.line + i)
-        if count > _LISTED:
-            problems.add(ProblemKind.BLANK_LINE, blank, self.line + _LISTED, count=count - _LISTED)
+        if count > _MAX_LISTED:
+            problems.add(ProblemKind.BLANK_LINE, blank, self.line + _MAX_LISTED, count=count - _MAX_LISTED)
         self.line += count
         return at

@@ -1,4 +1,4 @@
-"""What the first lines look like; the rows show whether a line of titles is damaged or only odd."""
+"""The first lines from the titles on: the rows show whether a line of titles is damaged or merely unusual."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ from badlog import _cell
 from badlog._cursor import Cursor, after_line_end, line_end_in
 from badlog._splitter import Quotes, RowSplitter
 
-_ROWS = 20  # the number of rows that are looked at
+_ROWS = 20  # the number of rows that are examined
 _MAX_BYTES = 1 << 20
 _CLEARLY = 3
 
-# Of random bytes, every ninth is a control character; of a text with a few damaged places, less than one in this many.
+# Among random bytes, every ninth is a control character; in a text with a few damaged places, fewer than one in this
+# many.
 _MIN_TEXT = 20
 _MIN_CONTROLS = 16
 
@@ -23,7 +24,7 @@ _CONTROL = re.compile(rb"[\x01-\x08\x0a-\x1f]")
 
 
 def has_controls(line: bytes) -> bool:
-    """Whether there are bytes that no text has."""
+    """Whether there are bytes that do not occur in text."""
     return _CONTROL.search(line) is not None
 
 
@@ -36,9 +37,9 @@ class FirstLine:
     following: int
     """Where the next line begins."""
     cells: int
-    """The number of its cells; 0 if its quotes or its bytes are not those of a row."""
+    """The number of its cells; 0 if its quotes or bytes cannot be in a row."""
     numbers: int
-    """The number of them that are numbers, or true or false."""
+    """The number of cells with a number, `true` or `false`."""
     texts: int
 
     @property
@@ -48,7 +49,7 @@ class FirstLine:
 
 
 class FirstLines:
-    """The titles, at the cursor, and as many lines after them as are looked at."""
+    """The titles, which are at the cursor, and the examined lines after them."""
 
     def __init__(self, cursor: Cursor) -> None:
         self.lines: list[FirstLine] = []
@@ -60,7 +61,7 @@ class FirstLines:
         while rows <= _ROWS:
             end = line_end_in(data, at, limit)
             if end == limit:
-                # The end of the file ends a line; a line that is too long to look at does not count.
+                # The end of the file ends a line; a line that is too long to examine does not count.
                 break
             following = after_line_end(data, end)
             if end > at:
@@ -68,12 +69,12 @@ class FirstLines:
                 self.lines.append(line)
                 if line.cells > 0:
                     rows += 1
-            # A line that ends at a NUL goes on there.
+            # After a line that ends at a NUL, go on from that NUL.
             at = end + 1 if following == end else following
         looked_at = data[cursor.start : at]
         controls = len(looked_at) - len(looked_at.translate(None, _CONTROLS))
         self.is_binary = controls >= _MIN_CONTROLS and controls * _MIN_TEXT > len(looked_at)
-        """Whether they are the bytes of a picture, an archive or a program: damage leaves more text than that."""
+        """Whether the bytes are a picture, an archive or a program: even a damaged log has more text than those."""
         self.width = 0
         """The number of cells that most of the lines after the titles have; 0 if that is not clear."""
         self.has_rows = False
@@ -94,7 +95,7 @@ class FirstLines:
 
     def _find_width(self) -> None:
         full = [line for line in self.lines[1:] if line.cells > 0]
-        # What damage tore off the titles has no numbers.
+        # A piece of the titles, split off by damage, has no numbers.
         rows = [line for line in full if line.numbers > 0] or full
         counts = Counter(line.cells for line in rows)
         if counts:

@@ -22,9 +22,9 @@ def is_gzip(data: bytes) -> bool:
 
 
 def inflate(data: bytes, most: int) -> tuple[bytes, bool]:
-    """What the file holds, up to about `most` bytes, and whether something is missing.
+    """The content of the file, up to about `most` bytes, and whether something is missing.
 
-    A stream that its writer flushed but never closed, as the original badlog leaves it, lacks nothing.
+    A stream that was flushed but never closed lacks nothing; the original badlog leaves such streams.
     """
     parts: list[bytes] = []
     size = 0
@@ -33,7 +33,7 @@ def inflate(data: bytes, most: int) -> tuple[bytes, bool]:
     while at < len(data) and size < most:
         body = _body_after(data, at)
         if body is None:
-            # Remains after the last member; a file that is only a beginning has none.
+            # Other bytes may follow the last member, but not in a file with only a beginning.
             return b"".join(parts), not saw_body
         saw_body = True
         inflater = zlib.decompressobj(-zlib.MAX_WBITS)
@@ -55,12 +55,12 @@ def inflate(data: bytes, most: int) -> tuple[bytes, bool]:
 
 
 def _until_fault(inflater: zlib._Decompress, piece: bytes) -> bytes:
-    """What `piece` holds before the byte at which it cannot be inflated further."""
+    """The content of `piece` before the byte at which it cannot be inflated further."""
     inflated = bytearray()
     try:
         for byte in piece:
             left = bytes([byte])
-            # Byte by byte, because what a failing call has inflated is lost.
+            # Byte by byte, because a failing call loses everything that it has inflated.
             while True:
                 inflated += inflater.decompress(left, 1)
                 left = inflater.unconsumed_tail
@@ -72,7 +72,7 @@ def _until_fault(inflater: zlib._Decompress, piece: bytes) -> bytes:
 
 
 def _body_after(data: bytes, start: int) -> int | None:
-    """Where the deflated bytes of the member begin whose header (RFC 1952) begins at `start`; None if there is no whole header."""
+    """The start of a member's deflated bytes, after its header (RFC 1952) at `start`. None without a whole header."""
     if data[start : start + 3] != b"\x1f\x8b\x08" or len(data) < start + 10:
         return None
     flags = data[start + 3]

@@ -1,4 +1,4 @@
-"""What line 1 of a bag says."""
+"""The content of line 1 of a bag."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reads what is before the rows: the line of JSON, if there is one, and the line of column titles."""
+"""Reads the lines before the rows: the line of JSON, if there is one, and the line of column titles."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from badlog._text import BLANKS, decode
 from badlog._titles import ColumnTitles, HeaderColumns
 from badlog.problem import ProblemKind, ProblemList
 
-NO_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG, nor a .dslog or .dsevents of the Driver Station"
+NOT_A_LOG = "This file is neither a bag, nor a CSV file, nor a WPILOG, nor a .dslog or .dsevents of the Driver Station"
 
-_BINARY = f"{NO_LOG}: it has bytes that never occur in text."
+_BINARY = f"{NOT_A_LOG}: it has bytes that never occur in text."
 _UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 _GZIP = "The file is compressed with gzip twice; inflate it once."
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 _MAX_LINE_BYTES = 1 << 24  # a file without a newline before that is not a bag
 _MAX_COLUMNS = 1 << 16  # each column costs memory before it has a row
-_LEAST_ROWS = 3  # this many rows of one width count more than the titles
+_MIN_ROWS = 3  # this many rows of one width count more than the titles
 
 # The characters between a key of JSON and its value, which no title has.
 _JSON_MARK = re.compile(rb'":["\[]')
@@ -42,15 +42,15 @@ class HeaderReader:
         self.line: str | None = None
         """The line of JSON as it is written, or None if there is none."""
         self.header: BagHeader | None = None
-        """What it says; None if it is missing or cannot be read."""
+        """The content of that line; None if it is missing or cannot be read."""
         self.columns: HeaderColumns | None = None
         """The columns; None if the line of titles is missing."""
         self.is_done = False
-        self.is_no_log = False
+        self.is_not_log = False
         """Whether the bytes turned out not to be a log."""
 
     def read(self) -> int:
-        """Reads one line of it; returns where the next begins."""
+        """Reads one line of the header. Returns where the next begins."""
         if self._is_at_signature:
             self._is_at_signature = False
             return self._read_signature()
@@ -99,7 +99,7 @@ class HeaderReader:
         cursor = self._cursor
         is_cut = following == line_end
         if self.line is not None and self.header is None:
-            # What a hole left of the line of JSON holds no titles.
+            # The rest of a line of JSON after a hole is not the line of titles.
             is_rest = not cursor.is_after_hole and _JSON_MARK.search(cursor.data, cursor.start, line_end) is not None
             if is_rest:
                 self._report_unreadable(f"Line {cursor.line} is part of the JSON line before it; it was skipped.")
@@ -124,12 +124,12 @@ class HeaderReader:
         width = 0 if first_lines is None else _clear_width(first_lines, len(names))
         known_names = set(names)
         is_none = bool(names) and not any(title in known_names for title in titles)
-        # Damage, such as a hole, may have taken line 2: then this is a row.
+        # Line 2 may be lost, to a hole or to damage: then this is a row.
         is_row = is_none and (
             cursor.hole_line > 0
             or (first_lines is not None and len(names) == width == len(titles) and first_lines.lines[0].numbers > 0)
         )
-        # The line of JSON knows the topics better than a line of titles that is cut.
+        # The line of JSON is more reliable than a line of titles that is cut.
         is_only_names = is_row or (is_cut and bool(names) and width == 0)
         known = ColumnTitles.certain(names) if is_only_names else ColumnTitles.of(names, titles, width)
         self.columns = self._columns_of(known, titles)
@@ -149,7 +149,7 @@ class HeaderReader:
         return end
 
     def _take_without_header(self, titles: list[str], line_end: int, following: int) -> int:
-        """A plain CSV file, or the rest of a bag whose first line cannot be read."""
+        """Handles a plain CSV file, or the rest of a bag if its first line cannot be read."""
         cursor = self._cursor
         first_lines = FirstLines(cursor)
         width = _clear_width(first_lines, 0)
@@ -164,14 +164,14 @@ class HeaderReader:
                 return self._refuse(message)
         lines = first_lines.lines
         if is_damaged and first_lines.has_rows:
-            # Before the titles, there may be damage or somebody's remarks.
+            # Damage, or remarks of the file's author, may come before the titles.
             begin = next((line for line in lines if line.cells == width), None)
             if begin is not None and begin.is_titles:
                 return self._skip_to(begin, lines[0].end)
         if lines and len(titles) == width and (lines[0].texts == 0 or (self.line is not None and lines[0].numbers > 0)):
             return self._take_untitled(width)
         known = ColumnTitles.of([], titles, width) if is_damaged else ColumnTitles.certain(list(titles))
-        # A hole took the rest of the line, which may have had more titles.
+        # A hole destroyed the rest of the line, which may have had more titles.
         if following == line_end and first_lines.has_rows:
             known.is_doubtful = [True] * len(known.titles)
         for i, title in enumerate(known.titles):
@@ -185,7 +185,7 @@ class HeaderReader:
         return end
 
     def _take_untitled(self, width: int) -> int:
-        """The line of titles is missing: this one is a row."""
+        """Reads the line as a row, because the line of titles is missing."""
         line = self._cursor.line
         message = f"Line {line} has values in place of titles; the columns are named by number."
         self._problems.add(ProblemKind.TITLES_DAMAGED, message, line)
@@ -193,7 +193,7 @@ class HeaderReader:
         return self._cursor.start
 
     def _skip_to(self, titles: FirstLine, first_end: int) -> int:
-        """Continues at the line `titles`; what is before it is lost."""
+        """Continues at the line `titles`; all earlier bytes are lost."""
         cursor = self._cursor
         text = decode(cursor.data[cursor.start : first_end])[0]
         if self.line is None and '"name":' in text:
@@ -259,18 +259,18 @@ class HeaderReader:
     def _refuse(self, message: str) -> int:
         self._problems.add(ProblemKind.NOT_A_RECORDING, message, self._cursor.line)
         self.is_done = True
-        self.is_no_log = True
+        self.is_not_log = True
         return self._cursor.end
 
 
 def _clear_width(first_lines: FirstLines, names: int) -> int:
     """The number of cells of a row; 0 if that is not clear."""
     width = first_lines.width
-    return width if width == names or first_lines.rows_of(width) >= _LEAST_ROWS else 0
+    return width if width == names or first_lines.rows_of(width) >= _MIN_ROWS else 0
 
 
 def _rest_of_titles(first_lines: FirstLines, following: int, width: int) -> int:
-    """The end of the lines that damage tore off the line of titles: they are not rows."""
+    """The end of the lines that damage split off the line of titles: they are not rows."""
     end = following
     for line in first_lines.lines[1:]:
         if line.cells == width or line.numbers > 0 or line.following <= line.end:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from badlog import _gzip
 from badlog.problem import Problem, ProblemKind
 
-# A small compressed file may hold more than the memory.
+# A small compressed file may contain more bytes than the memory.
 _MAX_BYTES = 1 << 33
 _XZ = b"\xfd7zXZ\x00"
 _PIECE = 1 << 20
@@ -18,15 +18,15 @@ _MEMORY = 1 << 27
 
 @dataclass(frozen=True)
 class Inflated:
-    """What a file holds."""
+    """The content of a file."""
 
     data: bytes
     problem: Problem | None = None
-    """What is missing of it; None if it is whole."""
+    """The problem if a part is missing; None if it is whole."""
 
 
 def inflated(data: bytes, most: int = _MAX_BYTES) -> Inflated:
-    """What the file with the bytes `data` holds, up to about `most` bytes; `data` itself if it is not compressed."""
+    """The content of the file with the bytes `data`, up to about `most` bytes. It is `data` itself if that is not compressed."""
     if _gzip.is_gzip(data):
         whole, is_cut = _gzip.inflate(data, most)
     elif data.startswith(_XZ):
@@ -43,7 +43,7 @@ def inflated(data: bytes, most: int = _MAX_BYTES) -> Inflated:
 
 
 def _inflate_xz(data: bytes, most: int) -> tuple[bytes, bool]:
-    """What the file holds, up to about `most` bytes, and whether something is missing."""
+    """The content of the file, up to about `most` bytes, and whether something is missing."""
     parts: list[bytes] = []
     size = 0
     rest = data

@@ -1,7 +1,7 @@
 """Reads and writes the line of JSON.
 
-Python's own `json` accepts `NaN`, and forgets how a value was written, which the format keeps: a unit that is a number is read as its JSON. So this
-follows RFC 8259 with one exception, control characters in strings, and keeps each value's text.
+Python's own `json` accepts `NaN`, and loses the text of a value, which the format needs: a unit that is a number is read as its JSON. So this
+module follows RFC 8259 with one exception, control characters in strings, and keeps each value's text.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _HEX = re.compile(r"[0-9a-fA-F]{4}")
 
 @dataclass(frozen=True)
 class JsonValue:
-    """A value: its JSON as it is written there, and what it means."""
+    """A value: its JSON exactly as in the text, and its content."""
 
     json: str
     text: str | None = None

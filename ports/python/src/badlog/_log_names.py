@@ -1,4 +1,4 @@
-"""What the names of files say: which may be logs, and which two are one log. Only the content shows what a file really is."""
+"""Recognizes logs by their file names, and pairs of files that are one log. Only the content shows the real format of a file."""
 
 from __future__ import annotations
 

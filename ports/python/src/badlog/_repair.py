@@ -1,6 +1,6 @@
-"""Reads the rows that are not plain: quoted, cut, torn, too short or too long ones.
+"""Reads the rows that are not plain: quoted, cut, split, too short or too long ones.
 
-One rule is above the others: a line that is a complete row by itself is never swallowed by a damaged one before it.
+A line that is a complete row by itself is never merged into a damaged one before it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from badlog._splitter import Quotes, RowSplitter
 from badlog._text import excerpt, is_letter_or_digit
 from badlog.problem import ProblemKind, ProblemList
 
-# A damaged row may make the reader look ahead, but never further than this.
+# For a damaged row the reader may look ahead, but never further than this.
 _MAX_LINES = 100
 _MAX_BYTES = 1 << 16
 _QUOTED_BYTES = 200
@@ -38,7 +38,7 @@ class RowRepair:
         self._numbers_before: list[bool] = []
         self._end_in_sight = _end_in_sight(cursor.data)
         self.row: list[Cell] | None = None
-        """The row that the last call of `repair` found, if it found one."""
+        """The row that the last call of `repair` found, or None."""
         self.lines_passed = 0
         """The number of physical lines that this call read."""
 
@@ -74,7 +74,7 @@ class RowRepair:
         if self._read_with_odd_quotes(start, end, may_be_open=True):
             return self._take(False, following)
         if cursor.is_after_hole:
-            # What follows a hole up to the next newline is whole only by chance.
+            # The bytes between a hole and the next newline would be a whole row only by chance.
             message = f"The end of a row whose beginning is lost was dropped; it held {self._quotation(start, end)}."
             self._problems.add(ProblemKind.ROW_CUT, message, cursor.line)
             return following
@@ -86,7 +86,7 @@ class RowRepair:
         return self._take_uneven(start, end, following)
 
     def _quoted_lines(self, start: int, second_line: int) -> int | None:
-        """A quoted cell with newlines inside, as RFC 4180 allows; returns None if it is not one."""
+        """Reads a row with newlines inside a quoted cell, as RFC 4180 allows; returns None if it is not one."""
         cursor = self._cursor
         data = cursor.data
         at = second_line
@@ -116,22 +116,22 @@ class RowRepair:
                 self._splitter = whole
                 return self._take(True, following)
             if whole.is_malformed and start < self._end_in_sight:
-                # It stays open, and the end of the file is too far away to be what cut it.
+                # It stays open, and the end of the file is too far away to have cut it.
                 return None
             at = following
         return None
 
     def _has_same_numbers(self) -> bool:
-        # A line of a quoted text may have the cells of a row, but seldom a number where the row has one.
+        # A line of a quoted text may have as many cells as a row, but seldom a number wherever the row has one.
         return not any(is_number and self._kind_of(i) == _cell.TEXT for i, is_number in enumerate(self._numbers_before))
 
     def _kind_of(self, i: int) -> int:
         return read_cell(self._cursor.data[self._splitter.starts[i] : self._splitter.ends[i]])[0]
 
     def _read_with_odd_quotes(self, start: int, end: int, may_be_open: bool) -> bool:
-        """The readings under which quotes that were never escaped give the row its right number of cells.
+        """Tries readings of quotes that were never escaped, until one gives the row its right number of cells.
 
-        `may_be_open` says that a quote that nothing closes may be a character like any other.
+        `may_be_open` says whether a quote that nothing closes may be a character like any other.
         """
         splitter = self._splitter
         data = self._cursor.data
@@ -148,12 +148,12 @@ class RowRepair:
         return fits
 
     def _joined_lines(self, start: int, newline: int, second_line: int) -> int | None:
-        """A text cell that a raw newline has torn: the pieces fit together when they have the right number of cells."""
+        """Joins a text cell that a raw newline has split. The pieces belong together if they then have the right number of cells."""
         cursor = self._cursor
         data = cursor.data
         splitter = self._splitter
         at = second_line
-        # Without quotes the commas give the number of cells, and nothing has to be split repeatedly.
+        # Without quotes, counting commas gives the number of cells, so nothing has to be split repeatedly.
         commas = data.count(b",", start, newline)
         quotes = data.count(b'"', start, newline)
         for lines in range(2, _MAX_LINES + 1):
@@ -184,7 +184,7 @@ class RowRepair:
         return None
 
     def _continues_text(self, start: int, end: int, row: int) -> bool:
-        """A piece of the last topic's text, which a raw newline has torn off: a line of one text, where a number should be."""
+        """Handles a piece of the last topic's text that a raw newline split off. It is a line of one text, where a number should be."""
         piece = self._cursor.data[start:end]
         is_piece = (
             self._wanted > 1
@@ -199,7 +199,7 @@ class RowRepair:
         return is_piece
 
     def _is_text_torn_at(self, newline: int, following: int) -> bool:
-        # Two short rows of numbers would fit together as well, but a newline never stands inside a number.
+        # Two short rows of numbers could also be joined, but a newline is never inside a number.
         data = self._cursor.data
         for start, end in zip(self._splitter.starts, self._splitter.ends):
             if start <= newline <= end:
@@ -216,7 +216,7 @@ class RowRepair:
         )
 
     def _take_uneven(self, start: int, end: int, following: int) -> int:
-        """A row with too few or too many cells under every reading."""
+        """Takes a row with too few or too many cells in every reading."""
         data = self._cursor.data
         splitter = self._splitter
         count = splitter.split(data, start, end, Quotes.STRICT)
@@ -234,9 +234,9 @@ class RowRepair:
         return self._take(is_strict, following, count)
 
     def _tail(self, start: int, until: int, is_cut: bool) -> int:
-        """A row without a newline at the end of the file or before a hole.
+        """Reads a row without a newline, at the end of the file or before a hole.
 
-        `is_cut` means that a missing newline is a sign of missing bytes.
+        `is_cut` says whether a missing newline means that bytes are missing.
         """
         self.lines_passed = 1
         splitter = self._splitter
@@ -249,7 +249,7 @@ class RowRepair:
                 if is_cut:
                     self._drop_last_cell()
                 return until
-            # As in core, what the last reading left open counts.
+            # As in core, the last reading decides.
             is_open = splitter.is_open
         if is_open or count < self._wanted:
             message = f"A row is cut off after {count} of {self._wanted} cells and was dropped; it held {self._quotation(start, until)}."
@@ -270,7 +270,7 @@ class RowRepair:
         self._problems.add(ProblemKind.LAST_CELL_CUT, message, self._cursor.line, self._columns[-1].name)
 
     def _take(self, undouble: bool, following: int, count: int | None = None) -> int:
-        """Makes a row of what the splitter found; cells that it lacks are empty, those beyond the row's are dropped."""
+        """Makes a row of the cells that the splitter found. Missing cells are empty, and extra ones are dropped."""
         found = self._wanted if count is None else min(count, self._wanted)
         self.row = [self._cell(i, undouble) for i in range(found)] + [_cell.NO_CELL] * (self._wanted - found)
         return following

@@ -1,4 +1,4 @@
-"""Reads the rows into columns: many plain ones at a time where it can, one by one where it must."""
+"""Reads the rows into columns: many plain ones at a time, all others one by one."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _PLAIN_BYTES = 1 << 18
 _ARROW_BYTES = 1 << 25
 
 # Below this size, Arrow takes longer to start than to read.
-_LEAST_ARROW_BYTES = 1 << 16
+_MIN_ARROW_BYTES = 1 << 16
 
 _LONE_CR = re.compile(rb"\r(?!\n)")
 # A quoted cell of one line after its first quote, by RFC 4180.
@@ -43,18 +43,18 @@ class RowReader:
         self._max_rows = max_rows
         self._arrow = arrow if len(columns) > 1 else None
         self._repair = RowRepair(cursor, columns, problems, ends_in_newline)
-        # The place of the next byte of each sort that no plain row has; searched again when it is passed.
+        # The next place of each kind of byte that no plain row has; searched again when it is passed.
         self._next_odd = {"nul": -1, "cr": -1, "quote": -1}
-        # The lines with a wrong number of commas in what was searched, the next one last.
+        # The lines with a wrong number of commas in the searched part, the next one last.
         self._uneven: list[int] = []
         # Before this place, Arrow has failed although every line seems plain.
         self._arrow_from = 0
         self.row_count = 0
         self.gave_up = False
-        """Whether what follows is not a row at all and is not read."""
+        """Whether reading stopped because the bytes that follow are not rows at all."""
 
     def read(self) -> int:
-        """Reads the next rows; returns where those after them begin."""
+        """Reads the next rows. Returns where the rows after them begin."""
         cursor = self._cursor
         if self.row_count >= self._max_rows:
             message = f"The log has more than {self._max_rows} rows; the rest was not read. Pass max_rows to read more."
@@ -80,7 +80,7 @@ class RowReader:
         return self._cursor.end
 
     def _plain_until(self, start: int) -> int:
-        """Where the last line ends, from `start` on, before anything that no plain row has; `start` if there is none."""
+        """The end of the last line from `start` on before a byte that no plain row has, or `start`."""
         data = self._cursor.data
         odd = self._next_odd
         if odd["nul"] < start:
@@ -113,7 +113,7 @@ class RowReader:
         at = start
         while at < until and self.row_count < self._max_rows:
             arrow = self._arrow
-            if arrow is not None and at >= self._arrow_from and until - at >= _LEAST_ARROW_BYTES:
+            if arrow is not None and at >= self._arrow_from and until - at >= _MIN_ARROW_BYTES:
                 end = _whole_lines(data, at, until, _ARROW_BYTES)
                 rows = data.count(b"\n", at, end)
                 if self.row_count + rows <= self._max_rows:
@@ -124,7 +124,7 @@ class RowReader:
                     self._find_uneven(at, end)
                     self._arrow_from = end
                     if self._uneven:
-                        # Arrow reads what is between such lines.
+                        # Arrow reads the lines between such lines.
                         self._arrow_from = at
                         until = min(until, self._uneven[-1])
                         continue
@@ -187,7 +187,7 @@ def _or_end(place: int, data: bytes) -> int:
 
 
 def _whole_lines(data: bytes, start: int, until: int, most: int) -> int:
-    """The end of the last of the lines that have up to `most` bytes together, or of the first line if that is longer."""
+    """The end of the last line that is within `most` bytes, or of the first line if that is longer."""
     if until - start <= most:
         return until
     end = data.rfind(b"\n", start, start + most) + 1

@@ -1,4 +1,4 @@
-"""The numbers of a topic, in the pieces in which they were read; they are joined when somebody asks for them."""
+"""The numbers of a topic, in the pieces in which they were read; the pieces are joined on first use."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Samples:
 
     @staticmethod
     def of(numbers: Any) -> Samples:
-        """Those in a double array of NumPy or a plain one, which must not change any more."""
+        """Samples from a double array, NumPy's or a plain one, which must not change afterwards."""
         samples = Samples()
         samples._parts.append(numbers)
         return samples
@@ -54,7 +54,7 @@ class Samples:
         return last
 
     def whole(self) -> Numbers:
-        """All of them in one array: of NumPy if that is installed, otherwise a plain one."""
+        """All numbers in one array: NumPy's if that is installed, otherwise a plain one."""
         if self._whole is None:
             self._whole = self._joined()
         whole: Numbers = self._whole
@@ -71,7 +71,7 @@ class Samples:
         return whole
 
     def to_arrow(self, written_nans: list[int]) -> pyarrow.Array | pyarrow.ChunkedArray:
-        """All of them with null for a gap, except in the rows `written_nans`, in which a NaN was written."""
+        """All numbers with null for a gap, except in the rows `written_nans`, in which a NaN was written."""
         import numpy
         import pyarrow
 
@@ -95,7 +95,7 @@ def _numbers_of(part: Any) -> Any:
 
 
 def no_samples(rows: int) -> Samples:
-    """Gaps only."""
+    """Samples with nothing but gaps."""
     samples = Samples()
     samples.extend([math.nan] * rows)
     return samples

@@ -9,12 +9,12 @@ _COMMA = 0x2C
 
 
 class Quotes(Enum):
-    """How to read quotes."""
+    """The readings of quotes."""
 
     STRICT = 0
     """RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one."""
     LENIENT = 1
-    """A quote opens at a cell's start and closes only before a comma or the end: the original never doubled quotes."""
+    """A quote opens at a cell's start and closes only before a comma or the end. The original never doubled quotes."""
     LITERAL = 2
     """A quote is a character like any other."""
 
@@ -29,7 +29,7 @@ class RowSplitter:
         self.is_open = False
         """Whether the bytes ended inside quotes."""
         self.is_malformed = False
-        """Whether a quote stood where RFC 4180 has none."""
+        """Whether there was a quote where RFC 4180 allows none."""
         self._quotes = Quotes.STRICT
 
     @property
@@ -38,7 +38,7 @@ class RowSplitter:
         return not self.is_open and not self.is_malformed
 
     def split(self, data: bytes, start: int, until: int, quotes: Quotes) -> int:
-        """Splits the bytes, which hold no line end outside quotes; returns the number of cells."""
+        """Splits the bytes, which have no line end outside quotes. Returns the number of cells."""
         self.starts = []
         self.ends = []
         self.quoted = []
@@ -48,7 +48,7 @@ class RowSplitter:
         return self._split_on(data, start, until)
 
     def extend(self, data: bytes, until: int) -> int:
-        """Continues a row that ended in an open quote, as if `split` had read all of it; returns the number of cells."""
+        """Continues a row that ended in an open quote, as if `split` had read all of it. Returns the number of cells."""
         self.is_open = False
         self.quoted.pop()
         end = self._close_cell(data, self.starts.pop(), self.ends.pop(), until)
@@ -69,7 +69,7 @@ class RowSplitter:
                 return len(self.starts)
 
     def _split_after(self, data: bytes, end: int, until: int) -> int:
-        """Splits what follows a cell that ends at `end`."""
+        """Splits the bytes after a cell that ends at `end`."""
         if end + 1 < until:
             return self._split_on(data, end + 1, until)
         if end + 1 == until:
@@ -86,7 +86,7 @@ class RowSplitter:
         return end
 
     def _close_cell(self, data: bytes, start: int, at: int, until: int) -> int:
-        """Looks from `at` on for the end of the quoted cell that begins at `start`; returns where its quotes end."""
+        """Searches from `at` on for the end of the quoted cell that begins at `start`. Returns where its quotes end."""
         at = data.find(b'"', at, until)
         while at >= 0:
             following = data[at + 1] if at + 1 < until else _COMMA
@@ -103,7 +103,7 @@ class RowSplitter:
         return until
 
     def merge_torn_quotes(self, data: bytes, wanted: int) -> int:
-        """Joins cells that a quote and a comma inside one text took apart, as in `"he said "a", ok"`.
+        """Joins cells that were split at a quote and a comma inside one text, as in `"he said "a", ok"`.
 
         A cell that ends in a quote without having begun with one belongs to the quoted cell before it. Stops at `wanted` cells; returns the number of
         cells.

@@ -1,4 +1,4 @@
-"""Recordings as tables of Arrow, pandas and Polars. Each library is imported only when it is asked for."""
+"""Recordings as tables of Arrow, pandas and Polars. Each library is imported only when it is needed."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _texts_of(topic: Topic) -> pyarrow.Array:
 
 
 def table_of(recording: Recording) -> pyarrow.Table:
-    """A column for each topic; units, attributes and kinds are metadata of the fields, values and problems those of the table."""
+    """A column for each topic. Units, attributes and kinds are metadata of the fields; values and problems are metadata of the table."""
     import pyarrow
 
     _require_rows(recording)
@@ -61,7 +61,7 @@ def table_of(recording: Recording) -> pyarrow.Table:
 
 
 def pandas_of(recording: Recording, index: str | None) -> pandas.DataFrame:
-    """A data frame whose `attrs` have `units`, `attributes`, `values` and `problems`."""
+    """A data frame with `units`, `attributes`, `values` and `problems` in its `attrs`."""
     import pandas
 
     _require_rows(recording)

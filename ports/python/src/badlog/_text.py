@@ -1,11 +1,11 @@
-"""How bytes become text, and what counts as a blank or a letter: as the JVM has it, so that all readers agree."""
+"""Decodes text, and classifies blanks and letters as the JVM does, so that all readers agree."""
 
 from __future__ import annotations
 
 import unicodedata
 
 BLANKS = "\t\n\x0b\x0c\r\x1c\x1d\x1e\x1f \xa0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200a\u2028\u2029\u202f\u205f\u3000"
-"""What Java and Kotlin count as whitespace; Python's own `strip` also removes U+0085."""
+"""The whitespace of Java and Kotlin; Python's own `strip` also removes U+0085."""
 
 _HIGH_CONTROLS = (
     "\u20ac\u0081\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u008d\u017d\u008f"
@@ -24,7 +24,7 @@ def decode(data: bytes) -> tuple[str, bool]:
 
 
 def excerpt(data: bytes, most: int) -> str:
-    """The first `most` bytes of a text, for a message; a text that goes on ends in an ellipsis."""
+    """The first `most` bytes of a text, for a message; a shortened text ends in an ellipsis."""
     if len(data) <= most:
         return decode(data)[0]
     end = most
@@ -34,7 +34,7 @@ def excerpt(data: bytes, most: int) -> str:
 
 
 def is_letter_or_digit(char: str) -> bool:
-    """Whether it is a letter or a digit of any script. As on the JVM, what needs two UTF-16 units is neither."""
+    """Whether it is a letter or a digit of any script. As on the JVM, a character of two UTF-16 units counts as neither."""
     if ord(char) > 0xFFFF:
         return False
     return unicodedata.category(char) in ("Lu", "Ll", "Lt", "Lm", "Lo", "Nd")

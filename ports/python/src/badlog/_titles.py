@@ -1,4 +1,4 @@
-"""The titles of a file's columns, as far as its first two lines and the rows after them agree."""
+"""The titles of a file's columns, according to its first two lines and the rows after them."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from badlog._header import BagHeader, BagTopic
 from badlog._text import is_letter_or_digit
 from badlog.problem import ProblemKind, ProblemList
 
-# If one title of this many is in the order of line 1, the order is that of line 1.
-_FEW = 4
+# If one title in this many is in line 1's order, line 1's order counts.
+_NAMES_PER_MATCH = 4
 
 
 @dataclass
 class ColumnTitles:
-    """A title for each column, and whether it may be another's."""
+    """A title for each column, and whether it may belong to another column."""
 
     titles: list[str]
     is_doubtful: list[bool]
@@ -31,9 +31,9 @@ class ColumnTitles:
 
     @classmethod
     def of(cls, names: list[str], titles: list[str], width: int) -> ColumnTitles:
-        """The titles where line 1 has `names`, line 2 has `titles`, and the rows have `width` cells, or 0 if that is not known.
+        """The titles for `names` on line 1, `titles` on line 2, and rows of `width` cells. A `width` of 0 is not known.
 
-        Line 1 wins if it has that many.
+        Line 1 wins if it has that many names.
         """
         if width == 0 or (len(titles) == width and len(names) != width) or Counter(names) == Counter(titles):
             return cls.certain(titles)
@@ -43,10 +43,10 @@ class ColumnTitles:
 
     @classmethod
     def _paired(cls, names: list[str], titles: list[str]) -> ColumnTitles:
-        """Some titles differ from the names."""
+        """Pairs names with titles if some of them differ."""
         same = sum(title == name for title, name in zip(titles, names))
         waiting = _Waiting(name for title, name in zip(titles, names) if title != name)
-        # If line 2 has an order of its own, each title is at its place there.
+        # If line 2 has its own order, each title is at its place there.
         is_reordered = same * 2 < len(names)
         pairs: list[str | None] = []
         for title, name in zip(titles, names):
@@ -64,19 +64,19 @@ class ColumnTitles:
 
     @classmethod
     def _of_names(cls, names: list[str], titles: list[str]) -> ColumnTitles:
-        """There are too few or too many titles."""
+        """Uses the names because there are too few or too many titles."""
         places: dict[str, deque[int]] = defaultdict(deque)
         for i, name in enumerate(names):
             places[name].append(i)
         found = [places[title].popleft() for title in titles if places.get(title)]
         is_at_end = titles[0] == names[0] or titles[-1] == names[-1]
         ascends = all(one < following for one, following in zip(found, found[1:]))
-        # What a hole leaves may be the beginning or the end of one name.
+        # A hole may leave only the beginning or the end of a name.
         line = ",".join(names)
         rest = ",".join(titles)
-        if (is_at_end and len(found) * _FEW >= len(names) and ascends) or line.startswith(rest) or line.endswith(rest):
+        if (is_at_end and len(found) * _NAMES_PER_MATCH >= len(names) and ascends) or line.startswith(rest) or line.endswith(rest):
             return cls.certain(names)
-        # Line 2 had an order of its own, which is known from both of its ends.
+        # Line 2 had its own order, which is known from both ends of the line inwards.
         left = _Waiting(names)
         first = 0
         while first < len(titles) and left.remove(titles[first]):
@@ -88,7 +88,7 @@ class ColumnTitles:
 
 
 class _Waiting:
-    """Names that no column has yet, each as often as it occurs; the first of equal ones goes first."""
+    """The names without a column so far, each as often as it occurs. The first of equal ones is removed first."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
@@ -120,14 +120,14 @@ class _Waiting:
 
 @dataclass
 class HeaderColumns:
-    """How the topics of line 1 and the columns of line 2 belong together."""
+    """The columns of line 2, matched with the topics of line 1."""
 
     names: list[str]
     """The name of each column, unique, in the order of line 2."""
     topics: list[BagTopic | None]
     """For each column, its topic of line 1, or None."""
     order: list[int]
-    """The columns in the order in which they are shown: that of line 1, then those it does not name."""
+    """The columns in display order: first in the order of line 1, then those that line 1 does not name."""
 
     @classmethod
     def match(cls, header: BagHeader | None, titles: list[str], line: int, problems: ProblemList) -> HeaderColumns:

@@ -1,3 +1,3 @@
-"""The version of the package, which is that of the whole project."""
+"""The version of the package, which equals the version of the whole project."""
 
 VERSION = "3.0.0"

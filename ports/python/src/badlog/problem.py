@@ -1,4 +1,4 @@
-"""What can be wrong with a log, as data: a damaged file opens, and its problems say what is lost."""
+"""The problems of a log, as data: a damaged file opens, and its problems describe the loss."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ __all__ = ["Problem", "ProblemKind", "Severity"]
 
 
 class Severity(IntEnum):
-    """How much a problem matters to someone who reads the recording."""
+    """The importance of a problem to someone who reads the recording."""
 
     NOTE = 0
-    """Nothing is lost or doubtful; for information."""
+    """Nothing is lost or doubtful: for information only."""
     WARNING = 1
-    """Everything was kept, but some of it was read in a way that its writer may not have meant."""
+    """Everything was kept, but some of it may have been read differently than intended."""
     ERROR = 2
-    """Something of the file is lost."""
+    """Part of the file's data is lost."""
 
 
 _ERRORS = frozenset(
@@ -35,7 +35,7 @@ def times_text(count: int) -> str:
 
 
 class ProblemKind(str, Enum):
-    """What can be wrong with a log. The rules behind each kind are in `docs/bag-format.md`, `docs/wpilog.md` and `docs/driver-station.md`."""
+    """The kinds of problems of a log. `docs/bag-format.md`, `docs/wpilog.md` and `docs/driver-station.md` have the rule behind each kind."""
 
     NOT_A_RECORDING = "NOT_A_RECORDING"
     EMPTY_FILE = "EMPTY_FILE"
@@ -91,7 +91,7 @@ class ProblemKind(str, Enum):
 
     @property
     def severity(self) -> Severity:
-        """How much a problem of this kind matters."""
+        """The importance of a problem of this kind."""
         if self.value in _ERRORS:
             return Severity.ERROR
         return Severity.NOTE if self.value in _NOTES else Severity.WARNING
@@ -102,7 +102,7 @@ class ProblemKind(str, Enum):
 
 @dataclass(frozen=True)
 class Problem:
-    """Something that was wrong in a file, where, and how it was handled."""
+    """A problem in a file: its kind, its place, and how it was handled."""
 
     kind: ProblemKind
     message: str
@@ -112,11 +112,11 @@ class Problem:
     topic: str | None = None
     """The name of the topic concerned, or None."""
     count: int = 1
-    """How often it occurred; `line` and `message` are about the first."""
+    """How often it occurred; `line` and `message` describe the first occurrence."""
 
     @property
     def severity(self) -> Severity:
-        """How much it matters."""
+        """The importance of the problem, from its `kind`."""
         return self.kind.severity
 
     def __str__(self) -> str:
@@ -127,7 +127,7 @@ class Problem:
 class ProblemList:
     """Collects problems in bounded memory: of each kind and topic the first ten are kept, the others counted."""
 
-    _LISTED = 10
+    _MAX_LISTED = 10
 
     def __init__(self) -> None:
         self._problems: list[Problem] = []
@@ -138,7 +138,7 @@ class ProblemList:
         key = (kind, topic)
         times = self._seen.get(key, 0) + 1
         self._seen[key] = times
-        if times <= self._LISTED:
+        if times <= self._MAX_LISTED:
             self._problems.append(Problem(kind, message, line, topic, count))
         else:
             first = self._overflow.get(key) or Problem(kind, message, line, topic, 0)

@@ -21,24 +21,24 @@ from badlog.recording import Recording, RecordingFormat
 __all__ = ["MAX_ROWS", "read", "read_folder"]
 
 MAX_ROWS = 50_000_000
-"""The largest number of rows, or of records, that are read from one log, by default."""
+"""The default for the maximum number of rows, or records, that are read from one log."""
 
 # In smaller files of records, NumPy costs more than it saves.
-_LEAST_NUMPY_BYTES = 1 << 20
+_MIN_NUMPY_BYTES = 1 << 20
 
 Source = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview, IO[bytes]]
 
 
 def read(source: Source, max_rows: int = MAX_ROWS) -> Recording:
-    """Reads a bag, a CSV file, a WPILOG or a log of the Driver Station, which may be compressed with gzip, or with xz as a `.wpilogxz`.
+    """Reads a bag, a CSV file, a WPILOG or a log of the Driver Station. It may be compressed with gzip, or with xz as a `.wpilogxz`.
 
     The content decides the format, never the name. A `.dslog` is read together with the `.dsevents` of its name beside it.
 
-    Damage never raises: whatever is wrong in the file becomes a problem of the recording.
+    Damage never raises: anything wrong in the file becomes a problem of the recording.
 
     Args:
         source: The path of a file, its bytes, or a file that is open for reading bytes.
-        max_rows: How many rows, or records of a log without rows, are read at most.
+        max_rows: The maximum number of rows, or of records of a log without rows, to read.
 
     Raises:
         OSError: The file is missing or cannot be read.
@@ -51,11 +51,11 @@ def read(source: Source, max_rows: int = MAX_ROWS) -> Recording:
 
 
 def read_folder(folder: str | os.PathLike[str], max_rows: int = MAX_ROWS) -> Iterator[Recording]:
-    """Reads the logs in a folder and in those below it, one after another, in the order of their paths.
+    """Reads the logs in a folder and the folders below it, one after another, in the order of their paths.
 
-    A log is a file whose name ends in `.bag`, `.badbag`, `.csv`, `.wpilog`, `.wpilogxz`, `.dslog` or `.dsevents`, perhaps followed by `.gz`; a
-    `.dslog` and the `.dsevents` of its name are one. Files that cannot be opened, and CSV files that are not logs, are left out; hidden folders are
-    skipped. Only one recording is in memory at a time, unless you keep more.
+    A log is a file with a name that ends in `.bag`, `.badbag`, `.csv`, `.wpilog`, `.wpilogxz`, `.dslog` or `.dsevents`, perhaps followed by `.gz`; a
+    `.dslog` and the `.dsevents` of its name are one log. Files that cannot be opened, CSV files that are not logs, and hidden folders are skipped.
+    Only one recording is in memory at a time, unless you keep more.
 
     Raises:
         NotADirectoryError: There is no such folder.
@@ -86,7 +86,7 @@ def _recording_of(file: bytes, path: Path | None, max_rows: int) -> Recording:
     data = content.data
     missing = [] if content.problem is None else [content.problem]
     if _wpilog_parser.is_wpilog(data):
-        recording = _wpilog_parser.parse(data, max_rows, len(data) >= _LEAST_NUMPY_BYTES and uses_numpy())
+        recording = _wpilog_parser.parse(data, max_rows, len(data) >= _MIN_NUMPY_BYTES and uses_numpy())
     elif is_driver_station(data):
         second = None if path is None else second_file_of(path)
         if second is not None:
@@ -99,7 +99,7 @@ def _recording_of(file: bytes, path: Path | None, max_rows: int) -> Recording:
     else:
         recording = _bag_parser.parse(data, max_rows, _has_arrow())
         if not recording.is_readable:
-            # What else is odd about such bytes would only distract.
+            # Other problems of such bytes would only distract.
             recording.problems = [problem for problem in recording.problems if problem.kind is ProblemKind.NOT_A_RECORDING]
     recording.path = None if path is None else os.fspath(path)
     if all(problem.kind is not ProblemKind.TOO_MANY_ROWS for problem in recording.problems):

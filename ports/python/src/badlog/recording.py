@@ -1,4 +1,4 @@
-"""What was read from one log."""
+"""The content of one log."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = ["CellCounts", "Event", "Recording", "RecordingFormat", "Topic", "Topi
 UNITLESS = "ul"
 
 # Up to this many different texts are states, however often each occurs.
-_FEW_STATES = 8
+_MAX_RARE_STATES = 8
 
 
 class RecordingFormat(str, Enum):
@@ -43,7 +43,7 @@ class RecordingFormat(str, Enum):
 
 
 class TopicKind(str, Enum):
-    """What the cells of a topic turned out to be."""
+    """The kinds of topics, by the content of their cells."""
 
     EMPTY = "empty"
     """No cell holds anything."""
@@ -52,9 +52,9 @@ class TopicKind(str, Enum):
     BOOLEAN = "boolean"
     """Only `true` and `false`, kept as 1 and 0."""
     STATE = "state"
-    """Mostly texts, in at least half of the rows, or with times of its own and few different texts: what state something is in."""
+    """Mostly texts, in at least half of the rows, or with times of its own and few different texts: the states of something."""
     EVENT = "event"
-    """Mostly texts, in fewer than half of the rows, or with times of its own and many different texts: what happened."""
+    """Mostly texts, in fewer than half of the rows, or with times of its own and many different texts: events."""
 
 
 @dataclass(frozen=True)
@@ -70,14 +70,14 @@ class Event:
     """A text with a time."""
 
     x: float
-    """The x of its row: that of the topic with the attribute `xaxis`, otherwise the row's index; its time in s in a log without rows."""
+    """The x of its row: the value of the topic with the attribute `xaxis`, otherwise the row's index. In a log without rows, its time in s."""
     topic: str
     text: str
 
 
 @dataclass(frozen=True)
 class CellCounts:
-    """The number of cells of each sort in a topic. All but `gaps` add up to the number of its rows, or of its times."""
+    """The number of a topic's cells for each kind of content. All but `gaps` add up to the number of its rows, or of its times."""
 
     numbers: int
     """Finite numbers."""
@@ -88,7 +88,7 @@ class CellCounts:
     texts: int
     """Any other text."""
     empty: int
-    """Nothing, `null`, or a cell that its row lacks."""
+    """Empty cells, `null`, and cells that their row lacks."""
     gaps: int
     """The number of runs of neighboring rows without a number."""
 
@@ -99,7 +99,7 @@ class CellCounts:
 
     @property
     def kind(self) -> TopicKind:
-        """What a topic with such cells is."""
+        """The kind of a topic with such cells."""
         numeric = self.numbers + self.not_finite + self.truth_values
         if numeric == 0 and self.texts == 0:
             return TopicKind.EMPTY
@@ -119,7 +119,7 @@ class Topic:
     attributes: tuple[str, ...]
     """The attributes as the file gives them, in its order."""
     counts: CellCounts
-    """What the cells held."""
+    """The number of cells of each kind."""
     _samples: Samples = field(repr=False, compare=False)
     _text_rows: Sequence[int] = field(repr=False, compare=False)
     _text_ids: Sequence[int] = field(repr=False, compare=False)
@@ -129,11 +129,11 @@ class Topic:
     type: str = ""
     """The type of the samples as the file names it, such as `double` or `struct:Pose2d`; empty if it names none."""
     metadata: str = field(default="", repr=False)
-    """What else the file says about the topic, often JSON; may be empty."""
+    """Further text about the topic in the file, often JSON; may be empty."""
 
     @property
     def times(self) -> Numbers | None:
-        """When each sample was taken, in s, ascending, perhaps repeating; None if sample `i` belongs to row `i` of the recording.
+        """The time of each sample, in s, ascending, perhaps repeating. None if sample `i` belongs to row `i` of the recording.
 
         Like `samples`, an array of NumPy or an `array('d')`; topics that were logged together share it. See `Recording.x_of`.
         """
@@ -141,7 +141,7 @@ class Topic:
 
     @property
     def samples(self) -> Numbers:
-        """One number for each row or time, NaN where there is none; a read-only array of NumPy, or an `array('d')` without NumPy."""
+        """One number for each row or time, NaN where there is none. A read-only array of NumPy, or an `array('d')` without NumPy."""
         return self._samples.whole()
 
     @property
@@ -151,7 +151,7 @@ class Topic:
 
     @property
     def kind(self) -> TopicKind:
-        """What the cells turned out to be."""
+        """The kind of the topic, determined by its cells."""
         kind = self.counts.kind
         if kind is TopicKind.STATE and self._times is not None and _tells_events(len(self._dictionary), len(self._text_rows)):
             return TopicKind.EVENT
@@ -159,9 +159,9 @@ class Topic:
 
     @property
     def is_sparse(self) -> bool:
-        """Whether fewer than half of the rows have a number, and those mostly stand alone.
+        """Whether fewer than half of the rows have a number, mostly isolated ones.
 
-        Such a topic is sampled at its own times: its empty cells are not gaps; there is just no sample.
+        Such a topic is sampled at its own times: its empty cells are not gaps, but rows without a sample.
         """
         if self._times is not None:
             return False
@@ -180,11 +180,11 @@ class Topic:
 
 
 def _tells_events(different: int, texts: int) -> bool:
-    return different > _FEW_STATES and different * 2 > texts
+    return different > _MAX_RARE_STATES and different * 2 > texts
 
 
 class Recording:
-    """What was read from one log: everything that could be kept, and the problems found.
+    """The content of one log: everything that could be kept, and the problems found.
 
     `recording["Arm/Angle"]` is a topic; iterating gives the topics' names, as with a `dict`.
     """
@@ -201,17 +201,17 @@ class Recording:
     ) -> None:
         self.format = format
         self.header_line = header_line
-        """The JSON of the file's first line as it is written there, or None if it has none."""
+        """The JSON of the file's first line, exactly as in the file, or None if it has none."""
         self.values = values
         """The values, in the order of the file."""
         self.topics = topics
         """The topics, in the order in which they are shown."""
         self.row_count = row_count
-        """The number of samples of each topic; 0 in a log without rows, in which each topic has `times` of its own."""
+        """The number of samples of each topic. It is 0 in a log without rows, in which each topic has `times` of its own."""
         self.problems = problems
-        """What was wrong in the file."""
+        """The problems of the file."""
         self.path = path
-        """The file it was read from, if it was one."""
+        """The file it was read from; None if it was read from bytes."""
         self._by_name = {topic.name: topic for topic in topics}
 
     def __getitem__(self, name: str) -> Topic:
@@ -255,7 +255,7 @@ class Recording:
 
     @property
     def is_salvaged(self) -> bool:
-        """True if something of the file is lost: one of `problems` is an error."""
+        """True if part of the file's data is lost: one of `problems` is an error."""
         return any(problem.severity is Severity.ERROR for problem in self.problems)
 
     @property
@@ -266,7 +266,7 @@ class Recording:
         return axis if has_numbers and axis is not None and axis.counts.total > axis.counts.texts + axis.counts.empty else None
 
     def x_of(self, name: str) -> Numbers:
-        """The x of each sample of the topic `name`: its own times in s, or those of the rows, otherwise the rows' indices.
+        """The x of each sample of the topic `name`. It is its own times in s, or the rows' times, otherwise the rows' indices.
 
         Raises:
             KeyError: There is no such topic.
@@ -279,7 +279,7 @@ class Recording:
 
     @property
     def events(self) -> list[Event]:
-        """The texts of all topics that are events or have the attribute `log`, in the order of the rows, or of their times."""
+        """The texts of all topics that are events or have the attribute `log`. They are in the order of the rows, or of their times."""
         axis = self.x_axis
         x = None if axis is None else axis.samples
         found: list[tuple[float, Event]] = []
@@ -314,7 +314,7 @@ class Recording:
 
     @property
     def attribute_problems(self) -> list[Problem]:
-        """What is odd about the topics' attributes; it is found when they are applied, not when the file is read."""
+        """The problems of the topics' attributes: found when they are applied, not when the file is read."""
         from badlog._attributes import attribute_problems
 
         return attribute_problems(self)

@@ -1,4 +1,4 @@
-"""Reads a lake by pandas, pyarrow and Polars, each by its own reader, and prints what they find as JSON."""
+"""Reads a lake by pandas, pyarrow and Polars, each by its own reader, and prints the results as JSON."""
 import json
 import sys
 

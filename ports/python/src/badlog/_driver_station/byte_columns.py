@@ -1,4 +1,4 @@
-"""Columns of bytes that become numbers: by NumPy, or by nothing but Python."""
+"""Turns columns of bytes into numbers, with NumPy or with Python alone."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 
 class ByteColumns:
-    """The operations on columns, each of which has one byte of every record."""
+    """The operations on columns; a column has one byte of every record."""
 
     def __init__(self, with_numpy: bool) -> None:
         self._numpy: Any = None
@@ -18,7 +18,7 @@ class ByteColumns:
             self._numpy = numpy
 
     def looked_up(self, column: bytes, table: Sequence[float]) -> Any:
-        """What `table` has for each byte."""
+        """The entry in `table` for each byte."""
         if self._numpy is not None:
             return self._numpy.array(table)[self._numpy.frombuffer(column, self._numpy.uint8)]
         return array("d", map(table.__getitem__, column))

@@ -9,12 +9,12 @@ from typing import Protocol
 from badlog._driver_station.station_times import HEADER_SIZE, NEAR, seconds_at
 
 MORE, NONE = 0, -1
-"""What `Frames.size_at` returns: the file ends inside the frame, or none begins there."""
+"""The results of `Frames.size_at` without a frame: the file ends inside it, or none begins there."""
 
 # The headers of the two files of a pair have the same time, to this many seconds.
-_SAME = 2.0
+_MAX_DIFFERENCE = 2.0
 # This many frames in a row are not a coincidence.
-_ROW = 3
+_CERTAIN_FRAMES = 3
 
 
 class Frames(Protocol):
@@ -30,7 +30,7 @@ class Frames(Protocol):
         """Whether the frame at `at`, which is complete, is certainly one, and not damage that looks like it."""
 
     def take(self, at: int, size: int, until: int, most: int) -> tuple[int, int]:
-        """Reads the frame at `at`, and more like it that end before `until`, `most` altogether; returns where they end and how many they are."""
+        """Reads the frame at `at`, and more like it that end before `until`, at most `most` in all. Returns where they end, and their number."""
 
     def skip(self, count: int) -> None:
         """Records that `count` bytes were lost."""
@@ -39,7 +39,8 @@ class Frames(Protocol):
 class FrameSplitter:
     """Reads `data`.
 
-    `begin` receives the place of a header; it returns what follows, or None if nothing can. `skipped` receives each range without frames.
+    `begin` receives the place of a header, and returns the frames that follow it, or None if none can. `skipped` receives each range without
+    frames.
     """
 
     def __init__(self, data: bytes, most: int, begin: Callable[[int], Frames | None], skipped: Callable[[int, int], None]) -> None:
@@ -49,7 +50,7 @@ class FrameSplitter:
         self._begin = begin
         self._skipped = skipped
         self._frames: Frames | None = None
-        # Where the header of another file may be: with a time in the same month, and with the same time.
+        # The places at which another file's header may be: with a time in the same month, and with the same time.
         self._near: list[int] = []
         self._same: list[int] = []
         self._at = 0
@@ -88,7 +89,7 @@ class FrameSplitter:
             return False
         self._near = self._headers_after(self._at) if before is None and frames.may_end else []
         seconds = seconds_at(self._data, self._at + 4)
-        self._same = [place for place in self._near if abs(seconds_at(self._data, place + 4) - seconds) < _SAME]
+        self._same = [place for place in self._near if abs(seconds_at(self._data, place + 4) - seconds) < _MAX_DIFFERENCE]
         self._frames = frames
         self._at += HEADER_SIZE
         return True
@@ -126,7 +127,7 @@ class FrameSplitter:
 
     def _search(self, frames: Frames) -> bool:
         place = self._at
-        for found in range(_ROW):
+        for found in range(_CERTAIN_FRAMES):
             if found > 0 and (place == self._end or _has(self._same, place)):
                 break
             size = frames.size_at(place)

@@ -1,6 +1,6 @@
-"""Makes a recording from the bytes of a `.dslog`, a `.dsevents`, or of the first and then the second, by the rules of `docs/driver-station.md`.
+"""Makes a recording from a `.dslog`, a `.dsevents`, or both in this order, by the rules of `docs/driver-station.md`.
 
-It never raises, whatever the bytes.
+Never raises because of the bytes.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _SAMPLES = 12
 
 
 def parse(data: bytes, max_rows: int, with_numpy: bool) -> Recording:
-    """The recording of one or two files that hold `data`, inflated; at most `max_rows` rows of a dozen samples are read."""
+    """The recording of one or two files with `data`, inflated. At most `max_rows` rows of a dozen samples are read."""
     return _StationParser(data, max_rows // _SAMPLES, with_numpy).recording()
 
 
@@ -59,7 +59,7 @@ class _StationParser:
         return Recording(RecordingFormat.DRIVER_STATION, None, self._values(), topics, 0, problems.to_list())
 
     def _begin(self, at: int) -> Frames | None:
-        """What follows the header at `at`; None if it is not to be read."""
+        """The frames that follow the header at `at`; None if they are not to be read."""
         data = self._data
         version = word_at(data, at)
         if version not in _VERSIONS:

@@ -34,7 +34,7 @@ _SIXTEENTHS = [byte / 16.0 for byte in range(256)]
 
 
 def power_columns(block: PowerBlock, data: bytes, runs: list[SampledRun], at: int, columns: ByteColumns, vectors: Vectors) -> list[StationTopic]:
-    """The topics of the blocks that begin at the offset `at` of each record of `runs`; none if there are no runs."""
+    """The topics of the blocks that begin at the offset `at` of each record of `runs`. There are none without runs."""
     if not runs:
         return []
     timestamps = Timestamps(columns.times([range(run.first, run.first + run.count) for run in runs], SECONDS), vectors)

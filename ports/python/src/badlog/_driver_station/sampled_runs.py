@@ -1,4 +1,4 @@
-"""The records of a `.dslog` that were read, in runs of equal size, and the gaps between them."""
+"""The records read from a `.dslog`, in runs of equal size, and the gaps between them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class SampledRun:
     """Several records of one size, one after another, or a gap."""
 
     first: int
-    """The index of the first record: it was written at that many times `SECONDS`."""
+    """The index of the first record, which was written at this many times `SECONDS`."""
     start: int
     """Where it begins in the file."""
     size: int

@@ -54,7 +54,7 @@ class StationEvents:
         return MORE if self._end - at < _HEADER_SIZE + size else _HEADER_SIZE + size
 
     def is_sure(self, at: int) -> bool:
-        """Whether the entry at `at` is certainly one: its time says so."""
+        """Whether the entry at `at` is certainly one, according to its time."""
         return True
 
     def take(self, at: int, size: int, until: int, most: int) -> tuple[int, int]:
@@ -109,7 +109,7 @@ class StationEvents:
         return values
 
     def topics(self, vectors: Vectors) -> list[StationTopic]:
-        """The topics with what was read."""
+        """The topics made of the entries."""
         topics = []
         for name, lane in (("Events", self._events), ("Console", self._console)):
             column = Column.of_texts(_FOLDER + name, len(lane), range(len(lane)), [text for _, text in lane], vectors)

@@ -22,7 +22,7 @@ _MAX_POWER = 4096
 _NO_TRIP = 255
 # 20 V: no robot has a battery of more. Without the robot's answer, the Driver Station writes 255.996 V or another large number.
 _MAX_VOLTS = 20 * 256
-_MOST_IN_RUN = 1 << 14
+_MAX_IN_RUN = 1 << 14
 
 # The bits of the status, which are inverted.
 _MODES = 7
@@ -77,7 +77,7 @@ class StationRecords:
         end = at + _HEAD + power
         if end > self._end:
             return MORE
-        # What follows an unknown block shows whether it is one.
+        # The bytes after an unknown block show whether it is one.
         if _is_known(power) or self._end - end < _HEAD or self._is_possible(end):
             return _HEAD + power
         return NONE
@@ -93,7 +93,7 @@ class StationRecords:
         return self._data[at + _STATUS] != 0 and word_at(self._data, at + _POWER_SIZE) <= _MAX_POWER
 
     def take(self, at: int, size: int, until: int, most: int) -> tuple[int, int]:
-        """Reads the record at `at`, and those of the same size after it."""
+        """Reads the record at `at`, and the records of the same size after it."""
         self._last_size = size
         if self._data[at + _STATUS] == 0:
             self.bad_count += 1
@@ -103,8 +103,8 @@ class StationRecords:
         count = 1
         wanted = 1
         while wanted > 0:
-            # More and more of them together while they are alike.
-            wanted = min(wanted * 2, (until - at) // size - count, most - count, _MOST_IN_RUN)
+            # The number read at a time grows while the records are alike.
+            wanted = min(wanted * 2, (until - at) // size - count, most - count, _MAX_IN_RUN)
             alike = self._alike(at + count * size, at, size, wanted)
             count += alike
             if alike < wanted:
@@ -114,7 +114,7 @@ class StationRecords:
         return at + count * size, count
 
     def _alike(self, start: int, like: int, size: int, count: int) -> int:
-        """The number of records from `start` on, up to `count`, that have the same size as the one at `like`, and a possible status."""
+        """The number of records from `start` on, up to `count`, with the size of the one at `like` and a possible status."""
         if count <= 0:
             return 0
         data = self._data
@@ -124,7 +124,7 @@ class StationRecords:
         if self._version == 3:
             return fewest
         if not _is_known(size - _HEAD):
-            # What follows shows whether it is a record.
+            # The following bytes show whether it is a record.
             return 0
         for offset in range(_POWER_SIZE, _HEAD):
             column = data[start + offset : end : size]
@@ -147,7 +147,7 @@ class StationRecords:
             self._index += records
 
     def topics(self, columns: ByteColumns, vectors: Vectors) -> list[StationTopic]:
-        """The topics with what was read."""
+        """The topics made of the records."""
         data = self._data
         runs = self._runs
         indices = [range(run.first, run.first + run.count) for run in runs]

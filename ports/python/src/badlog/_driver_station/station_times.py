@@ -16,7 +16,7 @@ _MAX_VERSION = 9
 
 
 def is_driver_station(data: bytes) -> bool:
-    """Whether a file that holds `data` is one of the Driver Station: it begins with a version, and a time from 2006 until 2040."""
+    """Whether a file with `data` is a log of the Driver Station. It begins with a version, and a time from 2006 until 2040."""
     return len(data) >= _SIGNATURE_SIZE and word_at(data, 0) <= _MAX_VERSION and word_at(data, 4) == 0 and data[8] >= 0xC0
 
 

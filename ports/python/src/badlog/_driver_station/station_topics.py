@@ -1,4 +1,4 @@
-"""What becomes a topic of a Driver Station log."""
+"""The parts of a Driver Station log that become topics."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from badlog._timed.column import Column, Timestamps
 
 
 class StationTopic(NamedTuple):
-    """A column, whose path is the topic's name, and what else the topic has."""
+    """A column with the topic's name as its path, and the topic's other properties."""
 
     column: Column
     unit: str

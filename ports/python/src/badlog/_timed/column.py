@@ -67,7 +67,7 @@ class Column:
 
     @staticmethod
     def of_texts(path: str, size: int, rows: Sequence[int], texts: Iterable[bytes], vectors: Vectors) -> Column:
-        """A column of `size` samples, of which those at `rows` are texts and the others gaps."""
+        """A column of `size` samples: texts at `rows`, and gaps elsewhere."""
         ids: dict[bytes, int] = {}
         text_ids = vectors.whole([ids.setdefault(text, len(ids)) for text in texts])
         decoded = [decode(text) for text in ids]
@@ -84,7 +84,7 @@ class Column:
         )
 
     def spread(self, size: int, positions: Places, vectors: Vectors) -> Column:
-        """The same samples at `positions` of `size`, the others of which are gaps."""
+        """Moves the samples to `positions` among `size`; all others are gaps."""
         self.size = size
         self.is_gap = vectors.gaps_outside(size, positions)
         if self.sort == TEXTS:
@@ -104,7 +104,7 @@ class Column:
         type: str = "",
         metadata: str = "",
     ) -> Topic:
-        """The topic `name` with these samples at the times of `timestamps`, which must be finished; reports what was odd about it."""
+        """The topic `name` with these samples at the times of `timestamps`, which must be finished. Reports the oddities of the samples."""
         order = timestamps.order
         not_finite = self._not_finite(vectors)
         if order is not None:

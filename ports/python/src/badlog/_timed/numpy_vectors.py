@@ -1,4 +1,4 @@
-"""Numbers in bytes, many at a time, by NumPy."""
+"""Reads many numbers from bytes at a time, with NumPy."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class NumpyVectors:
         self._views: dict[str, Any] = {}
 
     def _view(self, code: str) -> Any:
-        """What would be read at each byte of the file."""
+        """The number that would be read at each byte of the file."""
         view = self._views.get(code)
         if view is None:
             width = numpy.dtype(code).itemsize

@@ -1,4 +1,4 @@
-"""What can be wrong with a file of records."""
+"""The problems that a file of records may have."""
 
 from __future__ import annotations
 

@@ -16,9 +16,9 @@ _ROUNDING = 1e-9
 _MICROSECOND = 1e-6
 _MAX_ROWS = 1e8
 # Times are rounded to this fraction of a second.
-_PLACES = 1e9
-# A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
-_NEAR = 1 / _PLACES
+_ROUNDING_SCALE = 1e9
+# A sample up to this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
+_MAX_LATENESS = 1 / _ROUNDING_SCALE
 
 
 def periodic_times(recording: Recording, period: float) -> list[float]:
@@ -33,7 +33,7 @@ def periodic_times(recording: Recording, period: float) -> list[float]:
     if steps >= _MAX_ROWS:
         raise ValueError(f"A period of {period} s gives {steps} rows, which are too many.")
     times = (first + row * period for row in range(steps + 1))
-    return [math.floor(time * _PLACES + 0.5) / _PLACES for time in times] if period >= _MICROSECOND else list(times)
+    return [math.floor(time * _ROUNDING_SCALE + 0.5) / _ROUNDING_SCALE for time in times] if period >= _MICROSECOND else list(times)
 
 
 def times_of(topic: Topic) -> list[float]:
@@ -42,9 +42,9 @@ def times_of(topic: Topic) -> list[float]:
 
 
 def resampled(recording: Recording, rows: list[float]) -> Recording:
-    """The recording with a row for each of `rows`: each topic has its last value at or before that time, and nothing before its first sample.
+    """The recording with a row for each of `rows`. Each topic has its last value at or before that time, and nothing before its first sample.
 
-    A topic that was sparse in the bag that the log was made of has each value only in the first row that is not before it.
+    If the log was made from a bag, a topic that was sparse there has each value only in the first row that is not before it.
     """
     vectors = vectors_of(b"", uses_numpy())
     name = "Time"
@@ -59,7 +59,7 @@ def resampled(recording: Recording, rows: list[float]) -> Recording:
 
 
 def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
-    last = vectors.last_before(topic.times, [row + _NEAR for row in rows])
+    last = vectors.last_before(topic.times, [row + _MAX_LATENESS for row in rows])
     text_of = dict(zip(map(int, topic._text_rows), map(int, topic._text_ids)))
     if _was_sparse(topic):
         # Rows do not hold its last value.
@@ -86,7 +86,7 @@ def _held(topic: Topic, rows: list[float], vectors: Vectors) -> Topic:
 
 
 def _was_sparse(topic: Topic) -> bool:
-    """Whether badlog made the log of a bag in which the topic was sparse, so that rows do not hold its last value."""
+    """Whether badlog made the log from a bag in which the topic was sparse. Rows then do not repeat its last value."""
     roles = [value.text for name, value in read_object(topic.metadata) or [] if name == "badlog"]
     return roles[-1:] == ["sparse"]
 

@@ -1,4 +1,4 @@
-"""Numbers in bytes, many at a time: with NumPy, or with nothing but Python."""
+"""Reads many numbers from bytes at a time, with NumPy or with Python alone."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from struct import Struct
 from typing import Any, Protocol
 
 Numbers = Any
-"""One number after another: an array of NumPy from `NumpyVectors`, otherwise an `array`."""
+"""A sequence of numbers: a NumPy array from `NumpyVectors`, otherwise an `array`."""
 
 Places = Any
-"""Where something begins in the bytes, or indices: whole numbers, ascending."""
+"""Ascending whole numbers: positions in the bytes, or indices."""
 
 
 class Vectors(Protocol):
@@ -97,8 +97,9 @@ class Vectors(Protocol):
         """The indices of the NaNs that are not gaps."""
 
     def order(self, times: Numbers, first: float, last: float) -> tuple[Numbers, Places | None, int]:
-        """The times from `first` to `last` and those below 0, ascending; for each the index it had, or None if all are where they were;
-        and how many followed a later one. Those below 0 become `first`."""
+        """The times from `first` to `last` and those below 0, ascending. Also their former indices, or None if none moved; and the
+        number that followed a later one. Those below 0 become `first`.
+        """
 
 
 def uses_numpy() -> bool:
@@ -116,7 +117,7 @@ def vectors_of(data: bytes, with_numpy: bool) -> Vectors:
 
 
 class PlainVectors:
-    """The operations, by nothing but Python."""
+    """The operations, with Python alone."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -219,7 +220,7 @@ class PlainVectors:
         return [math.isinf(number) for number in numbers]
 
     def not_finite(self, numbers: Numbers) -> int:
-        # A sum is finite only if all are, but may overflow although all are.
+        # A finite sum means that all are finite, but the sum may overflow although all are.
         return 0 if math.isfinite(sum(numbers)) else sum(not math.isfinite(number) for number in numbers)
 
     def written_nans(self, numbers: Numbers, is_gap: Any | None) -> list[int]:

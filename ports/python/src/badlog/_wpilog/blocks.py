@@ -1,4 +1,4 @@
-"""What the payloads of one entry become: columns, in blocks that share their times."""
+"""The columns made of one entry's payloads, in blocks that share their times."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from badlog._timed.column import Column, Timestamps
 from badlog._timed.vectors import Places, Vectors
 
 MAX_ELEMENTS = 256
-"""How many elements of an array are shown: each is a topic and a graph."""
+"""The number of array elements that are shown: each is a topic and a graph."""
 
 # No program shows more topics, and a damaged file could produce millions.
 _MAX_COLUMNS = 1 << 16
@@ -25,7 +25,7 @@ class Block:
 
 @dataclass
 class Decoded:
-    """What the payloads of one entry became."""
+    """The decoded payloads of one entry."""
 
     timestamps: Timestamps
     """The times of all good records."""
@@ -38,8 +38,8 @@ class Decoded:
     """Whether only the sizes of the payloads are shown."""
 
 
-# A message of a few bytes may have a thousand values by default, so their number needs a bound of its own.
-_LEAST_MESSAGE_VALUES = 1 << 25
+# A message of a few bytes may have a thousand values by default, so their number needs its own bound.
+_MIN_MESSAGE_VALUES = 1 << 25
 
 
 class ColumnRoom:
@@ -47,7 +47,7 @@ class ColumnRoom:
 
     def __init__(self, size: int) -> None:
         self._made = 0
-        self._values_left = max(_LEAST_MESSAGE_VALUES, size)
+        self._values_left = max(_MIN_MESSAGE_VALUES, size)
 
     def has(self, count: int) -> bool:
         """Whether `count` more columns are allowed."""
@@ -58,7 +58,7 @@ class ColumnRoom:
         self._made += count
 
     def spend(self, values: int) -> bool:
-        """Counts so many values of messages; False, and counts nothing, if they are too many."""
+        """Counts more values of messages. Returns False, and counts nothing, if they are too many."""
         if values > self._values_left:
             return False
         self._values_left -= values
@@ -73,7 +73,7 @@ def decode_elements(
     vectors: Vectors,
     columns_of: Callable[[int, Places], list[Column]],
 ) -> None:
-    """Adds a block for each element of arrays with `counts` elements, which are the good records of `decoded`.
+    """Adds a block for each element of arrays, which are the good records of `decoded` and have `counts` elements.
 
     Elements in every record share their timestamps; one that appears later or disappears has its own, so that an array that was once long costs
     nothing afterwards. `columns_of` makes the `leaves` columns of an element, from its index and the records that have it.

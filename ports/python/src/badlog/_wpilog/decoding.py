@@ -15,7 +15,7 @@ from badlog._wpilog.struct_schemas import StructSchemas
 _TEXT_TYPES = ("string", "json", "structschema")
 _STRUCT = "struct:"
 _PROTO = "proto:"
-# How many bytes of payloads wait for their schema, and what each costs besides.
+# The maximum number of payload bytes that wait for their schema, and the additional bytes counted for each payload.
 _MAX_HELD = 1 << 20
 _OVERHEAD = 64
 
@@ -31,7 +31,7 @@ class Decoding:
         self._room = ColumnRoom(len(data))
 
     def decode(self, entry: Entry, records: EntryRecords) -> Decoded:
-        """What the payloads of `entry` become."""
+        """The decoded payloads of `entry`."""
         type = entry.type
         single = type.removesuffix("[]")
         layout = ValueLayout.of(single)

@@ -1,4 +1,4 @@
-"""The entries of a file: which were started, and their records."""
+"""The started entries of a file, and their records."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from badlog._wpilog.time_histogram import NEVER, TimeHistogram
 from badlog.problem import ProblemList
 
 # The start of an entry with more records than this was lost; fewer may be damage.
-_STRANGERS = 1
+_MAX_STRAY_RECORDS = 1
 _MAX_UNKNOWN = 1000
 
 
@@ -27,7 +27,7 @@ class Entries:
         self.table = RecordTable()
         """The records of all entries."""
         self.histogram = TimeHistogram()
-        """Where most of the records are."""
+        """The times of most records."""
         self._runs = _runs_of(self, data, with_numpy)
         self.record_count = 0
         """The number of records of all kinds."""
@@ -54,8 +54,10 @@ class Entries:
         return list(self._by_name.values())
 
     def is_stranger(self, id: int) -> bool:
-        """Whether there were so many records of `id`, which is not an entry's id, that more are to be expected."""
-        return self.unknown_counts.get(id, 0) > _STRANGERS
+        """Whether more records of `id`, which is not an entry's id, are to be expected, because there were so
+        many.
+        """
+        return self.unknown_counts.get(id, 0) > _MAX_STRAY_RECORDS
 
     def record(self, head: RecordHead, start: int, until: int) -> None:
         """Receives the record that begins at `start` and ends at `until`."""
@@ -66,7 +68,7 @@ class Entries:
             self._take(head, until - head.size)
 
     def records(self, at: int, most: int, most_bytes: int) -> tuple[int, float]:
-        """Receives as many records from `at` on as fit without a closer look."""
+        """Receives the records from `at` on that fit at a quick look."""
         run = self._runs.read(at, most, most_bytes)
         self.record_count += run.count
         return run.end, run.micros

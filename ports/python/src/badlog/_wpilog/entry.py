@@ -1,4 +1,4 @@
-"""What a file says about one name and type, under however many ids it was started."""
+"""The information of a file about one name and type, under all ids with which it was started."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ VALUE_METADATA = '{"badlog":"value"}'
 """The metadata that marks an entry as a value, written by badlog itself."""
 
 _SCHEMA_FOLDER = "/.schema/"
-# Where WPILib's logger puts the program's messages, and the Driver Station of 2027 its own.
+# The name under which WPILib's logger puts the program's messages, and the Driver Station of 2027 its own.
 _MESSAGES = "messages"
 _CONSOLE = "DS:/Dscomm/Console/"
-# Where dashboards, and Telemetry from 2027 on, say what the topics beside it are together.
+# The name under which dashboards, and Telemetry from 2027 on, give the type of the object that the topics beside it form.
 _TYPE = "/.type"
 
 
@@ -50,20 +50,20 @@ class Entry:
 
     @property
     def unit(self) -> str:
-        """The unit in its metadata, where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic."""
+        """The unit in its metadata. Loggers put it beside their own remarks, or in a NetworkTables topic's properties. """
         members = read_object(self.metadata) or []
         unit = _last(members, "unit") or _property(members, "unit")
         return UNITLESS if unit is None or unit.text is None else unit.text
 
     @property
     def attributes(self) -> tuple[str, ...]:
-        """The attributes in its metadata, those that a program says as properties, or those of the entries that WPILib itself writes."""
+        """The attributes: from its metadata, from properties that a program sets, or the fixed ones of WPILib's own entries."""
         members = read_object(self.metadata) or []
         own = _last(members, "attrs")
         items = None if own is None else own.items
         if items is None:
-            said = _property(members, "badlog")
-            items = None if said is None else [said] if said.items is None else said.items
+            value = _property(members, "badlog")
+            items = None if value is None else [value] if value.items is None else value.items
         if items is not None:
             return tuple(item.text for item in items if item.text is not None)
         if self.name == _MESSAGES or _CONSOLE in self.name:

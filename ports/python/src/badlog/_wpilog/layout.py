@@ -15,11 +15,11 @@ class ValueType:
     """The encoding of a single value."""
 
     name: str
-    """What a struct's schema calls it."""
+    """Its name in a struct's schema."""
     width: int
     """Its size in bytes; for a text, 1 per character."""
     code: str
-    """What `struct` and NumPy call it."""
+    """Its name for `struct` and NumPy."""
     is_signed: bool = False
     """Whether a bit-field of it has a sign."""
 
@@ -68,7 +68,7 @@ class Leaf:
     bits: int = 0
     """For a bit-field, the number of bits; otherwise 0."""
     shift: int = 0
-    """Where its bits begin."""
+    """The index of its first bit."""
     names: Mapping[int, bytes] | None = None
     """For an enumeration, the names of its numbers; otherwise None."""
 

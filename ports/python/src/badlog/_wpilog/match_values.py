@@ -1,4 +1,4 @@
-"""What certain entries say about the whole run: the match, and the time of day."""
+"""Values for the whole run, from certain entries: the match, and the time of day."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from badlog._timed.wall_time import wall_time_text
 from badlog._wpilog.entry import SYSTEM_TIME, Entry
 from badlog.recording import Value
 
-# Where WPILib, and a logger based on it, put what the field says.
+# The folders in which WPILib, and a logger based on it, put the field's information.
 _SOURCES = ("FMSInfo/", "DriverStation/")
 _MATCH_TYPES = ("Practice", "Qualification", "Elimination")
 _TYPES = {"EventName": "string", "MatchNumber": "int64", "MatchType": "int64", "IsRedAlliance": "boolean", "AllianceStation": "int64"}
 
 
 class MatchValues:
-    """Listens to the records of some entries, in the order of the file."""
+    """Collects the values from the records of some entries, in the order of the file."""
 
     def __init__(self) -> None:
         self._event: str | None = None
@@ -30,7 +30,7 @@ class MatchValues:
         return any(source in entry.name for source in _SOURCES) and _TYPES.get(_base_name(entry.name)) == entry.type
 
     def hear(self, entry: Entry, micros: float, payload: bytes) -> None:
-        """Hears a record of `entry`, at `micros` µs."""
+        """Receives a record of `entry`, at `micros` µs."""
         if entry.name == SYSTEM_TIME and entry.type == "int64":
             # Later values are better: a robot's clock is set when the Driver Station connects.
             if len(payload) == 8:
@@ -55,7 +55,7 @@ class MatchValues:
                 self._alliance = "Red" if number <= 3 else "Blue"
 
     def values(self, first_micros: float) -> list[Value]:
-        """What was found, for a recording that begins at `first_micros`."""
+        """The values found, for a recording that begins at `first_micros`."""
         is_on_field = self._event is not None or self._match_number is not None
         offset = self._wall_offset
         found = {

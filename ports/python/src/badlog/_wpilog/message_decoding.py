@@ -1,4 +1,4 @@
-"""Payloads that are messages of Protocol Buffers."""
+"""Decodes payloads that are messages of Protocol Buffers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from badlog._wpilog.record_table import EntryRecords
 
 
 def decode_messages(layout: MessageLayout, data: bytes, records: EntryRecords, room: ColumnRoom, vectors: Vectors) -> Decoded:
-    """What the payloads of an entry with messages of `layout` become."""
+    """The decoded payloads of an entry with messages of `layout`."""
     good = array("q", (i for i, (start, size) in enumerate(zip(records.starts, records.sizes)) if layout.fits(data, int(start), int(start + size))))
     fitting = records if len(good) == len(records) else records.taken(vectors.whole(good), vectors)
     times = [micros / 1e6 for micros in map(float, fitting.micros)]
@@ -81,7 +81,7 @@ class _GrowingColumn:
 
 
 class _GrowingBlock:
-    """The columns that one message, or one element of a list, fills, all at the same times."""
+    """The columns of one message, or of one element of a list, all at the same times."""
 
     def __init__(self, columns: list[_GrowingColumn], times: list[float]) -> None:
         self.columns = columns
@@ -111,7 +111,7 @@ class _GrowingBlock:
 
 
 class _ListTopics:
-    """The topics of a list, whose names consist of the entry's and `path`."""
+    """The topics of a list; their names consist of the entry's name and `path`."""
 
     def __init__(self, layout: MessageList, path: str, data: bytes, room: ColumnRoom) -> None:
         self._list = layout
@@ -128,7 +128,7 @@ class _ListTopics:
         return self._blocks + [block for lists in self._inner for one in lists for block in one.blocks]
 
     def add(self, time: float, outer: ReadMessage) -> int:
-        """Adds this list of the message `outer`; returns the number of values for which there was no topic left."""
+        """Adds this list of the message `outer`. Returns the number of values for which no topic was left."""
         found = outer.lists[self._list.index]
         count = outer.counts[self._list.index]
         element = self._list.element
@@ -152,7 +152,7 @@ class _ListTopics:
         return dropped + inner_dropped
 
     def end(self, time: float) -> None:
-        """Records that there is no such list at `time`."""
+        """Records that the list is missing at `time`."""
         for lists in self._inner:
             for one in lists:
                 one.end(time)

@@ -1,4 +1,4 @@
-"""How a message of Protocol Buffers is shown: its values, including those of nested messages at their places, and its lists."""
+"""The form in which a message of Protocol Buffers is shown. It has values, with nested messages' values at their places, and lists."""
 
 from __future__ import annotations
 

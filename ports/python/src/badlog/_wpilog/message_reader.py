@@ -8,7 +8,7 @@ from badlog._wpilog.wire_format import WireField, fields_in
 
 
 class ReadMessage:
-    """What one message holds.
+    """The content of one message.
 
     If a field occurs twice, the last value counts, and messages that occur in pieces are merged, as the encoding requires; unknown fields are
     skipped.
@@ -31,7 +31,7 @@ class ReadMessage:
 
     @staticmethod
     def of_single(layout: MessageLayout, element: WireField) -> ReadMessage:
-        """An element of a list that is not a message, as if it were the whole message."""
+        """An element of a list that is a single value, as if it were the whole message."""
         message = ReadMessage(layout)
         message._parts.add(0)
         message._values[0] = element

@@ -1,4 +1,4 @@
-"""The types of messages whose descriptors a file provides, see `google/protobuf/descriptor.proto`."""
+"""The types of messages with descriptors in the file, see `google/protobuf/descriptor.proto`."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from badlog._wpilog.scalar_type import ScalarType, scalar_type
 from badlog._wpilog.wire_format import SIZED, WireField, fields_in
 
 _MAX_TYPES = 10_000
-# No descriptor is larger.
+# The largest descriptor that is read.
 _MAX_BYTES = 1 << 20
 _MAX_DEPTH = 32
 # Each value is a topic, and a graph.
 _MAX_SIZE = 1024
-# The depth of messages that other readers of Protocol Buffers accept, too.
+# The depth of nested messages that other readers of Protocol Buffers accept, too.
 _MAX_NESTED = 100
 
 _FILE_PACKAGE, _FILE_MESSAGE, _FILE_ENUM = 2, 4, 5
@@ -64,8 +64,9 @@ class MessageTypes:
                 self._add_enumeration(descriptor, field, folder)
 
     def layout_of(self, name: str) -> tuple[MessageLayout, int] | None:
-        """The layout of the message `name`, and the number of the record from which on it is known; None if a descriptor is missing, or there are
-        too many values."""
+        """The layout of the message `name`, and the number of the record from which on it is known. None if a descriptor is missing, or there are
+        too many values.
+        """
         building = _Building(self._messages, self._enumerations)
         layout = building.layout(name, frozenset([name]))
         return None if layout is None else (layout, building.since)
@@ -138,7 +139,7 @@ def _field_in(data: bytes, described: WireField) -> _MessageField:
 
 
 class _Building:
-    """Builds the layout of one message, and those of the elements of its lists."""
+    """Builds the layout of one message, and the layouts of its lists' elements."""
 
     def __init__(self, messages: Mapping[str, tuple[list[_MessageField], int]], enumerations: Mapping[str, Mapping[int, bytes]]) -> None:
         self._messages = messages
@@ -151,7 +152,7 @@ class _Building:
         """The number of the record from which on all descriptors are known."""
 
     def layout(self, name: str, within: frozenset[str]) -> MessageLayout | None:
-        """The layout of the message `name`, which is inside those of the names `within`."""
+        """The layout of the message `name`, which is inside the messages `within`."""
         outermost = self._part(name, "", within)
         return None if outermost is None else MessageLayout(tuple(self._values), tuple(self._lists), self._part_count, outermost)
 

@@ -1,4 +1,4 @@
-"""Reads records that all fit by NumPy: Python finds where they begin, and NumPy looks at thousands of heads together."""
+"""Reads records that all fit, with NumPy: Python finds where they begin, and NumPy checks thousands of heads together."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from badlog._wpilog.record_search import NEAR_MICROS
 from badlog._wpilog.record_table import RecordTable
 from badlog._wpilog.time_histogram import NEVER, WIDTH, TimeHistogram
 
-# The number of records that are looked at together grows while they fit.
-_FEWEST = 64
-_MOST = 1 << 16
-# Entries with larger ids are looked at one by one.
+# The number of records that are checked together grows while they fit.
+_MIN_RUN = 64
+_MAX_RUN = 1 << 16
+# Entries with larger ids are checked one by one.
 _MAX_ID = 1 << 16
 
 _BITS = numpy.arange(256)
@@ -35,7 +35,7 @@ class NumpyRuns:
         self._data = data
         self._table = table
         self._histogram = histogram
-        self._most = _FEWEST
+        self._most = _MIN_RUN
         # For each id, and for all larger ones, the number of its entry, or -1; the width of its values; and whether it has any number of them.
         self._numbers = numpy.full(_MAX_ID + 1, -1, numpy.int32)
         self._widths = numpy.ones(_MAX_ID + 1, numpy.uint32)
@@ -67,9 +67,9 @@ class NumpyRuns:
             if run.count > 0:
                 at, micros = run.end, run.micros
             if run.count < wanted - 1:
-                self._most = max(_FEWEST, min(self._most, run.count * 2))
+                self._most = max(_MIN_RUN, min(self._most, run.count * 2))
                 break
-            self._most = min(_MOST, self._most * 8)
+            self._most = min(_MAX_RUN, self._most * 8)
         return Run(at, micros, count)
 
     def _read_some(self, at: int, most: int, most_bytes: int) -> Run:
@@ -109,7 +109,7 @@ class NumpyRuns:
 
 
 def _chain(data: bytes, at: int, most: int) -> list[int]:
-    """Where up to `most` records begin, the first of them at `at`, up to a control record, one that is not a record, or the last one."""
+    """The starts of up to `most` records from `at` on, up to a control record, bytes that are not a record, or the last record."""
     limit = len(data) - MAX_HEAD
     places: list[int] = []
     add = places.append

@@ -1,4 +1,4 @@
-"""Makes a recording from the bytes of a WPILOG, by the rules of `docs/wpilog.md`. It never raises, whatever the bytes."""
+"""Makes a recording from the bytes of a WPILOG, by the rules of `docs/wpilog.md`. Never raises because of the bytes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _STRUCT_SCHEMA = ".schema/struct:"
 # The text that badlog's own writer puts in the header, which is not worth showing.
 _OWN_HEADER = '{"writer":"badlog"}'
 # The maximum number of entries listed in a message.
-_NAMED = 8
+_MAX_NAMED = 8
 
 
 def is_wpilog(data: bytes) -> bool:
@@ -43,7 +43,7 @@ def parse(data: bytes, max_rows: int, with_numpy: bool) -> Recording:
 
 
 def _refusal(data: bytes, start: int | None) -> str | None:
-    """Why this is not a readable WPILOG; None if it is, or if its header is cut."""
+    """The reason why this is not a readable WPILOG; None if it is one, or if its header is cut."""
     if start is None:
         is_possible = len(data) < HEADER or int.from_bytes(data[HEADER - 4 : HEADER], "little") <= MAX_PAYLOAD_BYTES
         return None if is_possible else "This is not a WPILOG file."
@@ -85,7 +85,7 @@ class _WpilogParser:
         return Recording(RecordingFormat.WPILOG, None, values, topics, 0, problems.to_list())
 
     def _listen(self, entries: list[Entry], groups: list[EntryRecords]) -> tuple[MatchValues, Decoding]:
-        """Passes on, in the order of the file, the records that say something about the whole run, or about types."""
+        """Passes on the records with information about the whole run or about types, in the order of the file."""
         data = self._data
         match = MatchValues()
         structs = StructSchemas()
@@ -125,7 +125,7 @@ class _WpilogParser:
         problems = self._problems
         if entries.unknown_count > 0:
             ids = list(entries.unknown_counts)
-            numbers = ", ".join(map(str, ids[:_NAMED])) + (", …" if len(ids) > _NAMED else "")
+            numbers = ", ".join(map(str, ids[:_MAX_NAMED])) + (", …" if len(ids) > _MAX_NAMED else "")
             is_one = entries.unknown_count == 1
             records = "1 record belongs" if is_one else f"{entries.unknown_count} records belong"
             owners = f"an entry (number {numbers})" if len(ids) == 1 else f"entries (numbers {numbers})"

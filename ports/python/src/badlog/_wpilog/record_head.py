@@ -5,10 +5,10 @@ from __future__ import annotations
 from badlog._wpilog.entry import Entry
 
 FITTING, ODD, NONE, MORE = range(4)
-"""What bytes look like where a record is expected.
+"""The look of bytes where a record is expected.
 
 FITTING: a record that belongs to the log, for its entry was started, its size fits the type, and its time is near the others. ODD: possibly a
-record; its head is valid, but something in it is odd. NONE: not a record. MORE: it would go on after the end of the file.
+record; its head is valid, but something in it is odd. NONE: not a record. MORE: it would continue after the end of the file.
 """
 
 MAX_PAYLOAD_BYTES = 1 << 24
@@ -21,7 +21,7 @@ START, FINISH, SET_METADATA = range(3)
 """The kinds of control records."""
 
 TEXTS_OF = {START: 3, FINISH: 0, SET_METADATA: 1}
-"""How many texts follow the head of a control record."""
+"""The number of texts after the head of a control record, for each kind."""
 
 
 class RecordHead:
@@ -69,7 +69,9 @@ class RecordHead:
 
 
 def control_texts(data: bytes, start: int, until: int) -> list[tuple[int, int]] | None:
-    """Where the texts of the control record's payload begin and end; None unless the bytes are exactly one, without a NUL in its texts."""
+    """The start and the end of each text in the control record's payload. None unless the bytes are exactly one such payload, without a NUL
+    in its texts.
+    """
     if until - start < CONTROL_HEAD:
         return None
     count = TEXTS_OF.get(data[start])

@@ -20,10 +20,10 @@ HEADS = [4 + (bits & 3) + (bits >> 2 & 3) + (bits >> 4 & 7) for bits in range(25
 
 @dataclass(frozen=True)
 class Run:
-    """What was read."""
+    """The result of reading a run of records."""
 
     end: int
-    """The end of the last record, where one that fits begins."""
+    """The end of the last record, at which a fitting one begins."""
     micros: float
     """The time of the last record."""
     count: int
@@ -34,10 +34,12 @@ class RecordRuns(Protocol):
     """Reads runs of fitting records into a table."""
 
     def start(self, id: int, entry: Entry | None) -> None:
-        """Called when `id` begins to mean `entry`, or nothing."""
+        """Called when `id` begins to stand for `entry`, or for nothing."""
 
     def read(self, at: int, most: int, most_bytes: int) -> Run:
-        """Reads records as `RecordSink.records` says: none that is odd in any way, or followed by one that is."""
+        """Reads records by the rules of `RecordSink.records`: none that is odd in any way, or is followed by an odd
+        one.
+        """
 
 
 class PlainRuns:
@@ -50,7 +52,7 @@ class PlainRuns:
         self._histogram = histogram
 
     def start(self, id: int, entry: Entry | None) -> None:
-        """Does nothing: `by_id` says it."""
+        """Does nothing: `by_id` is enough."""
 
     def read(self, at: int, most: int, most_bytes: int) -> Run:
         # A function for each record would take twice the time.

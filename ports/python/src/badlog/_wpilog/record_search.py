@@ -1,7 +1,7 @@
 """Distinguishes records from bytes that only look like them.
 
-A WPILOG has neither checksums nor marks between its records, but each of them names a started entry, has a size that fits its type, and a time near
-that of the previous one.
+A WPILOG has neither checksums nor marks between its records. But each record names a started entry, has a size that fits its type, and a time near
+the previous record's.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ NOWHERE = -1
 """The result of `find` if records continue nowhere."""
 
 # This many fitting records in a row are not a coincidence; fewer are enough at the end of the file, or if they are very large.
-_ENOUGH = 10
-_LEAST_AT_END = 3
-_LEAST_FAR = 5
-# How many of them must be of types with a fixed size if the place may be inside a record.
-_SURE = 2
-# How many odd ones may be among them, in addition to one for each fitting one.
-_MOST_ODD = 2
+_MIN_FITTING = 10
+_MIN_AT_END = 3
+_MIN_FAR = 5
+# The number of them that must have types of a fixed size if the place may be inside a record.
+_MIN_FIXED_SIZE = 2
+# The number of odd ones that may be among them, in addition to one for each fitting one.
+_MAX_ODD = 2
 _GOES_ON = 4
 _PATIENCE = 100
-# How many bytes to look ahead at most.
-_FARTHEST = 1 << 20
+# The maximum number of bytes to look ahead.
+_MAX_LOOKAHEAD = 1 << 20
 # One minute: the maximum distance between the times of consecutive records.
 NEAR_MICROS = 6e7
 _TIGHT_MICROS = 1e5
@@ -37,17 +37,17 @@ _ZEROS = re.compile(rb"\0{3,}")
 
 
 class StartedEntries(Protocol):
-    """What is known about the entries so far."""
+    """The known entries so far."""
 
     by_id: dict[int, Entry]
     """The entries that are started and not finished, by their ids."""
 
     def is_stranger(self, id: int) -> bool:
-        """Whether there were so many records of `id`, which is not an entry's id, that more are to be expected."""
+        """Whether more records of `id`, which is not an entry's id, are to be expected, because there were so many."""
 
 
 class RecordSearch:
-    """Looks at the records of one file."""
+    """Recognizes the records of one file."""
 
     def __init__(self, data: bytes, entries: StartedEntries) -> None:
         self._data = data
@@ -56,7 +56,7 @@ class RecordSearch:
         self._head = RecordHead()
 
     def look(self, head: RecordHead, at: int, near: float) -> int:
-        """What the bytes at `at` look like after a record at `near` µs, or NaN if there was none; reads them into `head`."""
+        """Reads the bytes at `at` into `head`, and returns their look after a record at `near` µs, or NaN if there was none."""
         possible = head.read(self._data, at, self._end)
         if possible != FITTING:
             return possible
@@ -73,7 +73,7 @@ class RecordSearch:
         return FITTING if control_texts(self._data, end - head.size, end) is not None else ODD
 
     def find(self, start: int, end: int, near: float, is_inside: bool) -> int:
-        """The first place from `start` and before `end` at which records continue after damage, several fitting ones in a row; or NOWHERE.
+        """The first place from `start` and before `end` at which several fitting records in a row continue after damage; or NOWHERE.
 
         `is_inside` says whether the place is inside bytes that may themselves be a record; the first records there must be of types with a fixed
         size.
@@ -108,25 +108,25 @@ class RecordSearch:
         last = math.nan
         first_step = math.nan
         longest_step = _TIGHT_MICROS
-        least = _ENOUGH
-        while fitting < _ENOUGH:
+        least = _MIN_FITTING
+        while fitting < _MIN_FITTING:
             if at == self._end:
-                least = _LEAST_AT_END
+                least = _MIN_AT_END
                 break
-            if at - start > _FARTHEST:
-                least = _LEAST_FAR
+            if at - start > _MAX_LOOKAHEAD:
+                least = _MIN_FAR
                 break
             look = self.look(head, at, last)
             if look == NONE:
                 return False
-            if is_inside and fitting < _SURE and (look == ODD or (look == FITTING and not (head.id == 0 or head.has_one_size))):
+            if is_inside and fitting < _MIN_FIXED_SIZE and (look == ODD or (look == FITTING and not (head.id == 0 or head.has_one_size))):
                 return False
-            if look == MORE or head.length > _FARTHEST or head.length > self._end - at:
-                least = _LEAST_FAR
+            if look == MORE or head.length > _MAX_LOOKAHEAD or head.length > self._end - at:
+                least = _MIN_FAR
                 break
             if look == ODD:
                 odd += 1
-                if fitting == 0 or odd > _MOST_ODD + fitting:
+                if fitting == 0 or odd > _MAX_ODD + fitting:
                     return False
             else:
                 # The lost part may have been minutes long, but no log continues hours later.
@@ -152,7 +152,7 @@ class RecordSearch:
         for _ in range(_GOES_ON):
             if at == self._end:
                 return True
-            if self.look(head, at, last) != FITTING or head.length > _FARTHEST or head.length > self._end - at:
+            if self.look(head, at, last) != FITTING or head.length > _MAX_LOOKAHEAD or head.length > self._end - at:
                 return False
             if head.id != 0:
                 last = head.micros
@@ -169,7 +169,7 @@ class RecordSearch:
         while fitting + odd < _PATIENCE:
             if at == self._end:
                 return True
-            if at - start > _FARTHEST:
+            if at - start > _MAX_LOOKAHEAD:
                 break
             look = self.look(head, at, last)
             if look == NONE:

@@ -19,7 +19,7 @@ _SMALL = 1000
 
 
 class RecordSink(StartedEntries, Protocol):
-    """Receives what a `RecordSplitter` finds."""
+    """Receives the records and gaps that a `RecordSplitter` finds."""
 
     record_count: int
     """The number of records received."""
@@ -108,9 +108,9 @@ class RecordSplitter:
             at = following
 
     def _pass_fitting(self, at: int) -> int:
-        """Passes on the record at `at`, whose head fits, and those after it, up to one that is odd in any way.
+        """Passes on the record at `at`, which has a fitting head, and those after it, up to an odd one.
 
-        Returns where that one begins; `_head` is then its head. Nearly all records of a log are handled here.
+        Returns where the odd one begins; `_head` is then its head. Nearly all records of a log are handled here.
         """
         most = self._most - self._sink.record_count
         following, micros = self._sink.records(at, most, self._usual_size)
@@ -130,7 +130,7 @@ class RecordSplitter:
         return end
 
     def _read_doubtful(self, at: int, next_look: int) -> int:
-        """Reads a record that fits, but is larger than usual, or followed by something that does not fit: its own size may be wrong."""
+        """Reads a record that fits, but is larger than usual, or followed by something that does not fit. Its own size may be wrong."""
         data = self._data
         head = self._head
         end = at + head.length
@@ -150,7 +150,7 @@ class RecordSplitter:
         return end
 
     def _read_odd(self, at: int, look: int) -> int:
-        """Reads something that does not fit."""
+        """Reads bytes that are not a fitting record."""
         if look == ODD:
             search = self._search
             end = at + self._head.length
@@ -167,7 +167,7 @@ class RecordSplitter:
         return at + 1
 
     def _read_cut(self, at: int) -> int:
-        """Reads a record in which the file ends, or whose size is damaged."""
+        """Reads a record that contains the end of the file, or that has a damaged size."""
         found = self._search.find(at + 1, self._end, self._steady_micros, is_inside=True)
         return self._skip(at, found) if found != NOWHERE else self._cut()
 

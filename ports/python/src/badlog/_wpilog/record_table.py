@@ -1,4 +1,4 @@
-"""The records of a file, one line of numbers for each."""
+"""A table of a file's records, with one line of numbers for each."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class EntryRecords:
         return len(self.starts)
 
     def taken(self, indices: Places | None, vectors: Vectors) -> EntryRecords:
-        """Those at `indices`, or all of them if that is None."""
+        """The records at `indices`, or all of them if that is None."""
         if indices is None:
             return self
         take = vectors.take
@@ -52,11 +52,11 @@ class RecordTable:
 
     @property
     def adders(self) -> tuple[Callable[[int], None], Callable[[float], None], Callable[[int], None], Callable[[int], None]]:
-        """What adds the parts of a record, one by one; all four must be called."""
+        """The functions that add the parts of a record; call all four."""
         return self._entries.append, self._micros.append, self._starts.append, self._sizes.append
 
     def add_all(self, entries: Any, micros: Any, starts: Any, sizes: Any) -> None:
-        """Adds many, from arrays of NumPy with the types of these."""
+        """Adds many records from NumPy arrays with the same types."""
         self._entries.frombytes(entries.tobytes())
         self._micros.frombytes(micros.tobytes())
         self._starts.frombytes(starts.tobytes())

@@ -15,7 +15,7 @@ class ScalarType:
     """A type of single values."""
 
     name: str
-    """What a schema calls it."""
+    """Its name in a schema."""
     wire: int
     """How it is encoded."""
 

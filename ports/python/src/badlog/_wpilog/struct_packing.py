@@ -1,4 +1,4 @@
-"""Where the fields of a struct are."""
+"""Assigns the fields of a struct to their places."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The structs whose schemas a file provides."""
+"""The structs with schemas in the file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from badlog._wpilog.struct_schema import read_schema
 
 _MAX_DEPTH = 32
 _MAX_SCHEMAS = 10_000
-# No struct of as many values as are shown needs more text.
+# A struct with the maximum number of shown values needs no more text.
 _MAX_CHARACTERS = 1 << 20
 
 
@@ -29,7 +29,7 @@ class StructSchemas:
             self._fields[name] = (fields, since)
 
     def layout_of(self, name: str) -> tuple[ValueLayout, int] | None:
-        """The layout of struct `name`, and the number of the record from which on it is known; None if a schema is missing, invalid, or too large."""
+        """The layout of struct `name`, and the number of the record from which on it is known. None if a schema is missing, invalid, or too large."""
         return self._layout_of(name, 0)
 
     def _layout_of(self, name: str, depth: int) -> tuple[ValueLayout, int] | None:

@@ -1,4 +1,4 @@
-"""Finds the times around which most records of a file are."""
+"""Finds the range of times with most of a file's records."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class TimeHistogram:
         self._first: dict[float, float] = {}
 
     def add(self, micros: float) -> bool:
-        """Counts a record at `micros`, from 0 on; False if it must be dropped: its time is impossible, or there are too many times far apart."""
+        """Counts a record at `micros`, from 0 on. Returns False if it must be dropped: its time is impossible, or too many times are far apart."""
         if micros >= NEVER:
             return False
         return self.add_many(math.floor(micros / WIDTH) * WIDTH, micros, 1)
@@ -54,7 +54,7 @@ class TimeHistogram:
         return True
 
     def largest_cluster(self) -> Cluster | None:
-        """Where most records are; None if there are none."""
+        """The times of most records; None if there are none."""
         best: Cluster | None = None
         start = 0.0
         records = 0

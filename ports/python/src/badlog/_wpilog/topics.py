@@ -26,7 +26,7 @@ class TopicMaker:
         self._copies: dict[str, int] = {}
 
     def topics_of(self, entry: Entry, decoded: Decoded) -> Iterator[Topic]:
-        """The topics of `entry`, whose payloads became `decoded`."""
+        """The topics of `entry`, made of its `decoded` payloads."""
         decoded.timestamps.finish(self._first, self._last)
         vectors = self._vectors
         unit = _BYTE if decoded.is_undecoded else entry.unit
@@ -60,7 +60,7 @@ class TopicMaker:
 
 
 def report_entry(entry: Entry, decoded: Decoded, problems: ProblemList) -> None:
-    """Reports what was odd about the records of one entry."""
+    """Reports the oddities of one entry's records."""
     name = entry.name
     if decoded.bad_count > 0:
         message = f"Records of “{name}” are not of its type, {entry.type}, and were dropped{times_text(decoded.bad_count)}."

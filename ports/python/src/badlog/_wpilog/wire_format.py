@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 VARINT, FIXED_64, SIZED, FIXED_32 = 0, 1, 2, 5
-"""How a field is encoded."""
+"""The encodings of a field."""
 
 _MASK_64 = (1 << 64) - 1
-_LONGEST_VARINT = 10
+_MAX_VARINT_SIZE = 10
 
 
 class WireField(NamedTuple):
@@ -26,11 +26,11 @@ class WireField(NamedTuple):
 
 
 def fields_in(data: bytes, start: int, until: int) -> Iterator[WireField | None]:
-    """The fields of one message; None last if it is not one to its end."""
+    """The fields of one message; the last one is None if the bytes are not a message to their end."""
     at = start
     while at < until:
         tag, at = _varint(data, at, until)
-        # 32 bits with a sign, of which numbers use 29.
+        # 32 bits with a sign; field numbers use 29 of them.
         number = tag >> 3 & 0xFFFFFFFF
         field = _value(data, number, tag & 7, at, until) if at >= 0 and 0 < number < 1 << 31 else None
         yield field
@@ -40,7 +40,9 @@ def fields_in(data: bytes, start: int, until: int) -> Iterator[WireField | None]
 
 
 def packed_in(data: bytes, wire: int, start: int, until: int) -> Iterator[WireField | None]:
-    """The numbers of a packed list with the encoding `wire`; None last if the bytes are not one."""
+    """The numbers of a packed list with the encoding `wire`. The last one is None if the bytes are not such
+    a list.
+    """
     at = start
     while at < until:
         field = _value(data, 0, wire, at, until)
@@ -64,10 +66,10 @@ def _value(data: bytes, number: int, wire: int, at: int, until: int) -> WireFiel
 
 
 def _varint(data: bytes, at: int, until: int) -> tuple[int, int]:
-    """A number of up to 64 bits, and where it ends: -1 if it does not."""
+    """A number of up to 64 bits, and its end: -1 if it has none."""
     number = 0
     shift = 0
-    for place in range(at, min(until, at + _LONGEST_VARINT)):
+    for place in range(at, min(until, at + _MAX_VARINT_SIZE)):
         byte = data[place]
         number |= (byte & 0x7F) << shift
         if byte < 0x80:

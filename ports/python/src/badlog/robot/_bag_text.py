@@ -25,7 +25,7 @@ def row_of(cells: Sequence[bytes]) -> bytes:
 
 
 def title_of(name: str) -> str:
-    """The name as a line of titles can hold it."""
+    """The name in the form that a line of titles can hold."""
     return _encoded(name.replace("\n", " ").replace("\r", " ")).decode()
 
 
@@ -42,7 +42,7 @@ def header_lines(topics: Iterable[tuple[str, str, Sequence[str]]], values: Itera
 
 
 def _quoted(text: str) -> str:
-    """As the original writes it, which escapes more than necessary."""
+    """A JSON string in the original's form, which escapes more than necessary."""
     return '"' + _ESCAPED.sub(lambda match: _SHORT.get(match.group()) or f"\\u{ord(match.group()):04X}", text) + '"'
 
 

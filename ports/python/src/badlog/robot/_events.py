@@ -1,4 +1,4 @@
-"""Events that wait for a row, and those in rows that are not written yet: they wait again if their rows cannot be written."""
+"""Events that wait for a row, and events in rows that are not written yet. If writing fails, the latter wait again."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _SEPARATOR = "; "
 _MAX_CHARACTERS = 10_000
 _NO_EVENTS = ("", "null", "true", "false", "nan", "inf", "+inf", "-inf", "infinity", "-infinity", "+infinity", "+nan", "-nan")
 
-# What Java reads as a number, so that all ports write the same.
+# The texts that Java reads as numbers, so that all ports write the same.
 _NUMBER = re.compile(
     r"[+-]?(?:(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[+-]?[0-9]+)?|0x(?:[0-9a-f]+\.?|[0-9a-f]*\.[0-9a-f]+)p[+-]?[0-9]+)[fd]?"
 )
@@ -38,7 +38,7 @@ class EventTexts:
             self._faults.count("events_dropped")
 
     def take(self) -> str | None:
-        """All that waited, as the text of one cell, or None. A reader never takes it for a number."""
+        """Takes all waiting events, and returns them as the text of one cell, or None. The text never looks like a number."""
         if not self._waiting:
             return None
         with self._lock:
@@ -62,7 +62,7 @@ class EventTexts:
                 self._taken = []
 
     def end(self) -> None:
-        """Counts what still waits: no row will take it."""
+        """Counts the events that still wait as dropped, because no row will take them."""
         with self._lock:
             dropped = len(self._waiting)
             self._waiting = []

@@ -1,4 +1,4 @@
-"""Takes everything that goes wrong in a robot's loop: it is counted each time, reported once, and noted as an event in the log."""
+"""Handles the faults in a robot's loop. Each is counted every time, reported once, and noted as an event in the log."""
 
 from __future__ import annotations
 
@@ -12,43 +12,43 @@ from badlog.robot import _standard_error
 if TYPE_CHECKING:
     from badlog.robot._events import EventTexts
 
-# A program that makes up names must not fill the memory with them.
+# A program that invents names must not fill the memory with them.
 _MAX_MESSAGES = 100
 _SLOW_NANOS = 5_000_000
 
 
 @dataclass(frozen=True)
 class LogCounters:
-    """What a log has written, lost and ignored since `BadLog.init`, as of one moment."""
+    """The numbers of rows, cells and calls that a log has written, lost or ignored since `BadLog.init`, at one moment."""
 
     rows_written: int
-    """Rows that were handed to the operating system, and not into a file known to be deleted."""
+    """Rows that were passed to the operating system, except those written to a file known to be deleted."""
     rows_missed: int
     """Rows that were lost because they could not be written, or because the file is known to be deleted."""
     bytes_written: int
-    """How long the file is, in bytes."""
+    """The length of the file in bytes."""
     slowest_row_nanos: int
-    """The longest that one call of `BadLog.log` took, in nanoseconds."""
+    """The longest time that one call of `BadLog.log` took, in nanoseconds."""
     slow_writes: int
     """Writes that took more than 5 ms, including those that failed."""
     failed_syncs: int
-    """Times that the operating system could not sync the file to the disk."""
+    """How often the operating system could not sync the file to the disk."""
     cells_missed: int
     """Cells left empty because a callable raised or gave None."""
     calls_ignored: int
-    """Calls that could not be followed, such as publishing to a name that was never created."""
+    """Calls that were ignored, such as publishing to a name that was never created."""
     events_dropped: int
-    """Events that no row took: they came faster than rows, or the log ended before one could be written."""
+    """Events that are in no row: they came faster than rows, or the log ended before one could be written."""
 
 
 class Faults:
-    """Counts and reports. Thread-safe; never raises."""
+    """Counts and reports faults. Thread-safe; never raises."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._counts = dict.fromkeys(LogCounters.__dataclass_fields__, 0)
-        self._said: set[str] = set()
-        # Separate, so that the names that a program makes up are not confused with the log's own subjects.
+        self._reported: set[str] = set()
+        # Separate, because a program's names must not clash with the log's own subjects.
         self._ignored: dict[str, set[str]] = {"call": set(), "name": set()}
         self.room: EventTexts | None = None
         """The column that takes events, if there is one."""
@@ -74,10 +74,10 @@ class Faults:
             return LogCounters(**self._counts)
 
     def cell_missed(self, topic: str, what: str) -> None:
-        """The cell of that topic stays empty in this row."""
+        """Handles a fault of that topic: its cell stays empty in this row."""
         self.count("cells_missed")
         if self._is_new(f"topic {topic}"):
-            self.say(f'The topic "{topic}" {what}, so its cell is empty. Further gaps of this topic are only counted.')
+            self.report(f'The topic "{topic}" {what}, so its cell is empty. Further gaps of this topic are only counted.')
 
     def call_ignored(self, call: str, why: str) -> None:
         self._count_ignored("call", call, why)
@@ -93,15 +93,15 @@ class Faults:
             if is_new:
                 before.add(about)
         if is_new:
-            self.say(why)
+            self.report(why)
 
-    def say_once(self, about: str, message: Callable[[], str]) -> None:
+    def report_once(self, about: str, message: Callable[[], str]) -> None:
         """Reports the message, unless its subject was reported before."""
         if self._is_new(about):
-            self.say(message())
+            self.report(message())
 
-    def say(self, message: str) -> None:
-        _standard_error.say(message)
+    def report(self, message: str) -> None:
+        _standard_error.print_soon(message)
         self.note(message)
 
     def note(self, text: str) -> None:
@@ -111,9 +111,9 @@ class Faults:
 
     def _is_new(self, about: str) -> bool:
         with self._lock:
-            if about in self._said:
+            if about in self._reported:
                 return False
-            self._said.add(about)
+            self._reported.add(about)
             return True
 
 

@@ -1,4 +1,4 @@
-"""The texts of numbers, byte for byte those of `jvm-robot`: Java 17's `%.5g`, and six decimals for an x axis."""
+"""Writes numbers in the same bytes as `jvm-robot`: by Java 17's `%.5g`, and with six decimals for an x axis."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def five_digits(value: float) -> str:
 
 
 def microseconds(value: float) -> str:
-    """The number with six digits after its point: `%.5g` leaves 10 ms of 100 s."""
+    """The number with six decimals: `%.5g` only resolves 10 ms from 100 s on."""
     magnitude = abs(value)
     if not magnitude < 9.0e18:
         return five_digits(value)
@@ -93,7 +93,7 @@ def _scaled(reach: int, unit: int, power: int) -> int:
 
 
 def _rounded_of_few_bits(units: int) -> tuple[int, int]:
-    """Subnormal values of so few bits that the margin reaches into the five digits: they are generated one by one, as Java does."""
+    """Subnormal values of so few bits that the margin reaches into the five digits. They are generated one by one, as in Java."""
     scaled = units * _UNIT + units * _UNIT_REST // _UNIT_REST_SCALE
     margin = _UNIT // 4 if units & (units - 1) == 0 else _UNIT // 2
     place = 10**18

@@ -1,4 +1,4 @@
-"""Where the bytes of a bag go."""
+"""The destinations of a bag's bytes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _GZIP_HEADER = bytes([0x1F, 0x8B, 8, 0, 0, 0, 0, 0, 0, 0xFF])
 
 
 class AppendFile:
-    """A file that only grows, by one `write` for each `append`. A failed `append` leaves nothing behind."""
+    """A file that only grows: one `write` for each `append`. A failed `append` leaves the file unchanged."""
 
     def __init__(self, path: Path) -> None:
         """Creates or empties the file; its folders are created.
@@ -38,13 +38,13 @@ class AppendFile:
             try:
                 self._cut_torn_end()
             except OSError:
-                # Tried again before the next row; a file that has vanished cannot be cut.
+                # Tried again before the next row; a file that has disappeared cannot be truncated.
                 pass
             raise
         self.length += len(data)
 
     def finish(self) -> None:
-        """Writes what the end of the file needs: nothing for a plain file."""
+        """Writes the end of the file: nothing for a plain one."""
 
     def sync(self) -> None:
         """Waits until everything is on the disk. Only for a thread that has nothing else to do."""
@@ -62,8 +62,7 @@ class AppendFile:
 class GzipFile(AppendFile):
     """A gzipped bag.
 
-    Each `append` ends on a byte's boundary (zlib's sync flush), so that everything appended can be inflated even if the file is cut somewhere after
-    it.
+    Each `append` ends on a byte's boundary (zlib's sync flush). So a file that is cut later can be inflated up to there.
     """
 
     def __init__(self, path: Path) -> None:
@@ -85,7 +84,7 @@ class GzipFile(AppendFile):
         try:
             super().append(packed if self.length > 0 else _GZIP_HEADER + packed)
         except OSError:
-            # What follows must not refer to bytes that are not in the file. The stream continues where it was.
+            # The following bytes must not refer to bytes that are not in the file. The stream continues from the last success.
             self._deflater = _deflater()
             raise
 

@@ -1,4 +1,4 @@
-"""One log from its set-up to its end. Set-up mistakes raise; what a robot calls in its loop never does."""
+"""One log from its setup to its end. Mistakes during setup raise; the functions that a robot calls in its loop never do."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ T = TypeVar("T", bound=Topic)
 
 
 class DuplicateNameError(ValueError):
-    """A topic or a value was created with a name that another one has."""
+    """A topic or a value was created with a name that is already taken."""
 
 
 class InvalidModeError(RuntimeError):
@@ -30,20 +30,20 @@ class InvalidModeError(RuntimeError):
 
 
 class LogState(Enum):
-    """What a log is doing."""
+    """The states of a log."""
 
     SETTING_UP = "setting up"
     """Topics and values can be created; nothing is logged yet."""
     LOGGING = "logging"
     """Rows are being written."""
     FAILING = "failing"
-    """Rows cannot be written at the moment, or end up in a file that was deleted; they are lost, and counted."""
+    """Rows cannot currently be written, or go to a file that was deleted; they are lost and counted."""
     CLOSED = "closed"
-    """It was closed; calls are ignored."""
+    """The log was closed; calls are ignored."""
 
 
 class LogSession:
-    """The lock is held while a row is built and written, and never while the robot's callables are called."""
+    """One log. Its lock is held while a row is built and written, and never while the robot's callables are called."""
 
     def __init__(self, flushes_each_row: bool) -> None:
         self._flushes_each_row = flushes_each_row
@@ -58,7 +58,7 @@ class LogSession:
         self._sync_thread: SyncThread | None = None
         self._syncs = True
         self._phase = LogState.SETTING_UP
-        # Whoever calls while a row is built, holding the lock, is the program's own formatter.
+        # A caller that holds the lock while a row is built is the program's own formatter.
         self._is_in_row = False
         self._closes_after_row = False
         self.faults = Faults()
@@ -75,7 +75,7 @@ class LogSession:
         if file is not None:
             self._file = file
             self._sink = RowSink(file, self._flushes_each_row, self.faults)
-            # So that rows that wait are written when the program ends in an orderly way.
+            # So that waiting rows are written when the program ends normally.
             atexit.register(self.close)
 
     def add(self, topic: T) -> T:
@@ -146,10 +146,10 @@ class LogSession:
             row = row_of([topic.cell() for topic in self._topics])
             sink.add_row(row, began)
         except Exception as failure:
-            # For example, too little memory for a text: this row is lost, the robot goes on.
+            # For example, too little memory for a text: this row is lost, but the robot keeps running.
             sink.drop_row()
             reason = describe(failure)
-            self.faults.say_once("row", lambda: f"A row of the log was lost: {reason}.")
+            self.faults.report_once("row", lambda: f"A row of the log was lost: {reason}.")
         finally:
             self._is_in_row = False
 
@@ -159,7 +159,7 @@ class LogSession:
                 self._sink.flush()
 
     def publish(self, name: str, value: object) -> None:
-        """Publishes to the topic of that name, or says why not. What is published during set-up is kept for the first row."""
+        """Publishes to the topic of that name, or reports why not. Values published during setup are kept for the first row."""
         topic = self._subscribers.get(name) if isinstance(name, str) else None
         if topic is None:
             why = f'Values published to "{name}" are ignored: create_topic_subscriber() was not called for it.'
@@ -209,7 +209,7 @@ class LogSession:
         self._names.add(name)
         odd = next((char for char in name if char not in " _/" and not is_letter_or_digit(char)), None)
         if odd is not None:
-            _standard_error.say(f"The name \"{name}\" has the character '{odd}'; letters, digits, spaces, _ and / are safer.")
+            _standard_error.print_soon(f"The name \"{name}\" has the character '{odd}'; letters, digits, spaces, _ and / are safer.")
 
     def _ignored(self, call: str) -> None:
         if self._phase is LogState.CLOSED:
@@ -226,7 +226,7 @@ class LogSession:
             thread.start()
         except RuntimeError as failure:
             reason = describe(failure)
-            self.faults.say_once("thread", lambda: f"The log {file.path} is not synced: {reason}.")
+            self.faults.report_once("thread", lambda: f"The log {file.path} is not synced: {reason}.")
         else:
             self._sync_thread = thread
 

@@ -1,4 +1,4 @@
-"""Takes rows and writes them: each at once, or several together, but none later than a quarter of a second after the previous write."""
+"""Writes rows: each at once, or several together at most a quarter of a second after the previous write."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class LogFile:
             return cls(path, GzipFile(path) if is_compressed else AppendFile(path))
         except (OSError, ValueError) as failure:
             reason = describe(failure)
-            faults.say_once(
+            faults.report_once(
                 "open",
                 lambda: f"The log {path} cannot be created: {reason}. Nothing is logged; use a folder that exists and can be written "
                 "to, such as /home/lvuser/logs.",
@@ -43,12 +43,13 @@ class LogFile:
             self.output.close()
         except OSError as failure:
             reason = describe(failure)
-            faults.say_once("close", lambda: f"The log {self.path} could not be closed: {reason}. Its end may be missing.")
+            faults.report_once("close", lambda: f"The log {self.path} could not be closed: {reason}. Its end may be missing.")
 
 
 class RowSink:
-    """Rows that cannot be written are lost and counted; the sink then waits a little before it tries again, because a disk that is full or
-    gone may be slow to say so. Guarded by the log's lock."""
+    """Writes rows. Rows that cannot be written are lost and counted. After a failure it waits before the next attempt, because a full or
+    missing disk may be slow to report it. Guarded by the log's lock.
+    """
 
     def __init__(self, file: LogFile, flushes_each_row: bool, faults: Faults) -> None:
         self._file = file
@@ -72,7 +73,7 @@ class RowSink:
         self._write(time.monotonic_ns())
 
     def is_refusing(self, now: int) -> bool:
-        """Whether a row begun now would be lost. It is better not begun then, so that it takes no events with it."""
+        """Whether a row begun now would be lost. Do not begin it then, so that no events are lost with it."""
         return self._is_waiting_to_retry(now) and (self._flushes_each_row or self._size >= _BATCH_BYTES)
 
     def miss_row(self) -> None:
@@ -91,7 +92,7 @@ class RowSink:
     def drop_row(self) -> None:
         """Counts a row that could not be made."""
         self._faults.count("rows_missed")
-        # With the events of rows that still wait: an event in two rows is better than in none.
+        # This includes the events of buffered rows: an event in two rows is better than in none.
         for texts in self._events:
             texts.restore()
 
@@ -101,18 +102,18 @@ class RowSink:
             self._write(time.monotonic_ns())
 
     def flush_waiting(self) -> None:
-        """Does what `flush` does, unless that failed a moment ago."""
+        """Does the same as `flush`, unless a write has just failed."""
         if not self._is_waiting_to_retry(time.monotonic_ns()):
             self.flush()
 
     def finish(self) -> None:
-        """Writes what waits and what the end of the file needs."""
+        """Writes the waiting rows and the end of the file."""
         self.flush()
         try:
             self._file.output.finish()
             self.is_dirty = True
         except OSError as failure:
-            self._say_failed(failure)
+            self._report_failed(failure)
         for texts in self._events:
             texts.end()
 
@@ -134,9 +135,9 @@ class RowSink:
             for texts in self._events:
                 texts.restore()
             self.is_failing = True
-            self._say_failed(failure)
+            self._report_failed(failure)
             return
-        # A deleted file accepts rows without an error; it may come back, if it was only moved for a while.
+        # Writing to a deleted file succeeds silently; a file that was only moved may come back.
         self._faults.count("rows_missed" if self._file.is_missing else "rows_written", rows)
         self._faults.grew_to(self._file.output.length)
         self.is_dirty = True
@@ -153,12 +154,12 @@ class RowSink:
         try:
             self._file.output.append(data)
         finally:
-            # Also if it fails, because a failing disk is often slow.
+            # Even if it fails, because a failing disk is often slow.
             self._faults.write_took(time.monotonic_ns() - began)
 
-    def _say_failed(self, failure: OSError) -> None:
+    def _report_failed(self, failure: OSError) -> None:
         reason = describe(failure)
-        self._faults.say_once(
+        self._faults.report_once(
             "write",
             lambda: f"The log {self._file.path} cannot be written: {reason}. Rows are lost until it can; check whether the disk is full "
             "or was removed.",

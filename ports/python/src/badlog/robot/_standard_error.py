@@ -1,6 +1,6 @@
-"""Reports what went wrong on standard error, from a thread of its own.
+"""Prints messages on standard error from another thread.
 
-If standard error is a pipe that nobody reads, a write may never return, and a robot's loop cannot wait for that.
+If standard error is a pipe without a reader, a write may never return, and a robot's loop cannot wait for that.
 """
 
 from __future__ import annotations
@@ -19,8 +19,10 @@ _lock = threading.Lock()
 _is_started = False
 
 
-def say(message: str) -> None:
-    """Writes the message soon, marked as badlog's. Messages that come while too many wait are dropped. Never raises."""
+def print_soon(message: str) -> None:
+    """Writes the message soon, marked as badlog's. Messages that arrive while too many are waiting are dropped. Never
+    raises.
+    """
     global _is_started
     try:
         _waiting.put_nowait(message)
@@ -30,16 +32,16 @@ def say(message: str) -> None:
         if _is_started:
             return
         try:
-            threading.Thread(target=_say_all, name="badlog messages", daemon=True).start()
+            threading.Thread(target=_print_all, name="badlog messages", daemon=True).start()
             _is_started = True
-            # If the program ends at once because of what went wrong, the message should still appear.
-            atexit.register(await_said, _EXIT_SECONDS)
+            # If the fault ends the program, the message must still be printed.
+            atexit.register(await_printed, _EXIT_SECONDS)
         except RuntimeError:
             # The system has no thread for this, or the program is ending; the next message tries again.
             return
 
 
-def await_said(seconds: float) -> bool:
+def await_printed(seconds: float) -> bool:
     """Waits until all messages are written, but no longer than that; returns whether they are."""
     end = time.monotonic() + seconds
     while _waiting.unfinished_tasks > 0:
@@ -49,7 +51,7 @@ def await_said(seconds: float) -> bool:
     return True
 
 
-def _say_all() -> None:
+def _print_all() -> None:
     while True:
         message = _waiting.get()
         try:

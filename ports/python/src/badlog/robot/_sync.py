@@ -1,4 +1,4 @@
-"""Brings what was written to the disk, four times a second, so that a loss of power takes no more than that."""
+"""Syncs the file to the disk, four times a second. So a loss of power costs no more than that time."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _INTERVAL_SECONDS = 0.25
 
 
 class SyncThread(threading.Thread):
-    """Writes the rows that wait, syncs, and notices when the file is deleted; in the end it closes the file.
+    """Writes the waiting rows, syncs, and notices if the file was deleted. At the end, it closes the file.
 
     It holds no lock while it waits for a sync.
     """
@@ -28,7 +28,7 @@ class SyncThread(threading.Thread):
         self._times_missing = 0
         self._stopped = threading.Event()
         self.syncs = syncs
-        """Whether it syncs rows to the disk; it does the rest anyway."""
+        """Whether to sync rows to the disk; the rest is always done."""
 
     def run(self) -> None:
         if self.syncs:
@@ -49,39 +49,39 @@ class SyncThread(threading.Thread):
     def _sync(self) -> None:
         if not self.syncs or not self._sink.is_dirty:
             return
-        # Before the sync, so that what is written meanwhile is not missed.
+        # Before the sync, so that rows written meanwhile are not missed.
         self._sink.is_dirty = False
         try:
             self._file.output.sync()
         except OSError as failure:
             reason = describe(failure)
             self._faults.count("failed_syncs")
-            self._faults.say_once(
+            self._faults.report_once(
                 "sync",
                 lambda: f"The log {self._file.path} could not be synced to the disk: {reason}. A power cut may cost more than the last "
                 "quarter of a second.",
             )
 
     def _look_for_file(self) -> None:
-        # Once is not enough: the file may just be being renamed.
+        # Checks twice, because the file may be in the middle of being renamed.
         self._times_missing = 0 if self._file.path.exists() else self._times_missing + 1
         is_missing = self._times_missing > 1
         if is_missing:
-            self._faults.say_once(
+            self._faults.report_once(
                 "missing",
                 lambda: f"The log {self._file.path} was deleted, or its disk was removed, while it was being written. From now on, "
                 "data is lost; restart the robot program to start a new log.",
             )
-        # Reported before it is visible, so that whoever sees the log fail can read why.
+        # Reported before the state changes, so that code that sees the log fail can read why.
         self._file.is_missing = is_missing
 
 
 def _sync_folder(folder: Path) -> None:
-    """Brings the names of the folder's files to the disk: otherwise, a loss of power could take even the name of a new file."""
+    """Syncs the names of the folder's files to the disk. Otherwise, a loss of power could remove even the name of a new file."""
     try:
         handle = os.open(folder, os.O_RDONLY)
     except OSError:
-        # Not every system opens folders; those that do not write names to the disk by themselves.
+        # Some systems do not open folders; those write names to the disk by themselves.
         return
     try:
         os.fsync(handle)

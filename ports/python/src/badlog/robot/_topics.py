@@ -1,7 +1,7 @@
 """The columns of a log.
 
-A row is made in three steps: `sample` calls the robot's code, without any lock held, because that code may do anything; `commit`
-makes all samples the current ones at once, and `cell` returns their text, both under the log's lock.
+A row is made in three steps: `sample` calls the robot's code, without holding any lock, because that code may do anything; `commit` makes all
+samples current at once; `cell` returns their text. The last two run under the log's lock.
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ NumberFormatter = Callable[[float], str]
 
 
 class DataInferMode(Enum):
-    """What a subscriber topic's cell holds if nothing was published since the last `update_topics`."""
+    """The content of a subscriber topic's cell if nothing was published since the last `update_topics`."""
 
     DEFAULT = "default"
     """The default, `BadLog.DEFAULT_DATA`."""
     LAST = "last"
-    """What was published last; the default before anything was."""
+    """The last published value; the default until there is one."""
 
 
 class NumberText:
-    """How a log's numbers become text: by the format's own rules, or by the program's `function` once it is set.
+    """Converts a log's numbers to text: by the format's own rules, or by the program's `function` once it is set.
 
-    A number keeps the function that was set when it was supplied or published.
+    The function that was set when a number was supplied or published converts it.
     """
 
     def __init__(self, faults: Faults) -> None:
         self._faults = faults
         self.function: NumberFormatter | None = None
         self.current: NumberFormatter | None = None
-        """What `function` was when the current values were supplied."""
+        """The value of `function` when the current values were supplied."""
 
     def cell(self, value: float, function: NumberFormatter | None, topic: Topic) -> bytes:
         if function is None:
@@ -66,7 +66,7 @@ class Topic(ABC):
         self.unit = unit
         self.attributes = tuple(attributes)
         self.is_x_axis = "xaxis" in self.attributes
-        """Whether it is the x of all other topics, which needs more digits than they do."""
+        """Whether it is the x axis of all other topics, which needs more digits than they do."""
 
     def sample(self) -> None:
         """Calls the robot's code, if the topic has a callable."""
@@ -80,7 +80,7 @@ class Topic(ABC):
 
 
 class QueriedTopic(Topic):
-    """A topic whose value the log gets by calling the robot's code. A failed call leaves a gap."""
+    """A topic with values from a supplier in the robot's code. A failed call leaves a gap."""
 
     def __init__(
         self,
@@ -119,10 +119,9 @@ class QueriedTopic(Topic):
 
 
 class SubscribedTopic(Topic):
-    """A topic whose value the robot's code publishes, from any thread, at any time.
+    """A topic with values that the robot's code publishes, from any thread, at any time.
 
-    Because it has a lock of its own, publishers never wait for a write. If it is an event log, it also takes the log's own events, in rows in which
-    it has no new text.
+    It has its own lock, so publishers never wait for a write. An event log also takes the log's own events, in rows without a new text.
     """
 
     def __init__(self, name: str, unit: str, attributes: Sequence[str], mode: DataInferMode, text: NumberText, texts: EventTexts) -> None:
@@ -163,7 +162,7 @@ class SubscribedTopic(Topic):
 
 
 class EventTopic(Topic):
-    """A topic of events: each row takes all that happened since the row before, no matter how often the topics were updated."""
+    """A topic of events: each row has all events since the previous row, however often the topics were updated."""
 
     def __init__(self, name: str, texts: EventTexts) -> None:
         super().__init__(name, UNITLESS, ("log",))

@@ -1,4 +1,4 @@
-"""Logs what a robot does into a bag: the original's functions, named as Python names them."""
+"""Logs a robot's data into a bag, with the original's functions under Python's usual names."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Events:
     def event(self, text: str) -> None:
         """Logs that something happened. The event is in the next row; several events of one row are joined in order by `; `.
 
-        Never raises; blank texts, and what is not a text, are ignored.
+        Never raises; blank texts, and anything but a text, are ignored.
         """
         if isinstance(text, str) and text.strip():
             self._topic.texts.add(text)
@@ -57,15 +57,15 @@ class BadLog:
     """A log. There is one at a time: `init` starts it, the class's functions create topics and values, `finish_initialization`
     writes the header, and then each loop calls `update_topics` and `log`.
 
-    While a log is set up, mistakes raise. What a robot calls in its loop, `update_topics`, `log`, `flush` and publishing, never raises.
-    A failure leaves a gap, or the call is ignored; it is counted (see `counters`), reported once on standard error, and noted in the
-    log's first event log, if there is one. All functions may be called from any thread.
+    While a log is set up, mistakes raise. The functions that a robot calls in its loop, `update_topics`, `log`, `flush` and those that
+    publish, never raise. A failure leaves a gap, or the call is ignored; it is counted (see `counters`), reported once on standard error, and
+    noted in the log's first event log, if there is one. All functions may be called from any thread.
     """
 
     UNITLESS: ClassVar[str] = UNITLESS
     """The unit of data without a unit."""
     DEFAULT_DATA: ClassVar[str] = DEFAULT_DATA
-    """What stands in a subscriber's cell when there is nothing to put there."""
+    """The content of a subscriber topic's cell without a value."""
 
     _current: ClassVar[BadLog | None] = None
     _starting: ClassVar[threading.Lock] = threading.Lock()
@@ -80,7 +80,7 @@ class BadLog:
         If the file cannot be created, this is reported on standard error, and nothing is logged.
 
         Args:
-            path: Where to write, such as `/home/lvuser/logs/match.bag`.
+            path: The path of the file, such as `/home/lvuser/logs/match.bag`.
             compress: True to write a gzip file; then `.gz` is added to the path.
             flush: True to write each row at once, False to write the rows of about a quarter of a second together.
         """
@@ -89,7 +89,7 @@ class BadLog:
         with cls._starting:
             before = BadLog._current
             if before is not None and before.state is not LogState.CLOSED:
-                _standard_error.say("A new log was started while another was open; the other one was closed.")
+                _standard_error.print_soon("A new log was started while another was open; the other one was closed.")
                 before.close()
             BadLog._current = log
         session.open(Path(f"{os.fspath(path)}.gz" if compress else path), compress)
@@ -134,7 +134,7 @@ class BadLog:
 
     @classmethod
     def create_topic_subscriber(cls, name: str, unit: str, mode: DataInferMode, *attrs: str) -> None:
-        """Creates a topic whose values are published. `mode` decides its value if nothing was. Otherwise like `create_topic`."""
+        """Creates a topic for published values. `mode` decides its value if nothing was published. Otherwise like `create_topic`."""
         cls.create_publisher(name, unit, mode, *attrs)
 
     @classmethod
@@ -171,7 +171,7 @@ class BadLog:
         self._session.finish_setup()
 
     def update_topics(self) -> None:
-        """Calls all suppliers, and takes over what was published. All rows until the next call have these values."""
+        """Calls all suppliers, and takes over the published values. All rows until the next call have these values."""
         self._session.update()
 
     def log(self) -> None:
@@ -194,16 +194,16 @@ class BadLog:
         self._session.set_syncing(enabled)
 
     def close(self) -> None:
-        """Writes what is still buffered, and closes the file. Later calls are ignored."""
+        """Writes the buffered rows, and closes the file. Later calls are ignored."""
         self._session.close()
 
     @property
     def state(self) -> LogState:
-        """What the log is doing."""
+        """The current state of the log."""
         return self._session.state
 
     def counters(self) -> LogCounters:
-        """What was written, lost and ignored so far."""
+        """The numbers of rows, cells and calls that were written, lost or ignored so far."""
         return self._session.faults.counters()
 
     def __enter__(self) -> BadLog:

@@ -16,10 +16,7 @@ private external fun require(module: String): dynamic
 
 private const val ROUNDS = 8
 
-/**
- * Prints how many megabytes per second core parses on Node: the best of some rounds over a synthetic bag, or over the
- * file in the argument.
- */
+/** Prints the speed of core's parser on Node in MB/s: the best of some rounds over a synthetic bag, or over the file in the argument. */
 fun main() {
     val file = process.argv.getOrNull(2)
     val bag = if (file == null) syntheticBag() else bytesOf(file)
@@ -39,7 +36,7 @@ private fun bytesOf(file: String): ByteArray {
     return js("new Int8Array(buffer.buffer, buffer.byteOffset, buffer.length)").unsafeCast<ByteArray>()
 }
 
-/** A table of 20,000 rows of 50 noisy sines. */
+/** Returns a bag of 20,000 rows of 50 noisy sines. */
 private fun syntheticBag(): ByteArray {
     val writer = RowWriter()
     repeat(50) { writer.text("Signal $it") }

@@ -19,7 +19,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** What one series of a million samples costs: a zoom on a screen 1,600 columns wide, a derivation, its statistics. */
+/** Measures operations on a series of a million samples: a zoom on a screen 1,600 columns wide, a derivation, and statistics. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)

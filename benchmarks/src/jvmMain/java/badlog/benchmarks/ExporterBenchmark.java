@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Measures the installed {@code badlog-html} as its user would: the whole process, Java's start included. The time that
- * {@code gzip -6} takes for the same bag in the same run is listed beside it, because machines are noisy.
+ * Measures the installed {@code badlog-html} as its user would: the whole process, Java's start included. Each time is listed beside that
+ * of {@code gzip -6} for the same bag in the same run, because machines are noisy.
  *
  * <p>Arguments: the program, the folder to work in, the file for the results, and a folder of bags or nothing.
  */

@@ -20,7 +20,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Answers a question about one match: 7,500 rows of 50 topics. Reading the file is not part of it. */
+/** Measures the time to answer a question about one match of 7,500 rows of 50 topics, without reading the file. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -47,7 +47,7 @@ public class ExpressionBenchmark {
         windows = (Expression) Expression.Companion.parse(WINDOWS, signals.getVocabulary());
     }
 
-    /** The same question to the same match again. */
+    /** Asks the same question about the same match again. */
     @Benchmark
     public Answer answer() {
         return question.answer(signals);
@@ -58,7 +58,7 @@ public class ExpressionBenchmark {
         return windows.answer(signals);
     }
 
-    /** The first question to a match, after it was asked of another match with the same topics. */
+    /** Asks a question about a match after the same question about another match with the same topics. */
     @Benchmark
     public Answer firstAnswer() {
         LogViewSignals fresh = new LogViewSignals(view);
@@ -66,7 +66,7 @@ public class ExpressionBenchmark {
         return question.answer(fresh);
     }
 
-    /** The first question to a match with topics of its own. */
+    /** Asks the first question about a match with topics of its own. */
     @Benchmark
     public ParsedExpression parse() {
         return Expression.Companion.parse(QUESTION, new Vocabulary(signals.getVocabulary().getSignals()));

@@ -6,9 +6,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/**
- * A folder of bags like those of a season: matches of two and a half minutes with 51 columns. Some differ, the others are copies of them.
- */
+/** A folder of bags like a season's: matches of two and a half minutes with 51 columns. Some differ, the others are copies. */
 final class LakeBags {
     private static final int DIFFERENT = 20;
     private static final int ROWS = 7_500;
@@ -17,7 +15,7 @@ final class LakeBags {
     private LakeBags() {
     }
 
-    /** Makes {@code count} bags in {@code folder}, if they are not there yet. */
+    /** Makes {@code count} bags in {@code folder}, if they do not exist yet. */
     static void make(Path folder, int count) throws IOException {
         Files.createDirectories(folder);
         for (int number = 1; number <= count; number++) {

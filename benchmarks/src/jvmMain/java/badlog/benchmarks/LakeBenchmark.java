@@ -15,12 +15,11 @@ import java.util.stream.Stream;
 import kotlin.Unit;
 
 /**
- * Measures a lake of many bags: making it, compared with Polars and pandas, which turn the same rows into Parquet files and do nothing
- * else; refreshing it when nothing is new; and querying it. Programs are measured as their users would, Java's and Python's start
- * included.
+ * Measures making a lake of many bags, refreshing it without changes, and querying it. Making it is compared with Polars and pandas, which
+ * only convert the same rows to Parquet files. Programs are measured as their users would, including the start of Java and Python.
  *
- * <p>Arguments: the program {@code badlog}, the folder to work in, the file for the results, the number of bags, the number of rounds,
- * and a Python with Polars and pandas.
+ * <p>Arguments: the program {@code badlog}, the folder to work in, the file for the results, the number of bags, the number of rounds, and
+ * a Python with Polars and pandas.
  */
 public final class LakeBenchmark {
     private static final int SHORT_ROUNDS = 5;
@@ -79,7 +78,7 @@ public final class LakeBenchmark {
                 polars.add(written("polars", python, "-c", POLARS));
             }
             lake.add(written("lake", program, "lake", bags.toString(), "--out", work.resolve("lake").toString()));
-            // Once, because pandas takes the longest, and the ratio is to Polars.
+            // Only once, because pandas takes the longest, and ratios are relative to Polars.
             if (hasPython && round == 0) {
                 pandas.add(written("pandas", python, "-c", PANDAS));
             }

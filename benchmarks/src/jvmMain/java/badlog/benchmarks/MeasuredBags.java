@@ -10,17 +10,14 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
-/**
- * The bags that whole programs are measured on: those of a given folder, or otherwise three of 50 topics, which are
- * made once.
- */
+/** The bags for measuring whole programs: a given folder's bags, otherwise three bags of 50 topics, which are made once. */
 final class MeasuredBags {
     private static final int[] ROWS = {7_500, 100_000, 1_000_000};
 
     private MeasuredBags() {
     }
 
-    /** Returns the bags, smallest first; those that are made are in the folder {@code made}. */
+    /** Returns the bags, smallest first; synthetic ones are made in the folder {@code made}. */
     static List<Path> find(String given, Path made) throws IOException {
         if (!given.isEmpty()) {
             try (Stream<Path> files = Files.list(Path.of(given))) {

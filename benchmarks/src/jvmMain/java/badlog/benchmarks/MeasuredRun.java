@@ -11,7 +11,7 @@ record MeasuredRun(double seconds, long peakKilobytes) {
         return of(Map.of(), command);
     }
 
-    /** Runs {@code command} with {@code environment} added to that of this process. */
+    /** Runs {@code command} with {@code environment} added to this process's environment. */
     static MeasuredRun of(Map<String, String> environment, String... command) throws IOException, InterruptedException {
         ProcessBuilder builder = new ProcessBuilder(command)
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)

@@ -18,12 +18,12 @@ import org.openqa.selenium.chrome.ChromeOptions;
 import org.openqa.selenium.interactions.Actions;
 
 /**
- * Measures exported pages in headless Chromium: the time from opening to the first graphs, the memory that JavaScript holds
- * then, and how long a zoom by mouse takes to reach all graphs on screen; the same zoom with ten graphs on the board, and with the
- * processor slowed down six times, to about that of a phone.
+ * Measures exported pages in headless Chromium: the time from opening to the first graphs, the memory of JavaScript then, and the time
+ * until a zoom by mouse has reached all graphs on screen. The zoom is also measured with ten graphs on the board, and with the processor
+ * slowed down six times, to about a phone's speed.
  *
- * <p>Arguments: the program that exports, the folder to work in, the file for the results, and a folder of bags or nothing.
- * Needs {@code chromium} and {@code chromedriver} on the PATH.
+ * <p>Arguments: the program that exports, the folder to work in, the file for the results, and a folder of bags or nothing. Needs {@code
+ * chromium} and {@code chromedriver} on the PATH.
  */
 public final class PageBenchmark {
     private static final int ZOOMS = 6;
@@ -83,8 +83,8 @@ public final class PageBenchmark {
     }
 
     /**
-     * Returns the table's line for a page with a board of {@link #BOARD} short graphs, given in its address, on a screen high
-     * enough to draw all of them.
+     * Returns the table's line for a page with a board of {@link #BOARD} short graphs. The address contains the board, and the screen is
+     * high enough to draw all of them.
      */
     private static String measureBoard(Path bag, Path page) throws Exception {
         ChromeDriver browser = start();
@@ -115,7 +115,7 @@ public final class PageBenchmark {
         return ((List<?>) names).stream().map(String::valueOf).toList();
     }
 
-    /** A name as the text of a board has it. */
+    /** Returns a name in the form used in the text of a board. */
     private static String escaped(String name) {
         StringBuilder text = new StringBuilder();
         name.chars().forEach(c -> {
@@ -135,7 +135,7 @@ public final class PageBenchmark {
         options.setBinary(onPath("chromium"));
         options.addArguments("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-sync");
-        // Given, because Selenium would otherwise download a driver.
+        // Set explicitly, because Selenium would otherwise download a driver.
         ChromeDriverService service = new ChromeDriverService.Builder()
             .usingDriverExecutable(onPath("chromedriver"))
             .build();
@@ -155,7 +155,7 @@ public final class PageBenchmark {
         throw new IllegalStateException("The page is measured with " + program + ", which is not on the PATH.");
     }
 
-    /** The shortest of three times of {@link #open}; of only one if the page is huge. */
+    /** Returns the shortest of three times of {@link #open}, or a single time if the page is huge. */
     private static double quickest(ChromeDriver browser, Path page, String address) throws Exception {
         double opened = Double.MAX_VALUE;
         int rounds = MeasuredBags.size(page) > 100_000_000 ? 1 : 3;
@@ -165,7 +165,7 @@ public final class PageBenchmark {
         return opened;
     }
 
-    /** Seconds from the start of loading to the first graphs. */
+    /** Returns the time from the start of loading to the first graphs, in s. */
     static double open(ChromeDriver browser, String page) throws InterruptedException {
         browser.get("about:blank");
         browser.get(page);
@@ -180,7 +180,7 @@ public final class PageBenchmark {
         throw new IllegalStateException("No graphs appeared within a minute in " + page);
     }
 
-    /** Megabytes of live objects and of the arrays outside the heap, after a collection. */
+    /** Returns the size of live objects and of arrays outside the heap after a collection, in MB. */
     private static double memory(ChromeDriver browser) {
         browser.executeCdpCommand("HeapProfiler.enable", Map.of());
         browser.executeCdpCommand("HeapProfiler.collectGarbage", Map.of());
@@ -195,9 +195,8 @@ public final class PageBenchmark {
     }
 
     /**
-     * The page's own {@code measure} of some zooms by mouse in one of {@code graphs}, in milliseconds, sorted:
-     * {@code badlog-zoom} lasts from the change of the range until all graphs on screen are drawn, {@code badlog-zoom-script} is the
-     * script's part of that.
+     * Returns the page's own {@code measure} of some zooms by mouse in one of {@code graphs}, in ms, sorted. {@code badlog-zoom} lasts from
+     * the change of the range until all graphs on screen are drawn, {@code badlog-zoom-script} is the script's share of that.
      */
     private static List<Double> zooms(ChromeDriver browser, String measure, String graphs, int place) throws InterruptedException {
         awaitRules(browser);
@@ -219,12 +218,12 @@ public final class PageBenchmark {
         return times.stream().sorted().toList();
     }
 
-    /** The graph at {@code place}; not the first, because the screen around the header and the values is not full of graphs. */
+    /** Returns the graph at {@code place}; not the first one, because header and values take part of the screen around it. */
     private static WebElement graph(ChromeDriver browser, String graphs, int place) {
         return browser.findElements(By.cssSelector(graphs)).get(place);
     }
 
-    /** Waits until the rules have run: they would take time from what is measured, and listing their findings moves the graphs. */
+    /** Waits until the rules have run: they would slow down the measured zooms, and listing their findings moves the graphs. */
     private static void awaitRules(ChromeDriver browser) throws InterruptedException {
         for (int tries = 0; tries < 6000; tries++) {
             if (Boolean.TRUE.equals(browser.executeScript("return 'rules' in document.documentElement.dataset"))) {

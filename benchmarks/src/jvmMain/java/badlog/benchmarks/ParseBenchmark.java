@@ -19,7 +19,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Parses a bag: 20,000 rows of 50 topics, 7 MB, unless {@code -Dbag=FILE} names another. */
+/** Measures parsing a bag: 20,000 rows of 50 topics, 7 MB, unless {@code -Dbag=FILE} names another. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -27,7 +27,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 @Fork(value = 1, jvmArgsAppend = {"-Xmx1g", "-XX:+UseSerialGC"})
 public class ParseBenchmark {
-    /** The megabytes that were parsed; JMH shows them as megabytes per second. */
+    /** The number of megabytes parsed; JMH shows it as megabytes per second. */
     @State(Scope.Thread)
     @AuxCounters(AuxCounters.Type.OPERATIONS)
     public static class Megabytes {

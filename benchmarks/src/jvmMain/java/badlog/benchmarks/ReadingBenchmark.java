@@ -16,12 +16,11 @@ import java.util.Locale;
 import kotlin.Unit;
 
 /**
- * Measures how long the window's way of reading takes, from a file in the disk's cache to a recording with all samples, on
- * one core and on all. If Polars is installed in Python, its {@code read_csv} reads the same rows in turn, because machines
- * are noisy.
+ * Measures the time of reading a file as the window does, on one core and on all. The file is in the disk's cache, and the result is a
+ * recording with all samples. If Polars is installed in Python, its {@code read_csv} reads the same rows in turn, because machines are
+ * noisy.
  *
- * <p>Arguments: a program, which is not used, the folder to work in, the file for the results, and a folder of bags or
- * nothing.
+ * <p>Arguments: a program, which is not used, the folder to work in, the file for the results, and a folder of bags or nothing.
  */
 public final class ReadingBenchmark {
     private static final int ROUNDS = 7;

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 
-/** A bag of noisy sines at 50 Hz, the same at every call, so that the results of two runs can be compared. */
+/** A bag of noisy sines at 50 Hz. It is the same at every call, so that the results of two runs can be compared. */
 final class SyntheticBag {
     private static final int SEED = 1014;
 
@@ -41,7 +41,8 @@ final class SyntheticBag {
     }
 
     /**
-     * The bag of match {@code number}, whose samples differ from those of other matches. Its first topic after the time is the battery's voltage.
+     * Writes the bag of match {@code number}, with samples unlike any other match's. Its first topic after the time is the battery's
+     * voltage.
      */
     static void writeMatch(OutputStream out, int rows, int topics, int number) throws IOException {
         List<BagTopic> described = new ArrayList<>();

@@ -9,9 +9,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
 
-/**
- * A WPILOG as a robot writes it: mostly numbers at 50 Hz, some poses, arrays, truth values and texts; the same at every call.
- */
+/** A WPILOG like a robot's: mostly numbers at 50 Hz, and some poses, arrays, truth values and texts. It is the same at every call. */
 final class SyntheticWpilog {
     private static final int NUMBERS = 60;
     private static final int POSE = NUMBERS + 1;
@@ -29,7 +27,7 @@ final class SyntheticWpilog {
         this.out = out;
     }
 
-    /** A log of at least {@code size} bytes. */
+    /** Returns a log of at least {@code size} bytes. */
     static byte[] of(long size) {
         ByteArrayOutputStream log = new ByteArrayOutputStream((int) size + (1 << 16));
         try {

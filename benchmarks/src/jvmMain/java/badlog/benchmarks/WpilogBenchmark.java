@@ -19,7 +19,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Parses a WPILOG: 100 MB, unless {@code -Dwpilog=FILE} names another. */
+/** Measures parsing a WPILOG of 100 MB, unless {@code -Dwpilog=FILE} names another. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.Throughput)
 @OutputTimeUnit(TimeUnit.SECONDS)
@@ -27,7 +27,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 @Fork(value = 1, jvmArgsAppend = {"-Xmx1500m", "-XX:+UseSerialGC"})
 public class WpilogBenchmark {
-    /** The megabytes that were parsed; JMH shows them as megabytes per second. */
+    /** The number of megabytes parsed; JMH shows it as megabytes per second. */
     @State(Scope.Thread)
     @AuxCounters(AuxCounters.Type.OPERATIONS)
     public static class Megabytes {

@@ -7,7 +7,7 @@ import badlog.window.topics.TopicPane
 
 /** The panel at the right of [viewer]. */
 @Composable
-internal fun TestInspector(viewer: Viewer) = with(viewer) { InspectorPane(current, compared, board, view, events, findings, since, notes, video, todo, panels, actions::send) }
+internal fun TestInspector(viewer: Viewer) = with(viewer) { InspectorPane(current, compared, board, view, events, findings, since, notes, video, todo, panels, store::send) }
 
 /** The topics of [viewer]. */
 @Composable

@@ -5,24 +5,24 @@ import java.io.IOException
 import java.io.RandomAccessFile
 
 /**
- * A file that only grows, by one `write` for each [append]. A failed [append] leaves the file unchanged.
+ * A file that only grows: one `write` for each [append]. A failed [append] leaves the file unchanged.
  *
  * It uses a [RandomAccessFile] because interrupting a thread does not close it, unlike a channel, and because it
  * writes up to 8 kB via the stack, without allocating a buffer.
  *
- * Guarded by the lock of those who write to it, except [sync] and [close]: a disk may take long for a sync, and nobody waits for it.
+ * Guarded by its writers' lock, except [sync] and [close]: a sync may take long, and no writer waits for it.
  *
  * @param file created or truncated; missing folders are created.
  * @param move renames a file, or returns false.
  * @throws IOException if that fails.
  */
 internal class AppendFile(private var file: File, private val move: (from: File, to: File) -> Boolean = File::renameTo) {
-    // While one of these is replaced or closed, nobody syncs it.
+    // Held while the file is synced, replaced or closed.
     private val syncing = Any()
     private var access: RandomAccessFile
     private var isClosed = false
 
-    /** Whether [access] is no longer, or not yet again, the file. */
+    /** Whether [access] was closed for renaming and is not reopened yet. */
     private var isDetached = false
     private var isTorn = false
 
@@ -83,7 +83,7 @@ internal class AppendFile(private var file: File, private val move: (from: File,
         try {
             access.close()
         } catch (_: IOException) {
-            // Whatever was written is in the file, or counted as missed.
+            // Everything written is in the file, or counted as missed.
         }
         val isRenamed = move(file, to)
         if (isRenamed) file = to

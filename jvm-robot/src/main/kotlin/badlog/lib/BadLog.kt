@@ -10,8 +10,8 @@ import java.util.function.LongSupplier
 import java.util.function.Supplier
 
 /**
- * Logs what a robot does into a bag. There is one log at a time: [init] starts it, the static functions create topics
- * and values, [finishInitialization] writes the header, and then each loop calls [updateTopics] and [log].
+ * Logs a robot's data into a bag. There is one log at a time: [init] starts it, the static functions create topics and values,
+ * [finishInitialization] writes the header, and then each loop calls [updateTopics] and [log].
  *
  * While a log is set up, mistakes are exceptions. The functions that a robot calls in its loop, [updateTopics], [log],
  * [flush] and those that publish, never throw. A failure leaves a gap, or the call is ignored; it is counted (see
@@ -20,10 +20,13 @@ import java.util.function.Supplier
  * All functions may be called from any thread. Suppliers are called on the thread that calls [updateTopics].
  */
 public class BadLog private constructor(private val session: LogSession) : AutoCloseable {
-    /** What the log is doing. */
+    /** The current state of the log. */
     public val state: LogState get() = session.state
 
-    /** Returns what was written, lost and ignored so far. Allocates an object, so it is not meant for every loop. */
+    /**
+     * Returns the numbers of rows, cells and calls that were written, lost or ignored so far. Allocates an object, so it is not meant for
+     * every loop.
+     */
     public fun counters(): LogCounters = session.faults.counters.snapshot()
 
     /**
@@ -33,7 +36,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
      */
     public fun finishInitialization(): Unit = session.finishSetup()
 
-    /** Calls all suppliers, and takes over what was published. All rows until the next call have these values. */
+    /** Calls all suppliers, and takes over the published values. All rows until the next call have these values. */
     public fun updateTopics(): Unit = session.update()
 
     /** Writes a row with the values from the last [updateTopics]. */
@@ -58,14 +61,14 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
      */
     public fun setSyncing(enabled: Boolean): Unit = session.setSyncing(enabled)
 
-    /** Writes what is still buffered, and closes the file. Later calls are ignored. */
+    /** Writes the buffered rows, and closes the file. Later calls are ignored. */
     override fun close(): Unit = session.close()
 
     public companion object {
         /** The unit of data that has none. */
         public const val UNITLESS: String = "ul"
 
-        /** The content of a subscriber topic's cell when there is no value. */
+        /** The content of a subscriber topic's cell without a value. */
         public const val DEFAULT_DATA: String = "-1.0"
 
         @Volatile
@@ -84,7 +87,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
          * log, it is closed first. If the file cannot be created, this is reported on standard error, and nothing is
          * logged.
          *
-         * @param path where to write, such as `/home/lvuser/logs/match.bag`.
+         * @param path the path of the file, such as `/home/lvuser/logs/match.bag`.
          * @param compress true to write a gzip file; then `.gz` is added to [path].
          * @param flush true to write each row at once, false to write the rows of about a quarter of a second
          * together.
@@ -144,10 +147,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
             session.add(LongTopic(described(name, unit, attrs), session.faults, given(supplier, "supplier")))
         }
 
-        /**
-         * Creates a topic whose values are published. [mode] decides its value if nothing was published. Otherwise
-         * like [createTopic].
-         */
+        /** Creates a topic for published values. [mode] decides its value if nothing was published. Otherwise like [createTopic].  */
         @JvmStatic
         public fun createTopicSubscriber(name: String, unit: String?, mode: DataInferMode, vararg attrs: String?) {
             createPublisher(name, unit, mode, *attrs)
@@ -195,13 +195,13 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         internal fun start(session: LogSession): BadLog {
             val before = current
             if (before != null && before.state != LogState.CLOSED) {
-                StandardError.say("A new log was started while another was open; the other one was closed.")
+                StandardError.print("A new log was started while another was open; the other one was closed.")
                 before.close()
             }
             return BadLog(session).also { current = it }
         }
 
-        /** Java may pass null, which is better reported during setup than in the robot's loop. */
+        /** Rejects a null from Java during setup, rather than in the robot's loop. */
         private fun <T : Any> given(argument: T, what: String): T =
             Objects.requireNonNull(argument, "The $what of a topic is null; give it one.")
 

@@ -9,7 +9,7 @@ public class DuplicateNameException internal constructor(message: String?) : Run
     }
 }
 
-/** Never thrown: unusual names only cause a warning. Kept for programs that mention it. */
+/** Never thrown, because unusual names only cause a warning. It exists for programs that mention it. */
 public class InvalidNameException : RuntimeException() {
     private companion object {
         const val serialVersionUID: Long = -2518114606252953907L
@@ -17,9 +17,8 @@ public class InvalidNameException : RuntimeException() {
 }
 
 /**
- * Thrown during setup if something is done too early or too late: a topic is created before [BadLog.init] or after
- * [BadLog.finishInitialization], or the latter is called twice. Never thrown by the functions that a robot calls in
- * its loop.
+ * Thrown during setup by a call that is too early or too late. Either a topic is created before [BadLog.init] or after
+ * [BadLog.finishInitialization], or the latter is called twice. Never thrown by the functions that a robot calls in its loop.
  */
 public class InvalidModeException internal constructor(message: String?) : RuntimeException(message) {
     public constructor() : this(null)

@@ -5,7 +5,7 @@ import java.io.IOException
 import java.util.zip.CRC32
 import java.util.zip.Deflater
 
-/** Where the bytes of a bag go. */
+/** The destination of a bag's bytes. */
 internal interface BagOutput {
     /** The current length of the file in bytes. */
     val length: Long
@@ -13,7 +13,7 @@ internal interface BagOutput {
     /** @throws IOException if the bytes could not be written; the file is then unchanged. */
     fun append(bytes: ByteArray, size: Int)
 
-    /** Writes what belongs at the end of the file. */
+    /** Writes the end of the file. */
     fun finish()
 
     /** Waits until everything is on the disk. */
@@ -40,10 +40,7 @@ internal class PlainOutput(private val file: AppendFile) : BagOutput {
     override fun close() = file.close()
 }
 
-/**
- * A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush), so that everything appended can be
- * inflated from a file that was cut anywhere after it.
- */
+/** A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush). So a file that is cut later can be inflated up to there.  */
 internal class GzipOutput(private val file: AppendFile) : BagOutput {
     private val deflater = Deflater(Deflater.DEFAULT_COMPRESSION, true)
     private val checksum = CRC32()
@@ -86,7 +83,7 @@ internal class GzipOutput(private val file: AppendFile) : BagOutput {
         try {
             file.append(packed, packedSize)
         } catch (failure: IOException) {
-            // What follows must not refer back to bytes that are not in the file. The stream continues from the last success.
+            // The following bytes must not refer to bytes that are not in the file. The stream continues from the last success.
             deflater.reset()
             throw failure
         }

@@ -1,6 +1,6 @@
 package badlog.lib
 
-/** What a subscriber topic's cell holds if nothing was published since the last [BadLog.updateTopics]. */
+/** The content of a subscriber topic's cell if nothing was published since the last [BadLog.updateTopics]. */
 public enum class DataInferMode {
     /** The default, [BadLog.DEFAULT_DATA]. */
     DEFAULT,

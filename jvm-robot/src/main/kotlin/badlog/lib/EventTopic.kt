@@ -19,16 +19,13 @@ internal class EventTopic(name: String, override val texts: EventTexts) :
     }
 }
 
-/** A column in which the log itself can note what went wrong. */
+/** A column in which the log itself can note faults. */
 internal interface EventSink {
     /** The texts that wait for the next row that has room. */
     val texts: EventTexts
 }
 
-/**
- * Events that wait for a row, and those of rows that are not written yet: if writing fails, they wait again.
- * Thread-safe.
- */
+/** Events that wait for a row, and events in rows that are not written yet. If writing fails, the latter wait again. Thread-safe.  */
 internal class EventTexts(private val dropped: AtomicLong) {
     private val waiting = StringBuilder()
     private val taken = StringBuilder()

@@ -3,14 +3,14 @@ package badlog.lib
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Handles everything that goes wrong in a robot's loop: each fault is counted every time, reported once by
- * [StandardError], and noted as an event in the log if that has [room] for events. Never throws.
+ * Handles the faults in a robot's loop. Each is counted every time, reported once by [StandardError], and noted as an event if the log has
+ * [room] for events. Never throws.
  *
  * Messages are built only when they are reported, so that a fault in each loop does not produce garbage in each.
  */
 internal class Faults(val counters: Counters) {
-    // Three sets, because names that a program makes up must not clash with each other or with the log's own subjects.
-    private val said = ConcurrentHashMap.newKeySet<String>()
+    // Three sets, because a program's names must not clash with each other or with the log's own subjects.
+    private val reported = ConcurrentHashMap.newKeySet<String>()
     private val ignoredCalls = ConcurrentHashMap.newKeySet<String>()
     private val ignoredNames = ConcurrentHashMap.newKeySet<String>()
 
@@ -23,24 +23,24 @@ internal class Faults(val counters: Counters) {
 
     inline fun cellMissed(topic: Topic, what: () -> String) {
         counters.cellsMissed.incrementAndGet()
-        if (topic.isFaultSaid) return
-        topic.isFaultSaid = true
-        say("The topic \"${topic.name}\" ${what()}, so its cell is empty. Further gaps of this topic are only counted.")
+        if (topic.isFaultReported) return
+        topic.isFaultReported = true
+        report("The topic \"${topic.name}\" ${what()}, so its cell is empty. Further gaps of this topic are only counted.")
     }
 
     /** Handles a call that is ignored. Each different [about] is reported once. */
     inline fun callIgnored(about: String, why: () -> String) {
-        if (isNewCall(about)) say(why())
+        if (isNewCall(about)) report(why())
     }
 
-    /** Handles something published to [name] that is ignored. */
+    /** Handles a value that was published to [name] but is ignored. */
     inline fun publishIgnored(name: String?, why: () -> String) {
-        if (isNewName(name ?: "")) say(why())
+        if (isNewName(name ?: "")) report(why())
     }
 
     /** Reports [message], unless something was already reported about [about], which is one of the log's own few subjects. */
-    inline fun sayOnce(about: String, message: () -> String) {
-        if (isNew(about)) say(message())
+    inline fun reportOnce(about: String, message: () -> String) {
+        if (isNew(about)) report(message())
     }
 
     /** Keeps [text] for the next row that has room. May be called from any thread. */
@@ -48,24 +48,24 @@ internal class Faults(val counters: Counters) {
         room?.texts?.add(text)
     }
 
-    fun say(message: String) {
-        StandardError.say(message)
+    fun report(message: String) {
+        StandardError.print(message)
         note(message)
     }
 
-    fun isNew(about: String): Boolean = said.add(about)
+    fun isNew(about: String): Boolean = reported.add(about)
 
-    fun isNewCall(about: String): Boolean = isCountedNew(ignoredCalls, about)
+    fun isNewCall(about: String): Boolean = countIgnored(ignoredCalls, about)
 
-    fun isNewName(name: String): Boolean = isCountedNew(ignoredNames, name)
+    fun isNewName(name: String): Boolean = countIgnored(ignoredNames, name)
 
-    private fun isCountedNew(before: MutableSet<String>, about: String): Boolean {
+    private fun countIgnored(before: MutableSet<String>, about: String): Boolean {
         counters.callsIgnored.incrementAndGet()
         return before.size < MAX_MESSAGES && before.add(about)
     }
 
     private companion object {
-        // A limit, so that a program that makes up names cannot fill the memory with them.
+        // A limit, so that a program that invents names cannot fill the memory with them.
         const val MAX_MESSAGES = 100
     }
 }

@@ -3,7 +3,7 @@ package badlog.lib
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * What a log has written, lost and ignored since [BadLog.init], as of one moment.
+ * The numbers of rows, cells and calls that a log has written, lost or ignored since [BadLog.init], at one moment.
  *
  * @property rowsWritten rows that were passed to the operating system, except those written to a file known to be
  * deleted.
@@ -47,19 +47,19 @@ internal class Counters {
     val callsIgnored = AtomicLong()
     val eventsDropped = AtomicLong()
 
-    fun rowTook(nanos: Long) {
+    fun addRowTime(nanos: Long) {
         if (nanos > slowestRow.get()) slowestRow.set(nanos)
     }
 
-    fun writeTook(nanos: Long) {
+    fun addWriteTime(nanos: Long) {
         if (nanos > SLOW_NANOS) slowWrites.incrementAndGet()
     }
 
-    fun wrote(rows: Int) {
+    fun addWrittenRows(rows: Int) {
         rowsWritten.addAndGet(rows.toLong())
     }
 
-    fun grewTo(fileLength: Long) = bytesWritten.set(fileLength)
+    fun setFileLength(fileLength: Long) = bytesWritten.set(fileLength)
 
     fun snapshot(): LogCounters = LogCounters(
         rowsWritten = rowsWritten.get(),

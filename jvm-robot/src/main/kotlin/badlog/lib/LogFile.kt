@@ -26,7 +26,7 @@ internal class LogFile(path: File, val output: BagOutput) {
         try {
             output.close()
         } catch (failure: IOException) {
-            faults.sayOnce("close") {
+            faults.reportOnce("close") {
                 "The log $path could not be closed: ${describe(failure)}. Its end may be missing."
             }
         }
@@ -52,7 +52,7 @@ internal class LogFile(path: File, val output: BagOutput) {
             }
 
         private fun refused(path: File, failure: Exception, faults: Faults): LogFile? {
-            faults.sayOnce("open") {
+            faults.reportOnce("open") {
                 "The log $path cannot be created: ${describe(failure)}. Nothing is logged; use a folder that " +
                     "exists and can be written to, such as /home/lvuser/logs."
             }
@@ -67,7 +67,7 @@ internal object LogName {
     private val LOG = Regex("FRC_.*\\.bag(\\.gz)?")
     private val TIME = DateTimeFormatter.ofPattern("yyyyMMdd_HHmmss").withZone(ZoneOffset.UTC)
 
-    /** Returns a name for a log whose time is unknown. */
+    /** Returns a name for a log of unknown time. */
     fun provisional(): String = PROVISIONAL + Random.nextLong().toULong().toString(16).padStart(16, '0')
 
     /** Returns the name of a log that began at [time]; [event] and [match] may be empty. */
@@ -86,20 +86,20 @@ internal object LogName {
         return file
     }
 
-    // The event's name comes from the field's system; do not rely on it having no slash.
+    // The event's name comes from the field's system, and may contain a slash.
     private fun safe(text: String) = text.filter { it.isLetterOrDigit() || it == '-' }
 }
 
-/** The folder of a robot's logs: how it is chosen, and what is deleted there when space runs out. */
+/** The folder of a robot's logs. Chooses the folder, and deletes old logs when space runs out. */
 internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) {
     /** Whether there is too little space to log at all. */
-    // A folder that is gone, such as on a stick that was pulled out, has no space either, but is not full.
+    // A missing folder, such as on a removed stick, has no space either, but is not full.
     val isFull: Boolean get() = path.isDirectory && freeBytes(path) < STOP_BYTES
 
     /** Deletes the oldest logs until there is enough space, but keeps ten. Returns the deleted files. */
     fun makeSpace(): List<File> {
         val logs = path.listFiles { file -> LogName.isLog(file.name) }.orEmpty()
-            // First those that never got a final name: nobody was there when they were written.
+            // First those without a final name: nobody was at the robot when they were written.
             .sortedWith(compareByDescending<File> { LogName.isProvisional(it.name) }.thenBy { it.lastModified() })
         val deleted = ArrayList<File>()
         for (log in logs.dropLast(KEPT_LOGS)) {
@@ -114,11 +114,11 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private const val ENOUGH_BYTES = 50_000_000L
         private const val KEPT_LOGS = 10
 
-        // Where a USB stick is mounted, and its link; the roboRIO's and Systemcore's own; and where a simulation runs.
+        // The mount points of a USB stick and their link; the homes of the roboRIO and of Systemcore, and a simulation's folder.
         private val STICKS = listOf("/U", "/V", "/u").map(::File)
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 
-        /** Returns the folder that was [wanted], or else the best available one. */
+        /** Returns the [wanted] folder, or otherwise the best available one. */
         fun choose(wanted: File?, sticks: List<File> = STICKS, homes: List<File> = HOMES): File {
             if (wanted != null) return wanted
             val places = (sticks + homes).filter { it.isDirectory && it.canWrite() }

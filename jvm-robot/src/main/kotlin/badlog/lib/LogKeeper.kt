@@ -5,8 +5,8 @@ import java.time.Instant
 import java.util.function.Supplier
 
 /**
- * Does the work with files that a robot's loop must not wait for: opens and renames the log, frees space, and stops the log when there is
- * none.
+ * Handles files on its own thread, so that a robot's loop does not wait. It opens and renames the log, frees space, and stops the log when
+ * there is none.
  */
 internal class LogKeeper(private val session: LogSession, private val options: RobotLogOptions) : Thread("badlog keeper") {
     private val faults = session.faults
@@ -38,7 +38,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         try {
             do tick() while (pauses.next())
         } catch (failure: Throwable) {
-            faults.sayOnce("keeper") { "The log's files are no longer managed: ${describe(failure)}." }
+            faults.reportOnce("keeper") { "The log's files are no longer managed: ${describe(failure)}." }
         }
     }
 
@@ -58,28 +58,28 @@ internal class LogKeeper(private val session: LogSession, private val options: R
 
     private fun begin() {
         val deleted = folder.makeSpace()
-        if (deleted.isNotEmpty()) sayDeleted(deleted)
+        if (deleted.isNotEmpty()) reportDeleted(deleted)
         // Before the first log there is no folder, and a missing folder has no space.
         folder.path.mkdirs()
         if (folder.isFull) return stopLogging()
         // Calls the robot's code, which may close the log meanwhile.
-        learn()
+        updateIdentity()
         if (session.state == LogState.CLOSED) return
         addValues()
         session.begin(LogName.free(folder.path, currentName(), ending), options.isCompressed, options.move)
     }
 
-    private fun sayDeleted(deleted: List<File>) = faults.sayOnce("deleted") {
+    private fun reportDeleted(deleted: List<File>) = faults.reportOnce("deleted") {
         val names = deleted.joinToString(limit = 3, truncated = "and ${deleted.size - 3} more") { it.name }
         "The disk is nearly full; the oldest logs in ${folder.path} were deleted: $names."
     }
 
     private fun stopLogging() {
-        faults.sayOnce("full") {
+        faults.reportOnce("full") {
             "Logging stopped: less than 5 MiB are free in ${folder.path}. " +
                 "Copy old logs to a laptop, then delete them here."
         }
-        // Writes a row with it, because there may be no other.
+        // Writes a row with the note, because there may be no other.
         if (session.state != LogState.SETTING_UP) session.log()
         session.close()
     }
@@ -87,20 +87,20 @@ internal class LogKeeper(private val session: LogSession, private val options: R
     private fun rename() {
         val file = session.file ?: return
         val wasUnknown = match.isEmpty()
-        if (!learn()) return
-        // First, and whatever becomes of the name: this is what shows the match.
+        if (!updateIdentity()) return
+        // First, even if renaming fails: this note shows the match.
         if (wasUnknown && match.isNotEmpty()) faults.note("Match $event $match")
         if (time == null) return
         val name = LogName.free(folder.path, currentName(), ending)
         if (!session.rename(name)) {
-            faults.sayOnce("rename") { "The log ${file.path} could not be renamed to ${name.name}; it keeps its name." }
+            faults.reportOnce("rename") { "The log ${file.path} could not be renamed to ${name.name}; it keeps its name." }
             return
         }
         syncFolder(folder.path)
     }
 
-    /** Asks for what is not known yet. Returns whether any of it is known now. */
-    private fun learn(): Boolean {
+    /** Asks for the event, the match and the time that are not known yet. Returns whether any of them is known now. */
+    private fun updateIdentity(): Boolean {
         val before = Triple(time, event, match)
         if (time == null && ask("isClockSet") { options.isClockSet.asBoolean } == true) time = Instant.now()
         if (match.isEmpty()) {
@@ -123,7 +123,7 @@ internal class LogKeeper(private val session: LogSession, private val options: R
         try {
             session.addValue(name, text)
         } catch (_: DuplicateNameException) {
-            // The program itself creates this value.
+            // The program itself created this value.
         } catch (_: InvalidModeException) {
             // The log was closed in the meantime.
         }

@@ -6,9 +6,8 @@ import java.util.concurrent.atomic.AtomicBoolean
 /**
  * One log from setup to end. Mistakes during setup are exceptions; [update], [log] and [publishing] never throw.
  *
- * There are two kinds of locks, so that no thread waits unnecessarily: [lock] is held while a row is built and
- * written, and each [SubscribedTopic] has its own for what is published to it. None is held while suppliers are
- * called.
+ * There are two kinds of locks, so that no thread waits unnecessarily: [lock] is held while a row is built and written, and each
+ * [SubscribedTopic] has its own for its published values. None is held while suppliers are called.
  */
 internal class LogSession(private val flushesEachRow: Boolean, private val time: LogTime = LogTime()) {
     private val lock = Any()
@@ -59,7 +58,7 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
 
     /** Creates the file and ends the setup, or does neither if the log is closed in the meantime. */
     fun begin(path: File, isCompressed: Boolean, move: (from: File, to: File) -> Boolean = File::renameTo) {
-        // Not under the lock, which publishers may need, because a disk may be slow.
+        // Without the lock, because a disk may be slow, and publishers may need the lock.
         val opened = LogFile.open(path, isCompressed, faults, move)
         synchronized(lock) {
             opened?.let(::logTo)
@@ -140,7 +139,7 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
             // For example, too little memory for a text: this row is lost, but the robot keeps running.
             isInRow = false
             sink.dropRow()
-            faults.sayOnce("row") { "A row of the log was lost: ${describe(failure)}." }
+            faults.reportOnce("row") { "A row of the log was lost: ${describe(failure)}." }
         }
     }
 
@@ -164,7 +163,10 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
         return null
     }
 
-    /** Returns the topic [name] during setup: what is published to it then is kept for the first row, because the setup of a [RobotLog] may take long. */
+    /**
+     * Returns the topic [name] during setup. Values published then are kept for the first row, because the setup of a [RobotLog] may take
+     * long.
+     */
     private fun earlySubscriber(name: String?): SubscribedTopic? {
         if (phase != LogState.SETTING_UP) return null
         return synchronized(lock) { namespace.topics.firstOrNull { it.name == name } as? SubscribedTopic }
@@ -226,12 +228,12 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
     }
 }
 
-/** Closes a log when its program ends normally, so that buffered rows are written. */
+/** Closes a log, and so writes its buffered rows, when its program ends normally. */
 internal class CloseOnExit(private val session: LogSession) : Thread("badlog close") {
     override fun run() {
         session.close()
-        // If the program ends because of a reported fault, the report should still be printed.
-        StandardError.awaitSaid(SAID_MILLIS)
+        // A report of the fault that ends the program must still be printed.
+        StandardError.awaitPrinted(MAX_PRINT_MILLIS)
     }
 
     fun register() = unlessExiting { Runtime.getRuntime().addShutdownHook(this) }
@@ -247,6 +249,6 @@ internal class CloseOnExit(private val session: LogSession) : Thread("badlog clo
     }
 
     private companion object {
-        const val SAID_MILLIS = 250
+        const val MAX_PRINT_MILLIS = 250
     }
 }

@@ -1,6 +1,6 @@
 package badlog.lib
 
-/** What a [BadLog] is doing. */
+/** The states of a [BadLog]. */
 public enum class LogState {
     /** Topics and values can be created; nothing is logged yet. */
     SETTING_UP,

@@ -5,27 +5,27 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * The time of a log is the system's, unless a test gives its own.
+ * The time of a log: the system's, or a test's.
  *
  * @property given the current time in nanoseconds; null for the system's.
  */
 internal open class LogTime(@JvmField val given: AtomicLong? = null) {
-    /** Nanoseconds since some moment. Inlined, so that the rows, each of which asks several times, call nothing but the system. */
+    /** Nanoseconds since some moment. Inlined, because each row asks several times, and should call nothing but the system. */
     inline val now: Long get() = if (given == null) System.nanoTime() else given.get()
 
     /** Returns pauses of [millis] each. */
     open fun pauses(millis: Long): Pauses = Pauses(millis)
 }
 
-/** The pauses of a thread that does its work again and again, until [end]. */
+/** The pauses of a thread that repeats its work until [end]. */
 internal open class Pauses(private val millis: Long) {
     private val ended = CountDownLatch(1)
 
-    /** Waits a while. Returns false when it is time to end. */
+    /** Waits for one pause. Returns false when it is time to end. */
     open fun next(): Boolean = try {
         !ended.await(millis, TimeUnit.MILLISECONDS)
     } catch (_: InterruptedException) {
-        // An interrupt does not end the thread; it only does its work a little earlier.
+        // An interrupt does not end the thread; its work is only done a little earlier.
         true
     }
 

@@ -36,6 +36,6 @@ internal class Namespace {
             )
         }
         val odd = name.firstOrNull { !it.isLetterOrDigit() && it != ' ' && it != '_' && it != '/' } ?: return
-        StandardError.say("The name \"$name\" has the character '$odd'; letters, digits, spaces, _ and / are safer.")
+        StandardError.print("The name \"$name\" has the character '$odd'; letters, digits, spaces, _ and / are safer.")
     }
 }

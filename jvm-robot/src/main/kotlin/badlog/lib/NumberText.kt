@@ -4,8 +4,8 @@ import badlog.core.bag.RowWriter
 import java.util.function.Function
 
 /**
- * Converts a log's numbers to text: by core's formatter, or by the program's own [function] once it is set. A
- * number is converted by the function that was set when it was supplied or published.
+ * Converts a log's numbers to text: by core's formatter, or by the program's own [function] once it is set. The function that was set when
+ * a number was supplied or published converts it.
  */
 internal class NumberText(private val faults: Faults) {
     /** The program's own function, if any, for numbers from now on. */
@@ -22,7 +22,7 @@ internal class NumberText(private val faults: Faults) {
 
     fun write(value: Double, function: Function<in Double, out String?>?, topic: Topic, row: RowWriter) {
         if (function != null) {
-            writeBy(function, value, topic, row)
+            writeWith(function, value, topic, row)
         } else if (topic.isXAxis) {
             row.microseconds(value)
         } else {
@@ -30,7 +30,7 @@ internal class NumberText(private val faults: Faults) {
         }
     }
 
-    private fun writeBy(function: Function<in Double, out String?>, value: Double, topic: Topic, row: RowWriter) {
+    private fun writeWith(function: Function<in Double, out String?>, value: Double, topic: Topic, row: RowWriter) {
         val text = try {
             function.apply(value)
         } catch (failure: Throwable) {

@@ -30,7 +30,7 @@ public class RobotLog private constructor(
     /** The file being written, with its current name; null while there is none. */
     public val file: File? get() = session.file?.path
 
-    /** Logs what is due. Call it at the end of each loop of the robot; it never throws. */
+    /** Logs a row if one is due. Call it at the end of each loop of the robot; it never throws. */
     public fun periodic() {
         isEnabled = ask(options.isEnabled, "isEnabled")
         if (session.state == LogState.SETTING_UP) {

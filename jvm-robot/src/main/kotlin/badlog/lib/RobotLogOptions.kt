@@ -6,8 +6,8 @@ import java.util.function.DoubleSupplier
 import java.util.function.Supplier
 
 /**
- * Options of [RobotLog.start]. It gets everything about the robot from WPILib, of any season, unless a supplier is set
- * here. Without WPILib, the robot counts as enabled, and event, match and battery voltage as unknown.
+ * Options of [RobotLog.start]. Everything about the robot comes from WPILib, of any season, unless a supplier is set here. Without WPILib,
+ * the robot counts as enabled, and event, match and battery voltage as unknown.
  */
 public class RobotLogOptions {
     private val wpilib = Wpilib.find(RobotLogOptions::class.java.classLoader)
@@ -54,6 +54,6 @@ public class RobotLogOptions {
     /** Renames a file. Returns false if the system does not. */
     internal var move: (from: File, to: File) -> Boolean = File::renameTo
 
-    /** The time by which the log waits. */
+    /** The clock of the log's pauses. */
     internal var time: LogTime = LogTime()
 }

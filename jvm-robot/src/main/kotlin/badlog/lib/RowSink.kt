@@ -4,9 +4,9 @@ import badlog.core.bag.RowWriter
 import java.io.IOException
 
 /**
- * Writes rows: each at once, or several together, but at most a quarter of a second after the previous write. Rows that
- * cannot be written are lost and counted. After a failure it waits a little before it tries again, because a disk that
- * is full or gone may be slow to report it. Guarded by the log's lock.
+ * Writes rows: each at once, or several together at most a quarter of a second after the previous write. Rows that cannot be written are
+ * lost and counted. After a failure it waits before the next attempt, because a full or missing disk may be slow to report it. Guarded by
+ * the log's lock.
  */
 internal class RowSink(
     private val file: LogFile,
@@ -41,7 +41,7 @@ internal class RowSink(
         write(time.now)
     }
 
-    /** Returns whether a row begun at [now] would be lost. It should then not be begun, so that no events are lost with it. */
+    /** Returns whether a row begun at [now] would be lost. Do not begin it then, so that no events are lost with it. */
     fun isRefusing(now: Long): Boolean = isWaitingToRetry(now) && (flushesEachRow || row.size >= BATCH_BYTES)
 
     /** Counts a row that was not begun. */
@@ -53,7 +53,7 @@ internal class RowSink(
         rowsWaiting++
         val isDue = flushesEachRow || row.size >= BATCH_BYTES || began - lastWrite >= MAX_WAIT_NANOS
         if (isDue && !isWaitingToRetry(began)) write(began)
-        counters.rowTook(time.now - began)
+        counters.addRowTime(time.now - began)
     }
 
     /** Discards the row that was begun. */
@@ -69,19 +69,19 @@ internal class RowSink(
         if (rowsWaiting > 0 || header != null) write(time.now)
     }
 
-    /** Does the same as [flush], unless that failed a moment ago. */
+    /** Does the same as [flush], unless a write has just failed. */
     fun flushWaiting() {
         if (!isWaitingToRetry(time.now)) flush()
     }
 
-    /** Writes what is buffered and what belongs at the end of the file. */
+    /** Writes the buffered rows and the end of the file. */
     fun finish() {
         flush()
         try {
             timed { output.finish() }
             isDirty = true
         } catch (failure: IOException) {
-            sayFailed(failure)
+            reportFailed(failure)
         }
         for (texts in events) texts.end()
     }
@@ -96,9 +96,9 @@ internal class RowSink(
                 header = null
             }
             if (rowsWaiting > 0) timed { output.append(row.bytes, row.size) }
-            // Writing to a deleted file succeeds silently; the file may come back, if it was only moved for a while.
-            if (file.isMissing) counters.rowsMissed.addAndGet(rowsWaiting.toLong()) else counters.wrote(rowsWaiting)
-            counters.grewTo(output.length)
+            // Writing to a deleted file succeeds silently; a file that was only moved may come back.
+            if (file.isMissing) counters.rowsMissed.addAndGet(rowsWaiting.toLong()) else counters.addWrittenRows(rowsWaiting)
+            counters.setFileLength(output.length)
             isDirty = true
             forgetRows()
             for (texts in events) texts.written()
@@ -108,7 +108,7 @@ internal class RowSink(
             forgetRows()
             for (texts in events) texts.restore()
             isFailing = true
-            sayFailed(failure)
+            reportFailed(failure)
         }
     }
 
@@ -118,11 +118,11 @@ internal class RowSink(
         try {
             write()
         } finally {
-            counters.writeTook(time.now - began)
+            counters.addWriteTime(time.now - began)
         }
     }
 
-    private fun sayFailed(failure: IOException) = faults.sayOnce("write") {
+    private fun reportFailed(failure: IOException) = faults.reportOnce("write") {
         "The log ${file.path} cannot be written: ${describe(failure)}. Rows are lost until it can; check whether " +
             "the disk is full or was removed."
     }
@@ -144,7 +144,7 @@ internal class RowSink(
     }
 
     private companion object {
-        // What RandomAccessFile.write takes without allocating a buffer, minus a long row.
+        // The bytes that RandomAccessFile.write accepts without allocating a buffer, minus a long row.
         const val BATCH_BYTES = 6 * 1024
         const val MAX_WAIT_NANOS = 250_000_000L
         const val RETRY_NANOS = 250_000_000L

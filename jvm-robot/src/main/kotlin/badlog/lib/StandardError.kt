@@ -4,23 +4,23 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Reports what went wrong on standard error, on a thread of its own: if that is a pipe that nobody reads, writing to it may never
- * return, and a robot's loop cannot wait for that. Messages that arrive while too many are waiting are dropped. Never throws.
+ * Prints messages on standard error from its own thread. If standard error is a pipe without a reader, a write may never return, and a
+ * robot's loop cannot wait for that. Messages that arrive while too many are waiting are dropped. Never throws.
  */
 internal object StandardError : Thread("badlog messages") {
     private const val MAX_WAITING = 400
 
     private val waiting = LinkedBlockingQueue<String>(MAX_WAITING)
-    private val unsaid = AtomicInteger()
+    private val unprinted = AtomicInteger()
 
     init {
         isDaemon = true
     }
 
     /** Prints [message] soon, marked as badlog's. */
-    fun say(message: String) {
-        unsaid.incrementAndGet()
-        if (!waiting.offer(message)) unsaid.decrementAndGet()
+    fun print(message: String) {
+        unprinted.incrementAndGet()
+        if (!waiting.offer(message)) unprinted.decrementAndGet()
         if (state != State.NEW) return
         try {
             start()
@@ -32,10 +32,10 @@ internal object StandardError : Thread("badlog messages") {
     }
 
     /** Waits until all messages are printed, for at most about [millis] ms. Returns whether they are. */
-    fun awaitSaid(millis: Int): Boolean {
+    fun awaitPrinted(millis: Int): Boolean {
         var left = millis
-        while (unsaid.get() > 0 && left-- > 0) sleep(1)
-        return unsaid.get() == 0
+        while (unprinted.get() > 0 && left-- > 0) sleep(1)
+        return unprinted.get() == 0
     }
 
     override fun run() {
@@ -46,7 +46,7 @@ internal object StandardError : Thread("badlog messages") {
             } catch (_: Throwable) {
                 // The program may have set a stream of its own, which may throw anything.
             }
-            unsaid.decrementAndGet()
+            unprinted.decrementAndGet()
         }
     }
 }

@@ -5,9 +5,8 @@ import badlog.core.bag.RowWriter
 import java.util.function.Function
 
 /**
- * A topic whose value the robot's code publishes, from any thread, at any time. It has its own lock, held for a
- * few nanoseconds, so that publishers never wait for a write. If it is an event log, it has room for the log's own
- * events in rows in which it has no new text.
+ * A topic with values that the robot's code publishes, from any thread, at any time. It has its own lock, held for a few nanoseconds, so
+ * publishers never wait for a write. An event log has room for the log's own events in rows without a new text.
  */
 internal class SubscribedTopic(
     description: BagTopic,

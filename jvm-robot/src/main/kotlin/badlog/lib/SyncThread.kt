@@ -6,9 +6,8 @@ import java.nio.channels.FileChannel
 import java.nio.file.StandardOpenOption
 
 /**
- * Four times a second, writes the buffered rows and syncs the file to the disk, so that a loss of power costs no more
- * than that time. It holds no lock while it waits for a sync. It also notices if the file was deleted. At the end, it
- * closes the file.
+ * Writes the buffered rows and syncs the file to the disk, four times a second. So a loss of power costs no more than that time. It holds
+ * no lock while it waits for a sync. It also notices if the file was deleted. At the end, it closes the file.
  *
  * @param syncs whether to sync the file to the disk; the rest is always done.
  * @param flush writes the buffered rows.
@@ -52,24 +51,24 @@ internal class SyncThread(
             file.output.sync()
         } catch (failure: IOException) {
             faults.counters.failedSyncs.incrementAndGet()
-            faults.sayOnce("sync") {
+            faults.reportOnce("sync") {
                 "The log ${file.path} could not be synced to the disk: ${describe(failure)}. A power cut may " +
                     "cost more than the last quarter of a second."
             }
         }
     }
 
-    /** Checking once is not enough: the file may just be being renamed. */
+    /** Checks twice, because the file may be in the middle of being renamed. */
     private fun lookForFile() {
         timesMissing = if (file.path.exists()) 0 else timesMissing + 1
         val isMissing = timesMissing > 1
         if (isMissing) {
-            faults.sayOnce("missing") {
+            faults.reportOnce("missing") {
                 "The log ${file.path} was deleted, or its disk was removed, while it was being written. From now on, " +
                     "data is lost; restart the robot program to start a new log."
             }
         }
-        // Reported before the state changes, so that whoever sees the log fail can read why.
+        // Reported before the state changes, so that code that sees the log fail can read why.
         file.isMissing = isMissing
     }
 
@@ -78,11 +77,11 @@ internal class SyncThread(
     }
 }
 
-/** Syncs the names of [folder]'s files to the disk: without this, after a loss of power a new file could be missing from its folder. */
+/** Syncs the names of [folder]'s files to the disk. Otherwise, a new file could be missing from its folder after a loss of power. */
 internal fun syncFolder(folder: File) {
     try {
         FileChannel.open(folder.toPath(), StandardOpenOption.READ).use { it.force(true) }
     } catch (_: IOException) {
-        // Not every system allows opening a folder; those that do not, keep names safe by themselves.
+        // Some systems do not allow opening a folder; those keep names safe by themselves.
     }
 }

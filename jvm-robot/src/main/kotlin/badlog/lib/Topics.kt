@@ -8,19 +8,18 @@ import java.util.function.LongSupplier
 import java.util.function.Supplier
 
 /**
- * One column. A row is made in three steps: [sample] calls the robot's code, without holding any lock, because that
- * code may do anything; [commit] makes all samples the current ones at once, and [write] writes those, both under the
- * log's lock.
+ * One column. A row is made in three steps: [sample] calls the robot's code, without holding any lock, because that code may do anything;
+ * [commit] makes all samples current at once; [write] writes them. The last two run under the log's lock.
  */
 internal abstract class Topic(val description: BagTopic) {
     val name: String get() = description.name
 
-    /** Whether it is the x axis of all other topics, and so needs more digits than they do. */
+    /** Whether it is the x axis of all other topics, which needs more digits than they do. */
     val isXAxis: Boolean = "xaxis" in description.attributes
 
     /** Whether it was reported that this topic has gaps. Reporting it twice, when two threads race, does no harm. */
     @Volatile
-    var isFaultSaid: Boolean = false
+    var isFaultReported: Boolean = false
 
     abstract fun sample()
 
@@ -29,7 +28,7 @@ internal abstract class Topic(val description: BagTopic) {
     abstract fun write(row: RowWriter)
 }
 
-/** A topic whose value comes from a supplier in the robot's code. A failing supplier leaves a gap. */
+/** A topic with values from a supplier in the robot's code. A failing supplier leaves a gap. */
 internal abstract class QueriedTopic(description: BagTopic, private val faults: Faults) : Topic(description) {
     private var isSampleMissing = true
     private var isGap = true

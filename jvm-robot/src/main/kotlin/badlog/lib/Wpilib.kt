@@ -8,9 +8,8 @@ import java.util.function.DoubleSupplier
 import java.util.function.Supplier
 
 /**
- * What WPILib knows about the robot, found at run time, because its classes move: up to season 2026 they are under
- * `edu.wpi.first`, from 2027 on under `org.wpilib`. For anything that is not found, the answer is that of a robot
- * without trouble.
+ * WPILib's information about the robot. Its classes are looked up at run time, because they move: up to season 2026 they are under
+ * `edu.wpi.first`, from 2027 on under `org.wpilib`. If a class is not found, the answers describe a robot without trouble.
  */
 internal class Wpilib private constructor(private val loader: ClassLoader?) {
     val isEnabled: BooleanSupplier = truth("isEnabled", DRIVER_STATION) ?: BooleanSupplier { true }
@@ -71,7 +70,7 @@ internal class Wpilib private constructor(private val loader: ClassLoader?) {
             "org.wpilib.system.RobotController",
         )
 
-        // The start of 2025, before this program existed: a clock that shows an earlier time was never set.
+        // The start of 2025, before this program existed: an earlier time means that the clock was never set.
         private const val LONG_AGO_MILLIS = 1_735_689_600_000L
 
         /** Searches [loader] without initializing any class. */

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
 
-/** Every way in which teams' programs use the original's functions. Half of the test is that this compiles. */
+/** Calls the original's functions in every way that teams' programs do. Half of the test is that this compiles. */
 public final class JavaRobot {
     private static BadLog log;
     private static final Supplier<Double> FIELD = () -> 4.0;

@@ -6,8 +6,9 @@ import badlog.lib.RobotLogOptions;
 import java.io.File;
 
 /**
- * A robot program in a process of its own, as in a match: logs into the folder in the first argument, gzipped if the second is {@code true},
- * learns its match while it logs, and ends once the log has the match's name. Its loop never pauses, so rows are written while that happens.
+ * A robot program that runs in its own process, as in a match. It logs into the folder in the first argument, gzipped if the second is
+ * {@code true}, learns its match while it logs, and ends once the log has the match's name. Its loop never pauses, so rows are written
+ * during the renaming.
  */
 public final class ManagedRobot {
     private static final int ROWS_BEFORE = 50;

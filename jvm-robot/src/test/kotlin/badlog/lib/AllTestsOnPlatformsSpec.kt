@@ -11,7 +11,7 @@ import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** All tests of what runs on a robot, on the machines of robots and of their programmers: `./gradlew :jvm-robot:platforms -Pall`. */
+/** All tests of the robot's code on the machines of robots and programmers: `./gradlew :jvm-robot:platforms -Pall`. */
 class AllTestsOnPlatformsSpec : FunSpec({
     val wine = lazy { Wine() }
     afterSpec { if (wine.isInitialized()) wine.value.close() }
@@ -45,8 +45,8 @@ class AllTestsOnPlatformsSpec : FunSpec({
 })
 
 /**
- * Calls [run] with a folder in memory in which tests can run as in [folder], which is core's or an empty one: the corpus, which they list,
- * is copied, and the rest of the project is linked.
+ * Calls [run] with a folder in memory in which tests can run as in [folder], which is core's or an empty one. The corpus is copied, because
+ * tests list its files; the rest of the project is linked.
  */
 private fun <T> inMemory(folder: File, run: (File) -> T): T {
     val root = generateSequence(folder.absoluteFile) { it.parentFile }.first { File(it, "settings.gradle.kts").exists() }

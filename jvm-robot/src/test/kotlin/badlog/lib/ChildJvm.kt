@@ -16,8 +16,8 @@ fun childCommand(arguments: List<String>, jvmOptions: List<String> = emptyList()
 /** Runs [command], and returns its output with its exit code. */
 fun run(command: List<String>): Pair<Int, String> {
     val process = ProcessBuilder(command).redirectErrorStream(true).start()
-    val said = process.inputStream.readBytes().decodeToString()
-    return process.waitFor() to said
+    val output = process.inputStream.readBytes().decodeToString()
+    return process.waitFor() to output
 }
 
 fun canRun(program: String): Boolean = System.getenv("PATH").orEmpty().split(File.pathSeparator).any { File(it, program).canExecute() }

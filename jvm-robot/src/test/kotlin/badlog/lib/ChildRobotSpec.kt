@@ -14,18 +14,18 @@ private val FOREIGN = listOf("kotlinx.", "kotlin.coroutines", "edu.wpi.", "org.w
 
 @Tags("InCheck")
 class ChildRobotSpec : FunSpec({
-    test("a robot has all it needs in the jars it gets, and loads no class of coroutines, WPILib or JSON") {
+    test("a robot's jars are sufficient, and it loads no class of coroutines, WPILib or JSON") {
         inFolder { folder ->
             val classes = File(folder, "classes.txt")
-            val (exit, said) = run(childCommand(arguments(folder, 100), listOf("-Xlog:class+load:file=$classes")))
-            exit to said shouldBe (0 to "")
+            val (exit, output) = run(childCommand(arguments(folder, 100), listOf("-Xlog:class+load:file=$classes")))
+            exit to output shouldBe (0 to "")
             val loaded = classes.readLines().map { it.substringAfter("] ").trim().substringBefore(' ') }
             loaded shouldContain "badlog.lib.BadLog"
             loaded.filter { name -> FOREIGN.any { name.startsWith(it) } }.shouldBeEmpty()
         }
     }
 
-    test("a row is one write").config(enabledOrReasonIf = { ifStrace() }) {
+    test("each row is one write").config(enabledOrReasonIf = { ifStrace() }) {
         inFolder { folder ->
             val trace = File(folder, "trace.txt")
             val calls = "trace=write,pwrite64,writev,fsync,fdatasync"
@@ -40,7 +40,7 @@ class ChildRobotSpec : FunSpec({
         }
     }
 
-    test("all classes that a robot gets are for Java 17 or earlier") {
+    test("all of a robot's classes are for Java 17 or earlier") {
         val shipped = System.getProperty("badlog.shipped").split(File.pathSeparator).map(::File).filter { it.exists() }
         val versions = shipped.flatMap(::classFilesIn)
         versions.filter { (_, version) -> version > 61 }.shouldBeEmpty()
@@ -57,7 +57,7 @@ private fun ifStrace(): Enabled = when {
     else -> Enabled.enabled
 }
 
-/** The name and the major version of each class in a jar or a folder, except those for later releases of Java only. */
+/** Returns the name and the major version of each class in a jar or a folder. Skips classes for later releases of Java only. */
 private fun classFilesIn(place: File): List<Pair<String, Int>> = if (place.isDirectory) {
     place.walk().filter { it.extension == "class" }.map { it.path to majorVersionOf(it.readBytes()) }.toList()
 } else {

@@ -9,9 +9,9 @@ import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.util.Locale
 
-/** All differences from a bag of the original, each with what the original did. */
+/** All differences from a bag of the original, each with the original's behavior. */
 class DeviationSpec : FunSpec({
-    test("an x axis has microseconds; the original left 10 ms of 100 s") {
+    test("an x axis has microseconds; the original resolved only 10 ms from 100 s on") {
         inFolder { folder ->
             var time = 100.0
             val file = logged(folder, {
@@ -28,7 +28,7 @@ class DeviationSpec : FunSpec({
         }
     }
 
-    test("quotes, newlines and spaces at an end are quoted; the original wrote them bare") {
+    test("texts with quotes, newlines or outer spaces are quoted; the original did not quote them") {
         inFolder { folder ->
             val file = logged(folder, {
                 BadLog.createTopicStr("a \"b\"", "ul", { "say \"hi\",\nthen go" })
@@ -63,7 +63,7 @@ class DeviationSpec : FunSpec({
         }
     }
 
-    test("what a line of titles cannot hold is replaced in both header lines; the original broke the file") {
+    test("characters that titles cannot hold are replaced in both header lines; the original broke the file") {
         for (name in listOf("a\nb", "a\rb", "a\r\nb", "\n", "a\u0000b", "\uD83E", "a\uDD16b", "x\uD83E", "\u0000")) {
             inFolder { folder ->
                 standardErrorOf {

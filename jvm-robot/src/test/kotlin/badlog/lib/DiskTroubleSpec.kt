@@ -10,25 +10,25 @@ import io.kotest.matchers.string.shouldContain
 import java.io.File
 import java.io.IOException
 
-/** After this time without a try, a disk that was full is tried again. */
+/** The pause after which a full disk is tried again. */
 private const val RETRY_MILLIS = 250L
 
-/** A deleted file is noticed when it was looked for twice, as often as it is synced. */
+/** The time between two checks for a deleted file; it is noticed at the second one. */
 private const val LOOK_MILLIS = 250L
 
-/** A device that is always full. */
+/** Runs tests only where a device exists that is always full. */
 private val IF_FULL =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no device that is always full")
 
 class DiskTroubleSpec : FunSpec({
     for (compress in listOf(false, true)) {
-        test("while the disk is full, rows are lost and nothing else" + if (compress) ", compressed" else "")
+        test("a full disk loses rows and nothing else" + if (compress) ", compressed" else "")
             .config(enabledOrReasonIf = { ifMount() }) {
                 onSmallDisk { disk ->
                     val filler = File(disk, "filler")
                     val file = File(disk, if (compress) "full.bag.gz" else "full.bag")
                     val time = TestTime()
-                    val said = standardErrorOf {
+                    val messages = standardErrorOf {
                         BadLog.init("$disk/full.bag", compress, LogSession(flushesEachRow = true, time)).use { log ->
                             createTopics()
                             log.finishInitialization()
@@ -51,8 +51,8 @@ class DiskTroubleSpec : FunSpec({
                             counters.bytesWritten shouldBe file.length()
                         }
                     }
-                    said.trim().lines().size shouldBe 1
-                    said shouldContain "No space left"
+                    messages.trim().lines().size shouldBe 1
+                    messages shouldContain "No space left"
                     val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
                     recording.problems.filter { it.severity == Severity.ERROR }.shouldBeEmpty()
                     recording.topics[0].samples.run { last() } shouldBe 2102.0
@@ -107,7 +107,7 @@ class DiskTroubleSpec : FunSpec({
         }
     }
 
-    test("a disk that was full from the start gets the header once it can").config(enabledOrReasonIf = { ifMount() }) {
+    test("a disk that was full from the start gets the header once it has space").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             val filler = File(disk, "filler")
             fill(filler)
@@ -159,7 +159,7 @@ class DiskTroubleSpec : FunSpec({
         } shouldContain "/dev/full"
     }
 
-    test("a folder that is deleted, or pulled out, while logging is noticed").config(enabledOrReasonIf = { IF_OPEN_FILES_GO }) {
+    test("deleting or removing the folder while logging is noticed").config(enabledOrReasonIf = { IF_OPEN_FILES_GO }) {
         val trouble = mapOf<String, (File) -> Unit>(
             "deleted" to { it.deleteRecursively() },
             "renamed" to { it.renameTo(File(it.parentFile, "gone")) },
@@ -190,7 +190,7 @@ class DiskTroubleSpec : FunSpec({
         }
     }
 
-    test("a disk that is unmounted while logging is noticed").config(enabledOrReasonIf = { ifMount() }) {
+    test("unmounting the disk while logging is noticed").config(enabledOrReasonIf = { ifMount() }) {
         onSmallDisk { disk ->
             val time = TestTime()
             standardErrorOf {

@@ -32,7 +32,7 @@ class GzipSpec : FunSpec({
         }
     }
 
-    test("a bag that is cut anywhere opens with all rows that were flushed before the cut") {
+    test("a bag cut anywhere opens with all rows flushed before the cut") {
         inFolder { folder ->
             val file = File(folder, "cut.bag.gz")
             val lengths = ArrayList<Int>()

@@ -4,14 +4,14 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * A disk, or the like, that takes as long as a test wants. A log that waits for it keeps the test from releasing it, so it gives up
- * after a minute; a test checks that it did not.
+ * A disk or another device that takes as long as a test wants. If the log waits for it on the test's thread, the test cannot release it, so
+ * it gives up after a minute. Tests check that it did not.
  */
 internal class HeldDevice {
     private val held = CountDownLatch(1)
     private val released = CountDownLatch(1)
 
-    /** Whether it holds somebody up, or did. */
+    /** Whether a caller has been held up. */
     val isHolding: Boolean get() = held.count == 0L
 
     /** Whether it gave up. */
@@ -25,7 +25,7 @@ internal class HeldDevice {
         if (!isWaitedFor && !released.await(LIMIT_MINUTES, TimeUnit.MINUTES)) isWaitedFor = true
     }
 
-    /** Waits until it holds somebody up. */
+    /** Waits until a caller is held up. */
     fun awaitHold() = check(held.await(LIMIT_MINUTES, TimeUnit.MINUTES)) { "Nobody uses this." }
 
     fun release() = released.countDown()

@@ -11,10 +11,10 @@ import java.nio.ByteBuffer
 import java.util.concurrent.Executors
 import kotlin.random.Random
 
-/** How many robots are killed: some in each build, 200 by `thoroughTest`. */
+/** The number of robots that are killed: some in each build, 200 by `thoroughTest`. */
 private val KILLS = PropertyTesting.defaultIterationCount / 5
 
-/** A robot has logged fewer rows, or about as many, when it is killed. */
+/** The largest number of rows, roughly, that a robot has logged when it is killed. */
 private const val MAX_ROWS = 1000L
 
 /** The header, the names of the topics, then the first row. */
@@ -22,7 +22,7 @@ private const val FIRST_ROW_LINE = 3
 
 @Tags("InCheck")
 class KilledSpec : FunSpec({
-    test("when $KILLS robots are killed in mid-loop, every row whose log() returned is in the file") {
+    test("after killing $KILLS robots within their loops, each file has every row for which log() returned") {
         inFolder { folder ->
             val pool = Executors.newFixedThreadPool(2)
             val kills = List(KILLS) { number -> pool.submit<String?> { killOne(folder, number) } }
@@ -32,7 +32,7 @@ class KilledSpec : FunSpec({
     }
 })
 
-/** What is wrong with the log of a robot that was killed, or null. */
+/** Kills a robot, and returns the first fault of its log; null if there is none. */
 private fun killOne(folder: File, number: Int): String? {
     val compress = number % 2 == 1
     val returned = File(folder, "$number.returned")
@@ -48,14 +48,14 @@ private fun killOne(folder: File, number: Int): String? {
     val recording = recordingIn(if (compress) inflated(file.readBytes()) else file.readBytes())
     val samples = recording.topics.firstOrNull()?.samples ?: DoubleArray(0)
     val whole = (0 until rows.toInt()).all { it < samples.size && samples[it] == it.toDouble() }
-    val said = File(folder, "$number.txt").readText()
+    val output = File(folder, "$number.txt").readText()
     listOf(file, path, returned).forEach(File::delete)
-    // The row whose log() had not returned may be cut, but nothing before it.
+    // Only the row with an unfinished call of log() may be cut, and nothing before it.
     val lost = recording.problems.filter { it.severity == Severity.ERROR && (it.line ?: 0) < FIRST_ROW_LINE + rows }
-    return if (rows > 0 && whole && lost.isEmpty() && said.isEmpty()) {
+    return if (rows > 0 && whole && lost.isEmpty() && output.isEmpty()) {
         null
     } else {
-        "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, said: $said"
+        "robot $number: $rows rows returned, ${samples.size} found, ${recording.problems}, output: $output"
     }
 }
 

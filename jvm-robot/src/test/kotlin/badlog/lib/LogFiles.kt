@@ -12,17 +12,16 @@ import java.lang.management.ManagementFactory
 import java.nio.file.Files
 import java.util.zip.GZIPInputStream
 
-/** For tests in which a log that is being written is deleted or renamed by somebody else. */
+/** For tests in which another program deletes or renames a log that is being written. */
 internal val IF_OPEN_FILES_GO: Enabled =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows deletes and renames no file that is open")
 
-/** More than enough time for the thread that reports what went wrong. */
-internal const val SAID_MILLIS = 60_000
+/** More than enough time for the thread that reports faults. */
+internal const val MAX_PRINT_MILLIS = 60_000
 
 /**
- * The least number of bytes that [work] allocates on this thread in some attempts. Now and then the JVM itself allocates on a
- * thread, when it compiles what the thread runs, and a busy machine compiles late. What the work allocates, it would allocate each
- * time.
+ * The least number of bytes that [work] allocates on this thread in some attempts. Sometimes the JVM itself allocates on a thread, when it
+ * compiles the thread's code, and a busy machine compiles late. The work's own allocations would occur each time.
  */
 internal fun garbageOf(work: () -> Unit): Long {
     val threads = ManagementFactory.getThreadMXBean() as ThreadMXBean
@@ -48,16 +47,16 @@ inline fun <T> inFolder(test: (File) -> T): T {
     }
 }
 
-/** What [action] writes to standard error. */
+/** Returns the text that [action] writes to standard error. */
 internal inline fun standardErrorOf(action: () -> Unit): String {
     val before = System.err
-    StandardError.awaitSaid(SAID_MILLIS)
+    StandardError.awaitPrinted(MAX_PRINT_MILLIS)
     val captured = ByteArrayOutputStream()
     System.setErr(PrintStream(captured, true, "UTF-8"))
     try {
         action()
     } finally {
-        StandardError.awaitSaid(SAID_MILLIS)
+        StandardError.awaitPrinted(MAX_PRINT_MILLIS)
         System.setErr(before)
     }
     return captured.toString("UTF-8")
@@ -70,7 +69,7 @@ fun recordingIn(bytes: ByteArray): Recording = BagParser().run {
 
 fun recordingIn(file: File): Recording = recordingIn(file.readBytes())
 
-/** All that can be inflated of [packed], which may be cut. */
+/** Inflates as much as possible of [packed], which may be cut. */
 fun inflated(packed: ByteArray): ByteArray {
     val out = ByteArrayOutputStream()
     val buffer = ByteArray(512)
@@ -90,7 +89,7 @@ fun inflated(packed: ByteArray): ByteArray {
 /** The lines of a bag after its two header lines. */
 fun rowsIn(file: File): List<String> = file.readLines().drop(2)
 
-/** Logs in a new file of [folder]: [create] makes topics, [loop] is what the robot does. Returns the file, closed. */
+/** Logs to a new file in [folder]: [create] makes topics, [loop] is the robot's loop. Returns the closed file. */
 fun logged(folder: File, create: () -> Unit = {}, loop: (BadLog) -> Unit): File {
     val file = File(folder, "test.bag")
     BadLog.init(file.path).use { log ->

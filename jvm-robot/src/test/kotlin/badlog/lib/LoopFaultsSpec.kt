@@ -11,7 +11,7 @@ import java.io.PrintStream
 class LoopFaultsSpec : FunSpec({
     test("a supplier that throws leaves a gap, is counted, reported once, and noted as an event in the log") {
         inFolder { folder ->
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 val file = logged(folder, {
                     BadLog.createTopic("Good", "ul", { 1.0 })
                     BadLog.createTopic("Bad/Sensor", "ul", { throw IllegalStateException("unplugged") })
@@ -28,13 +28,13 @@ class LoopFaultsSpec : FunSpec({
                     "1.0000,,,\"The topic \"\"Bad/Sensor\"\" threw java.lang.IllegalStateException: unplugged"
                 rows.drop(1) shouldBe List(2) { "1.0000,,," }
             }
-            said.trim().lines() shouldHaveSize 2
-            said shouldContain "Bad/Sensor"
+            messages.trim().lines() shouldHaveSize 2
+            messages shouldContain "Bad/Sensor"
         }
     }
 
     for ((mode, otherwise) in mapOf(DataInferMode.DEFAULT to "-1.0", DataInferMode.LAST to "enabled")) {
-        test("without an event log, a subscriber with the attribute log and mode $mode takes what went wrong") {
+        test("without an event log, a subscriber with the attribute log and mode $mode takes the faults") {
             inFolder { folder ->
                 standardErrorOf {
                     val file = logged(folder, {
@@ -53,19 +53,19 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("names that a program makes up leave room for the log's own messages") {
+    test("names that a program invents leave room for the log's own messages") {
         val faults = Faults(Counters())
         standardErrorOf {
             for (i in 1..200) faults.publishIgnored("name $i") { "name $i" }
             for (i in 1..200) faults.callIgnored(if (i == 1) "full" else "call $i") { "call $i" }
-            faults.sayOnce("full") { "full" }
-            faults.sayOnce("full") { error("not made twice") }
+            faults.reportOnce("full") { "full" }
+            faults.reportOnce("full") { error("not made twice") }
         }.lines().count { it.isNotEmpty() } shouldBe 201
     }
 
-    test("publishing what cannot be published is ignored, counted, and reported once for each name") {
+    test("invalid publishing is ignored, counted, and reported once for each name") {
         inFolder { folder ->
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 val file = logged(folder, {
                     BadLog.createTopic("Queried", "ul", { 1.0 })
                     BadLog.createTopicSubscriber("Published", "ul", DataInferMode.LAST)
@@ -83,14 +83,14 @@ class LoopFaultsSpec : FunSpec({
                 }
                 rowsIn(file) shouldBe listOf("1.0000,1.0000")
             }
-            said.trim().lines() shouldHaveSize 5
-            said shouldContain "\"Unknown\""
+            messages.trim().lines() shouldHaveSize 5
+            messages shouldContain "\"Unknown\""
         }
     }
 
-    test("a formatter that throws or gives null leaves a gap") {
+    test("a formatter that throws or returns null leaves a gap") {
         inFolder { folder ->
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 val file = logged(folder, {
                     BadLog.createTopic("One", "ul", { 1.0 })
                     BadLog.createTopic("Two", "ul", { 2.0 })
@@ -109,17 +109,17 @@ class LoopFaultsSpec : FunSpec({
                 }
                 rowsIn(file) shouldBe listOf(",,three")
             }
-            said shouldContain "no ones"
+            messages shouldContain "no ones"
         }
     }
 
-    test("a standard error that nobody reads neither stops the loop nor fills the memory") {
+    test("a standard error without a reader neither stops the loop nor fills the memory") {
         val before = System.err
         val pipe = HeldDevice()
         val full = object : OutputStream() {
             override fun write(byte: Int) = pipe.hold()
         }
-        StandardError.awaitSaid(SAID_MILLIS)
+        StandardError.awaitPrinted(MAX_PRINT_MILLIS)
         try {
             System.setErr(PrintStream(full, true, "UTF-8"))
             inFolder { folder ->
@@ -130,38 +130,38 @@ class LoopFaultsSpec : FunSpec({
                     }
                 }
                 rowsIn(file).size shouldBe 3
-                repeat(1000) { StandardError.say("message $it") }
-                StandardError.awaitSaid(1) shouldBe false
+                repeat(1000) { StandardError.print("message $it") }
+                StandardError.awaitPrinted(1) shouldBe false
                 pipe.isWaitedFor shouldBe false
             }
         } finally {
             pipe.release()
-            StandardError.awaitSaid(SAID_MILLIS) shouldBe true
+            StandardError.awaitPrinted(MAX_PRINT_MILLIS) shouldBe true
             System.setErr(before)
         }
     }
 
     test("a standard error that throws does not end the reporting") {
         val before = System.err
-        val said = standardErrorOf {
+        val messages = standardErrorOf {
             val captured = System.err
             System.setErr(object : PrintStream(captured) {
                 override fun println(text: String?) = error("no console")
             })
-            StandardError.say("one")
-            StandardError.awaitSaid(SAID_MILLIS)
+            StandardError.print("one")
+            StandardError.awaitPrinted(MAX_PRINT_MILLIS)
             System.setErr(captured)
-            StandardError.say("two")
+            StandardError.print("two")
         }
         System.err shouldBe before
-        said shouldBe "badlog: two" + System.lineSeparator()
+        messages shouldBe "badlog: two" + System.lineSeparator()
     }
 
     test("a formatter that logs, updates, flushes or closes in the middle of a row does not tear the row") {
         for (compress in listOf(false, true)) {
             inFolder { folder ->
                 var calls = 0
-                val said = standardErrorOf {
+                val messages = standardErrorOf {
                     BadLog.init("$folder/a.bag", compress, true).use { log ->
                         BadLog.createTopic("A", "ul", { 1.0 })
                         BadLog.createTopic("B", "ul", { calls.toDouble() })
@@ -184,7 +184,7 @@ class LoopFaultsSpec : FunSpec({
                 val file = File(folder, if (compress) "a.bag.gz" else "a.bag").readBytes()
                 val bag = (if (compress) inflated(file) else file).decodeToString()
                 bag.lines().drop(2) shouldBe listOf("1.0,0.0", "1.0,2.0", "1.0,4.0", "")
-                said shouldContain "log() is ignored while a row is being written"
+                messages shouldContain "log() is ignored while a row is being written"
             }
         }
     }
@@ -244,7 +244,7 @@ class LoopFaultsSpec : FunSpec({
         }
     }
 
-    test("a thread that is interrupted goes on logging") {
+    test("an interrupted thread continues to log") {
         inFolder { folder ->
             val file = logged(folder, { BadLog.createTopic("A", "ul", { 1.0 }) }) { log ->
                 Thread.currentThread().interrupt()

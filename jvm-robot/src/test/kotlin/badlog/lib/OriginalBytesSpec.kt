@@ -25,7 +25,7 @@ class OriginalBytesSpec : FunSpec({
         }
     }
 
-    test("a recorded script of calls gives the same bytes as with the original") {
+    test("a recorded script of calls writes the same bytes as with the original") {
         inFolder { folder ->
             val file = File(folder, "script.bag")
             RecordedScript.run(file.path, 200)
@@ -34,7 +34,7 @@ class OriginalBytesSpec : FunSpec({
         }
     }
 
-    test("a Java program that uses the functions in every way runs") {
+    test("a Java program can use the functions in every way") {
         inFolder { folder ->
             val file = File(folder, "java.bag")
             JavaRobot.run(file.path)
@@ -43,7 +43,7 @@ class OriginalBytesSpec : FunSpec({
         }
     }
 
-    test("a Kotlin program runs, and a null from it is a gap") {
+    test("a Kotlin program can use the functions, and its null is a gap") {
         inFolder { folder ->
             val file = File(folder, "kotlin.bag")
             standardErrorOf {

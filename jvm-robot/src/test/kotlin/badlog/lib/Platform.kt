@@ -9,15 +9,15 @@ import java.io.File
  *
  * @param property the system property with the command that starts it, its words separated by line ends; the build sets it.
  * @param separator what separates the parts of its class path.
- * @property listsDisks whether its programs can list the folders of a disk. The 32-bit C library in an emulator refuses the 64-bit positions
- *   in the folders of a 64-bit system; those of a file system in memory are small.
+ * @property listsDisks whether its programs can list folders on a disk. The 32-bit C library in an emulator refuses the 64-bit positions in
+ *   the folders of a 64-bit system; a file system in memory has small ones.
  */
 internal class Platform private constructor(val name: String, private val property: String, private val separator: String, val listsDisks: Boolean = true) {
     private val command = System.getProperty(property).orEmpty().lines().filter { it.isNotEmpty() }
 
     val isMissing: Boolean get() = command.isEmpty()
 
-    /** Why it is missing, if it is. */
+    /** The reason why it is missing; empty if it is there. */
     val missing: String = System.getProperty("$property.missing").orEmpty()
 
     /** Runs [program] with the class path of a robot. */

@@ -7,10 +7,10 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import java.io.File
 
-/** The log's files are looked after once in this time. */
+/** The interval of the thread that handles the log's files. */
 private const val TICK_MILLIS = 100L
 
-/** A system that renames no open file, as Windows: it says no until the file was tried once, and then renames the closed one. */
+/** A system that does not rename open files, such as Windows. The first attempt for a file fails; the next one, after closing, succeeds. */
 private class RenamesOnlyClosed {
     private val tried = HashSet<File>()
 
@@ -41,13 +41,13 @@ class RenamedLogSpec : FunSpec({
     for (isCompressed in listOf(false, true)) {
         val kind = if (isCompressed) "gzipped" else "plain"
 
-        test("where an open file cannot be renamed, a $kind log gets its match's name, and no row is lost") {
+        test("if open files cannot be renamed, a $kind log still gets its match's name, and no row is lost") {
             inFolder { folder ->
                 val time = TestTime()
                 val robot = Match(folder, time, RenamesOnlyClosed()::move)
                 robot.options.isCompressed = isCompressed
                 var rows = 0L
-                val said = standardErrorOf {
+                val messages = standardErrorOf {
                     RobotLog.start(robot.options).use { log ->
                         BadLog.createTopicLong("Row", "ul", { rows })
                         log.periodic()
@@ -61,7 +61,7 @@ class RenamedLogSpec : FunSpec({
                         log.log.counters().rowsMissed shouldBe 0
                     }
                 }
-                said shouldBe ""
+                messages shouldBe ""
                 val file = folder.listFiles()!!.single()
                 val recording = if (isCompressed) recordingIn(inflated(file.readBytes())) else recordingIn(file)
                 val numbers = recording.topics.single { it.name == "Row" }.samples.map { it.toLong() }
@@ -72,7 +72,7 @@ class RenamedLogSpec : FunSpec({
         }
     }
 
-    test("rows are written while the system takes its time to rename the log") {
+    test("rows are written while the system renames the log slowly") {
         inFolder { folder ->
             val time = TestTime()
             val disk = HeldDevice()
@@ -96,11 +96,11 @@ class RenamedLogSpec : FunSpec({
         }
     }
 
-    test("a log that cannot be renamed at all keeps its name and its rows, and has the match") {
+    test("a log that cannot be renamed keeps its name and rows, and notes the match") {
         inFolder { folder ->
             val time = TestTime()
             val robot = Match(folder, time) { _, _ -> false }
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
                     log.periodic()
                     time.pass(TICK_MILLIS)
@@ -112,12 +112,12 @@ class RenamedLogSpec : FunSpec({
                     log.log.counters().rowsMissed shouldBe 0
                 }
             }
-            said shouldContain "could not be renamed to FRC_"
+            messages shouldContain "could not be renamed to FRC_"
             folder.list()!!.single() shouldStartWith "FRC_2"
         }
     }
 
-    test("a row goes on behind the last one in a file that was reopened, and one that was closed stays closed") {
+    test("a reopened file continues after its last row, and a closed one stays closed") {
         inFolder { folder ->
             val system = RenamesOnlyClosed()
             val file = AppendFile(File(folder, "a"), system::move)

@@ -9,7 +9,7 @@ import io.kotest.matchers.string.shouldMatch
 import java.io.File
 import java.util.function.Supplier
 
-/** A robot in the state that a test gives it. Its loop takes 10 ms. */
+/** A robot with a state that the test sets. Its loop takes 10 ms. */
 private class Robot(folder: File) {
     val time = TestTime()
 
@@ -49,20 +49,20 @@ private class Robot(folder: File) {
     }
 }
 
-/** The log's files are looked after once in this time. */
+/** The interval of the thread that handles the log's files. */
 private const val TICK_MILLIS = 100
 
 private fun File.names() = list().orEmpty().sorted()
 
 class RobotLogSpec : FunSpec({
-    // Robots of other specs never close their logs, as real ones do not.
+    // Robots of other specs never close their logs, like real robots.
     beforeTest { inFolder { folder -> standardErrorOf { BadLog.init("$folder/last.bag").close() } } }
 
     test("nothing is written until a driver station is connected; then time, event and match make the name") {
         inFolder { folder ->
             val logs = File(folder, "logs")
             val robot = Robot(logs)
-            val said = standardErrorOf {
+            val messages = standardErrorOf {
                 RobotLog.start(robot.options).use { log ->
                     BadLog.createTopicDouble("Own", "V", { 1.0 })
                     robot.drive(log, 300)
@@ -89,7 +89,7 @@ class RobotLogSpec : FunSpec({
                     log.log.state shouldBe LogState.LOGGING
                 }
             }
-            said shouldBe ""
+            messages shouldBe ""
             val recording = recordingIn(logs.listFiles()!!.single())
             recording.topics.map { it.name } shouldBe
                 listOf("Time", "Robot/Enabled", "Robot/Battery Voltage", "Robot/Events", "Own")
@@ -123,14 +123,14 @@ class RobotLogSpec : FunSpec({
                 robot.enabled = true
                 repeat(100) { isRow() shouldBe true }
                 robot.enabled = false
-                // The row that says so.
+                // The row that shows the robot disabled.
                 isRow() shouldBe true
                 isRow() shouldBe false
             }
         }
     }
 
-    test("what is known when the header is written is in it; being enabled or waiting long is a reason to write it, too") {
+    test("the header has everything known by then; it is written once the robot is enabled or after a wait") {
         inFolder { folder ->
             for (begin in listOf<Robot.() -> Unit>({ enabled = true }, { options.headerTimeout = 1.0 })) {
                 val robot = Robot(File(folder, "logs")).apply {
@@ -181,7 +181,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("nothing is logged to a disk that is almost full, at the start and later") {
+    test("nothing is logged to an almost full disk, at the start or later") {
         inFolder { folder ->
             val robot = Robot(folder).apply {
                 enabled = true
@@ -201,7 +201,7 @@ class RobotLogSpec : FunSpec({
                     robot.drive(log)
                     log.log.state shouldBe LogState.LOGGING
                     robot.free = 5_000_000
-                    // The space is looked at every five seconds.
+                    // The free space is checked every five seconds.
                     robot.drive(log, 5000)
                     log.log.state shouldBe LogState.CLOSED
                     robot.drive(log)
@@ -212,7 +212,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a log that is closed before it has begun leaves no file") {
+    test("a log closed before it begins leaves no file") {
         inFolder { folder ->
             var log: RobotLog? = null
             val robot = Robot(folder).apply { enabled = true }
@@ -236,7 +236,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a robot that nobody needs logs after a minute") {
+    test("an idle robot begins to log after a minute") {
         inFolder { folder ->
             val robot = Robot(folder)
             RobotLog.start(robot.options).use { log ->
@@ -248,7 +248,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a robot's loop goes on while its disk does not say how much space it has") {
+    test("a slow query for free space does not delay the loop") {
         inFolder { folder ->
             val disk = HeldDevice()
             val robot = Robot(folder).apply { enabled = true }
@@ -271,7 +271,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("a folder that is gone is not full") {
+    test("a missing folder is not full") {
         LogFolder(File("none"), File::getUsableSpace).isFull shouldBe false
     }
 
@@ -294,7 +294,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("the folder is the one wanted, a stick's, the robot's, or beside the program") {
+    test("the folder is the wanted one, a stick's, the robot's, or beside the program") {
         inFolder { folder ->
             val stick = File(folder, "u").apply { mkdir() }
             val home = File(folder, "home").apply { mkdir() }

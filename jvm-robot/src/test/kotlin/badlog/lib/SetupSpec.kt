@@ -61,14 +61,14 @@ class SetupSpec : FunSpec({
         }
     }
 
-    test("options that are null are like false") {
+    test("null options count as false") {
         inFolder { folder ->
             BadLog.init(File(folder, "a.bag").path, null, null).use { it.finishInitialization() }
             File(folder, "a.bag").exists() shouldBe true
         }
     }
 
-    test("a unit, an attribute or a value that is null does not end the robot's program") {
+    test("a null unit, attribute or value does not end the robot's program") {
         inFolder { folder ->
             val file = logged(folder, {
                 BadLog.createTopic("A", null, { 1.0 }, "hide", null)

@@ -7,7 +7,7 @@ import java.io.File
 import java.io.IOException
 import java.util.concurrent.atomic.AtomicInteger
 
-/** A slow disk: [append], [finish], [sync] and [close] are what its functions do. */
+/** A slow disk with the behavior that a test passes as [append], [finish], [sync] and [close]. */
 private class SlowOutput(
     private val append: () -> Unit = {},
     private val finish: () -> Unit = {},
@@ -37,7 +37,7 @@ private class SlowOutput(
 }
 
 class SlowSyncSpec : FunSpec({
-    /** The counters of a robot that does [loop] with its log to [output]. */
+    /** Runs [loop] with a log that is written to [output]. Returns its counters. */
     fun logTo(output: BagOutput, time: LogTime, loop: (BadLog) -> Unit): LogCounters = inFolder { folder ->
         val session = LogSession(flushesEachRow = true, time)
         val log = BadLog.start(session)
@@ -49,7 +49,7 @@ class SlowSyncSpec : FunSpec({
         log.counters()
     }
 
-    test("a disk that does not end a sync delays neither a row nor the end") {
+    test("an endless sync delays neither a row nor the end") {
         val disk = HeldDevice()
         val output = SlowOutput(sync = disk::hold)
         val counters = logTo(output, TestTime()) { log ->
@@ -92,7 +92,7 @@ class SlowSyncSpec : FunSpec({
         counters.slowestRowNanos shouldBe 5_000_000
     }
 
-    test("after a failed write, the disk is left alone for a quarter of a second") {
+    test("after a failed write, the next one waits a quarter of a second") {
         val time = TestTime()
         var isFull = false
         val output = SlowOutput(append = { if (isFull) throw IOException("full") })

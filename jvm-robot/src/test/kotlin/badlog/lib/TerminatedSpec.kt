@@ -10,7 +10,7 @@ import java.io.File
 import java.nio.ByteBuffer
 import java.util.zip.GZIPInputStream
 
-/** A robot's program is asked to end by a signal, and killed a second later. Windows has no such signal. */
+/** Whether the system can ask a program to end by a signal, before it is killed a second later. Windows has no such signal. */
 private val HAS_SIGNALS = !System.getProperty("os.name").startsWith("Windows")
 
 @Tags("InCheck")
@@ -18,14 +18,14 @@ class TerminatedSpec : FunSpec({
     for (isCompressed in listOf(false, true)) {
         val kind = if (isCompressed) "gzipped" else "plain"
 
-        test("a robot that is asked to end leaves a $kind log with every row and its end").config(enabled = HAS_SIGNALS) {
+        test("a robot ended by a signal leaves a $kind log with every row and its end").config(enabled = HAS_SIGNALS) {
             inFolder { folder ->
                 val returned = File(folder, "returned")
                 val path = File(folder, "a.bag")
                 val command = childCommand(listOf(path.path, "100000000", "$isCompressed", returned.path))
-                val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "said")).start()
+                val process = ProcessBuilder(command).redirectErrorStream(true).redirectOutput(File(folder, "output")).start()
                 eventually("the robot's first 500 rows") { rowsThatReturned(returned) > 500 }
-                // Those that return later may come after the log was closed, while the program still runs.
+                // Later calls may come after the log was closed, while the program still runs.
                 val before = rowsThatReturned(returned)
                 process.destroy()
                 process.waitFor()
@@ -41,7 +41,7 @@ class TerminatedSpec : FunSpec({
                 rows shouldBe rows.indices.map { it.toLong() }
                 recording.problems.filter { it.line != null }.shouldBeEmpty()
                 // The program's loop may run for a moment after its log was closed.
-                File(folder, "said").readLines().filterNot { it.endsWith("is ignored, because the log was closed.") }.shouldBeEmpty()
+                File(folder, "output").readLines().filterNot { it.endsWith("is ignored, because the log was closed.") }.shouldBeEmpty()
             }
         }
     }

@@ -5,7 +5,7 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** Time that passes only when a test says so. A log's threads do their work when it passes, each at its own moment, one after the other. */
+/** Time that passes only when a test says so. A log's threads then work at their own moments, one after the other. */
 internal class TestTime : LogTime(AtomicLong()) {
     private val clock = checkNotNull(given)
     private val lock = ReentrantLock()
@@ -17,7 +17,7 @@ internal class TestTime : LogTime(AtomicLong()) {
 
     override fun pauses(millis: Long): Pauses = TestPauses(millis * NANOS_PER_MILLI).also { lock.withLock { working += it } }
 
-    /** Lets [millis] pass. The threads whose pauses end in that time have done their work, and pause again, when this returns. */
+    /** Lets [millis] pass. When this returns, the threads with pauses that end in that time have done their work, and pause again. */
     fun pass(millis: Long) = pass(millis) { if (!changed.await(LIMIT_MINUTES, TimeUnit.MINUTES)) error("A thread of the log does not pause.") }
 
     /** Lets [millis] pass, and repeats [work] while the threads do theirs. */
@@ -31,7 +31,7 @@ internal class TestTime : LogTime(AtomicLong()) {
         }
     }
 
-    /** Waits until all threads have done the work for which no time need pass. */
+    /** Waits until all threads have done the work that is due now. */
     fun settle() = pass(0)
 
     /** Waits until all threads have ended. */
@@ -40,7 +40,7 @@ internal class TestTime : LogTime(AtomicLong()) {
         check(!it.isAlive) { "A thread of the log does not end." }
     }
 
-    /** Lets [millis] pass while whoever calls this is held up, before any thread can do its work. */
+    /** Lets [millis] pass before any thread can do its work, as if the caller were held up. */
     fun stall(millis: Long) {
         clock.addAndGet(millis * NANOS_PER_MILLI)
     }
@@ -48,7 +48,7 @@ internal class TestTime : LogTime(AtomicLong()) {
     private inline fun pass(millis: Long, await: () -> Unit) = lock.withLock {
         val end = clock.get() + millis * NANOS_PER_MILLI
         while (true) {
-            // Nobody waits for what a thread does at its end.
+            // Work at the end of a thread is not awaited.
             while (working.any { it.isWorking && !it.isEnded }) await()
             val next = working.filter { !it.isEnded && it.due <= end }.minByOrNull { it.due } ?: break
             clock.set(maxOf(clock.get(), next.due))

@@ -23,7 +23,7 @@ class ThreadsSpec : FunSpec({
                 val events = BadLog.createEvents("Events")
                 log.finishInitialization()
 
-                // The rows begin when all have published, who go on until the last row.
+                // The rows begin when all publishers have published once; they continue until the last row.
                 val publish = CountDownLatch(4)
                 val logged = CountDownLatch(2)
                 fun started(name: String, done: CountDownLatch, work: () -> Unit) = thread(name = name) {

@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 import java.io.File
 
 class TopicsSpec : FunSpec({
-    test("an update consumes published data, of which the last counts") {
+    test("an update consumes published data, and the last value counts") {
         inFolder { folder ->
             val file = logged(folder, {
                 BadLog.createTopicSubscriber("Default", "ul", DataInferMode.DEFAULT)
@@ -30,7 +30,7 @@ class TopicsSpec : FunSpec({
         }
     }
 
-    test("the new creators") {
+    test("the additional creators make topics of their types") {
         inFolder { folder ->
             var publisher: Publisher? = null
             val file = logged(folder, {
@@ -98,7 +98,7 @@ class TopicsSpec : FunSpec({
         }
     }
 
-    test("events that no row takes do not fill the memory") {
+    test("events without a row do not fill the memory") {
         inFolder { folder ->
             var events: Events? = null
             logged(folder, { events = BadLog.createEvents("Events") }) { log ->

@@ -44,7 +44,7 @@ class WpilibSpec : FunSpec({
         wpilib.event.get() + wpilib.match.get() shouldBe ""
     }
 
-    test("asking WPILib allocates nothing") {
+    test("querying WPILib allocates nothing") {
         val wpilib = Wpilib.find(WpilibSpec::class.java.classLoader)
         val battery = checkNotNull(wpilib.batteryVoltage)
         garbageOf {

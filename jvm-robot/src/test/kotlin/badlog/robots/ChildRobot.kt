@@ -6,9 +6,9 @@ import java.io.RandomAccessFile
 import java.nio.channels.FileChannel
 
 /**
- * A robot program in a process of its own: logs to the path in the first argument as many rows as the second says,
- * gzipped if the third is `true`, and writes to the file that the fourth names how many calls of `log()` have returned.
- * That file is mapped into memory, so that the number is right however the process ends.
+ * A robot program that runs in its own process. It logs to the path in the first argument as many rows as the second says, gzipped if the
+ * third is `true`. It writes the number of calls of `log()` that have returned to the file in the fourth. That file is mapped into memory,
+ * so that the number is right however the process ends.
  */
 object ChildRobot {
     @JvmStatic

@@ -5,7 +5,7 @@ import badlog.lib.DataInferMode
 import java.util.function.Function
 import java.util.function.Supplier
 
-/** The ways in which Kotlin programs use the functions. Half of the test is that this compiles. */
+/** Calls the functions in the ways that Kotlin programs do. Half of the test is that this compiles. */
 class KotlinRobot(path: String) {
     private val log: BadLog = BadLog.init(path)
     private val maybe: Double? = null

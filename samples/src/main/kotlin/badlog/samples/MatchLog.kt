@@ -5,7 +5,7 @@ import badlog.samples.robot.Drivetrain
 import badlog.samples.robot.Elevator
 import badlog.samples.robot.RoboRio
 
-/** All topics of a match, in the order in which the robot's program creates them. */
+/** Creates all topics of a match, in the order of the robot's program. */
 fun BagLog.createMatchTopics(run: Run) {
     val robot = run.robot
     number("Time", "s", 6, "hide", "delta", "xaxis") { run.time }
@@ -18,7 +18,7 @@ fun BagLog.createMatchTopics(run: Run) {
     createFieldTopics(robot)
 }
 
-/** What the field sends to the robot before a match, and the label of the battery. */
+/** Returns the values that the field sends to the robot before a match, and the battery's label. */
 fun matchValues(start: String, number: String, alliance: String, location: String, battery: String) = listOf(
     "Start Time" to start,
     "Event Name" to "Mill Creek Regional",
@@ -29,7 +29,7 @@ fun matchValues(start: String, number: String, alliance: String, location: Strin
     "System/Battery Label" to battery,
 )
 
-/** What is the same whatever the robot does. */
+/** The values that are the same in every sample log. */
 val ROBOT_VALUES = listOf(
     "System/Software Version" to "v2024.3.2",
     "System/Brownout Voltage" to "${RoboRio.BROWNOUT_VOLTS}",

@@ -15,8 +15,8 @@ import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 
 /**
- * Practice with a good battery whose lead works loose: three dips, then the power is gone in the middle of a row. A
- * page that the file system had not written yet is a hole of NULs.
+ * Returns a practice run in which a battery lead works loose: three dips, then a power cut in the middle of a row. A page not yet written
+ * by the file system is a hole of NULs.
  */
 fun practiceRun(): ByteArray {
     val mishaps = Mishaps(
@@ -47,7 +47,7 @@ private fun practiceOrders(): List<Order> {
         cycle(1.4, nearby) + cycle(18.2, nearby) + cycle(35.0, nearby)
 }
 
-// No match, and no single channels: the drivers only wanted to know how it drives.
+// No match values and no single channels: the drivers only tested the driving.
 private fun BagLog.createPracticeTopics(run: Run) {
     number("Time", "s", 6, "hide", "delta", "xaxis") { run.time }
     createSystemTopics(run.robot, run::nextEvent)

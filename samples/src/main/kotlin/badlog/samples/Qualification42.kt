@@ -12,10 +12,10 @@ import badlog.samples.robot.Mishaps
 import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 
-/** When the push begins that the old battery cannot supply: 1:30 into the match. */
+/** The start of the push that the old battery cannot supply: 1:30 into the match. */
 const val PUSH_BEGINS = 92.0
 
-/** A match with an old battery. In a pushing fight in high gear its voltage sags until the roboRIO cuts the outputs. */
+/** Returns a match with an old battery. In a pushing fight in high gear its voltage sags until the roboRIO cuts the outputs. */
 fun qualification42(): ByteArray {
     val mishaps = Mishaps(
         listOf(

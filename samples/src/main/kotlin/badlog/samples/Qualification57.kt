@@ -10,11 +10,11 @@ import badlog.samples.robot.Mishap
 import badlog.samples.robot.Mishaps
 import badlog.samples.robot.Robot
 
-/** When the robot is hit from the side: 1:10 into the match. */
+/** The time of the hit from the side: 1:10 into the match. */
 const val HIT = 72.4
 
 /**
- * A match with a hit from the side: from then on the left encoder stands still, and the gyro, after a restart, drifts.
+ * Returns a match with a hit from the side. After it, the left encoder's count stands still, and the gyro restarts and drifts.
  *
  * @return the bag before it is compressed.
  */

@@ -23,7 +23,7 @@ class Run(
     private val driver = Driver(seed xor 0xD21FE2, orders, style)
     private val announcer = Announcer(robot, driver, mishaps)
 
-    /** Seconds since the program started to log. */
+    /** The time since the program started to log, in s. */
     var time = 0.0
         private set
 

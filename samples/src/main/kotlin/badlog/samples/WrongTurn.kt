@@ -14,12 +14,12 @@ import badlog.samples.robot.Superstructure
 import badlog.samples.robot.degrees
 import badlog.samples.robot.wrapped
 
-/** From this second on the robot's target is mirrored, and the robot turns to the wrong side. */
+/** The second from which the robot's target is mirrored, so that it turns to the wrong side. */
 const val WRONG_TURN = 7.6
 
 /**
- * An autonomous run over three places, with the path that was planned for it. The third place is given for the other alliance, so that
- * the robot turns to the wrong side.
+ * Returns an autonomous run over three places, with its planned path. The third place is the other alliance's, so that the robot turns to
+ * the wrong side.
  */
 fun wrongTurn(): ByteArray {
     val plan = ArrayList<DoubleArray>()
@@ -38,7 +38,7 @@ fun wrongTurn(): ByteArray {
         log.number("Drive/Target Pose $name", unit, 3, "hide", "join:Drive/Target Pose") { plan[loop][place] }
     }
     for ((place, name) in listOf("X", "Y").withIndex()) {
-        // The camera sees a tag now and then, a little beside where the robot is.
+        // The camera sometimes sees a tag and reports a position slightly off the robot's.
         log.number("Vision/Pose $name", "m", 3, "hide") {
             (placeOf(run.robot)[place] + noise.around(SCATTER)).takeIf { loop % SEEN_EVERY == 0 }
         }

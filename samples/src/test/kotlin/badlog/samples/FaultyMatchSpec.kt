@@ -30,7 +30,7 @@ class FaultyMatchSpec : FunSpec({
         FaultyMatch.of(12).bag().contentEquals(FaultyMatch.of(23).bag()) shouldBe false
     }
 
-    test("every fault, none, and faint ones have their turn") {
+    test("the seeds include every fault, faint faults, and matches without a fault") {
         val matches = (101..300).map { FaultyMatch.of(it) }
         for (fault in Fault.entries + null) {
             matches.count { it.fault == fault && !it.isFaint } shouldBeGreaterThanOrEqual 12
@@ -63,7 +63,7 @@ class FaultyMatchSpec : FunSpec({
         viewOf(Fault.TIRED_BATTERY).all("System/Battery Voltage").min() shouldBeLessThan viewOf(null).all("System/Battery Voltage").min() - 1
     }
 
-    test("a motor that is unplugged draws no current, and the one beside it more") {
+    test("an unplugged motor draws no current, and its neighbor draws more") {
         val view = viewOf(Fault.UNPLUGGED_MOTOR)
         fun drawn(motor: String) = view.samples("Drivetrain/$motor Current", 120.0, 150.0).average()
         val sides = listOf("Left", "Right")
@@ -77,7 +77,7 @@ class FaultyMatchSpec : FunSpec({
         view.samples("Drivetrain/$stopped Output", 120.0, 150.0).max() shouldBeGreaterThan 0.3
     }
 
-    test("errors are counted while the CAN bus is interrupted, and all that comes over it stays as it was") {
+    test("errors are counted while the CAN bus is interrupted, and its values stay unchanged") {
         val view = viewOf(Fault.CAN_CUT)
         val errors = view.all("System/CAN Receive Errors")
         val failing = (2 until errors.size - 1).filter { row -> (row - 2..row).all { errors[it + 1] > errors[it] } }
@@ -98,7 +98,7 @@ class FaultyMatchSpec : FunSpec({
         away.all { tripTime[it].isNaN() } shouldBe true
     }
 
-    test("a program that crashed has a log up to then, or one from its restart on") {
+    test("a crashed program has a log up to the crash, or one from its restart on") {
         val logs = (1..6).map { seed ->
             LogView.of(BagParser().apply { accept(FaultyMatch(seed, Fault.RESTART).bag()) }.finish())
         }
@@ -112,7 +112,7 @@ class FaultyMatchSpec : FunSpec({
         (2 until volts.size).count { volts[it - 2] - volts[it] > 1.5 && amps[it] < amps[it - 2] } shouldBeGreaterThanOrEqual 3
     }
 
-    test("a seized motor draws all it can and moves nothing; vision that blocks the loop is late, too") {
+    test("a seized motor draws its maximum current without moving, and blocking vision delays the loop") {
         val seized = viewOf(Fault.SEIZED_MOTOR)
         val (amps, velocity) = seized.all("Elevator/Current") to seized.all("Elevator/Velocity")
         amps.indices.count { amps[it] > 60 && velocity[it] == 0.0 } shouldBeGreaterThanOrEqual 20

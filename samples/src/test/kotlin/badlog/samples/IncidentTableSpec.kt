@@ -17,7 +17,7 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import java.io.File
 
-/** What the first incident has to name where a fault was planted. */
+/** The name that the first incident must have for each planted fault. */
 private val CAUSES = mapOf(
     Fault.WALL to "The robot pushed against something that did not move",
     Fault.LOOSE_LEAD to "Battery lead, connector or main breaker made bad contact",
@@ -32,14 +32,14 @@ private val CAUSES = mapOf(
     Fault.RESTART to "The robot code restarted during the match",
 )
 
-/** A match, and the fault that its first incident names, null for none. */
+/** A match, and the fault that its first incident names; null for none. */
 private class Diagnosis(val match: FaultyMatch, val cause: String?) {
     val named: Fault? = CAUSES.entries.find { it.value == cause }?.key
     val isOther = cause != null && named == null
     val isRight = !isOther && (named == match.fault || (named != null && named == match.second))
 }
 
-/** The first incidents of the matches of [seeds], to which no rule was fitted. */
+/** Returns the first incidents of the matches of [seeds], to which no rule was fitted. */
 private fun diagnoses(seeds: IntRange): List<Diagnosis> = seeds.toList().parallelStream().map { seed ->
     val match = FaultyMatch.of(seed)
     val rules = RuleSet.BUILT_IN_PROVEN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(match.signals)))
@@ -66,7 +66,7 @@ class IncidentTableSpec : FunSpec({
     test("the first incident names the planted fault in nine of ten matches, another one in one at most, and a healthy match has none") {
         for (fault in Fault.entries) {
             val matches = clear.filter { it.match.fault == fault }
-            // A battery that browns out once, under a load that a sensor shows too late, cannot be told from a good one: nothing is said then.
+            // A battery with a single brownout under a load that a sensor shows too late looks like a good one, so the rules are silent.
             val least = if (fault == Fault.TIRED_BATTERY) 8 else 9
             withClue(fault.title) {
                 10 * matches.count { it.isRight } shouldBeGreaterThanOrEqual least * matches.size
@@ -80,7 +80,7 @@ class IncidentTableSpec : FunSpec({
         10 * double.count { it.isRight } shouldBeGreaterThanOrEqual 8 * double.size
     }
 
-    test("the guide has the table of what was planted and what was named; BADLOG_WRITE_GUIDE rewrites it") {
+    test("the guide's table of planted and named faults is current; BADLOG_WRITE_GUIDE rewrites it") {
         val guide = File("../docs/rules.md")
         val written = guide.readText()
         val made = written.substringBefore(BEGIN) + BEGIN + "\n" + table(clear) + "\n\nOf ${double.size} matches with two of these faults, the first incident " +

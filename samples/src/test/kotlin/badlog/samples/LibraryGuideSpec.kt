@@ -11,10 +11,10 @@ import java.io.File
 private val ROOT = File("..")
 
 class LibraryGuideSpec : FunSpec({
-    test("the example in docs/library.md runs and finds what it says") {
+    test("the example in docs/library.md runs and finds the stated result") {
         val printed = StringBuilder()
 
-        // The example reads files below the project's root and prints; these replace both functions.
+        // The example reads files below the project's root and prints; the functions here replace both.
         @Suppress("ktlint:standard:function-naming")
         fun File(path: String) = ROOT.resolve(path)
 

@@ -30,7 +30,7 @@ class PracticeRunSpec : FunSpec({
             listOf(ProblemKind.NUL_HOLE, ProblemKind.ROW_CUT, ProblemKind.ROW_CUT, ProblemKind.ROW_CUT)
     }
 
-    test("the power goes without a sag before it, after the lead worked loose") {
+    test("the power is cut without a sag, after the lead worked loose") {
         val last = view.xAxis.positions.last()
         last.shouldBeBetween(45.3, 45.4, 0.0)
         view.samples("System/Battery Voltage", last - 0.5, last).min() shouldBeGreaterThan 11.5

@@ -22,7 +22,7 @@ class Qualification42Spec : FunSpec({
         view.topic("System/Enabled").samples.count { it == 1.0 } shouldBeGreaterThan 7400
     }
 
-    test("has nothing wrong with it but notes on truth values and an unseen target") {
+    test("has no problems but notes on truth values and an unseen target") {
         view.problems.filter { it.severity != Severity.NOTE } shouldBe emptyList()
         (view.problems.map { it.kind }.toSet() - ProblemKind.TRUTH_VALUES - ProblemKind.EMPTY_CELLS) shouldBe emptySet()
     }
@@ -67,7 +67,7 @@ class Qualification42Spec : FunSpec({
 
 private const val MATCH_BEGINS = 2.0
 
-/** The slope of voltage over current, in ohms. */
+/** Returns the slope of voltage over current, in Ω. */
 private fun resistance(view: LogView, until: Double): Double {
     val amps = view.samples("PDP/Total Current", 0.0, until)
     val volts = view.samples("System/Battery Voltage", 0.0, until)

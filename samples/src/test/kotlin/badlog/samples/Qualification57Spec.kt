@@ -15,7 +15,7 @@ class Qualification57Spec : FunSpec({
         Inflated(sampleFile("qualification-57.bag.gz").readBytes()).isWhole shouldBe false
     }
 
-    test("only its last row is lost to that, after the end of the match") {
+    test("only its last row is lost, after the end of the match") {
         view.problems.filter { it.severity != Severity.NOTE }.map { it.kind } shouldBe listOf(ProblemKind.ROW_CUT)
         view.xAxis.positions.last() shouldBeGreaterThan 155.0
     }

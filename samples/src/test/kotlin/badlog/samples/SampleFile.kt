@@ -7,10 +7,10 @@ import java.io.ByteArrayOutputStream
 import java.io.File
 import java.util.zip.Inflater
 
-/** A checked-in sample; the tests run in the folder that has them. */
+/** Returns a checked-in sample; the tests run in the folder of the samples. */
 fun sampleFile(name: String): File = File(name).also { check(it.isFile) { "$name is not in ${File("").absolutePath}" } }
 
-/** The sample as a front end sees it. */
+/** Returns the sample as a front end reads it. */
 fun viewOf(name: String): LogView {
     val file = sampleFile(name).readBytes()
     val parser = BagParser()
@@ -22,12 +22,12 @@ fun LogView.topic(name: String): Topic = recording.topics.single { it.name == na
 
 fun LogView.rowAt(seconds: Double): Int = xAxis.positions.indexOfFirst { it >= seconds }
 
-/** The samples of [topic] from second [from] until second [until]. */
+/** Returns the samples of [topic] from second [from] until second [until]. */
 fun LogView.samples(topic: String, from: Double, until: Double): List<Double> = topic(topic).samples.slice(rowAt(from) until rowAt(until))
 
 fun LogView.events(): List<Pair<Double, String>> = folders.flatMap { it.eventLogs }.flatMap { it.events }.map { it.x to it.text }
 
-/** What a gzip [file] holds as far as it can be inflated, and whether its stream has an end. */
+/** The inflated content of a gzip [file], possibly cut off, and whether its stream has an end. */
 class Inflated(file: ByteArray) {
     val bytes: ByteArray
     val isWhole: Boolean

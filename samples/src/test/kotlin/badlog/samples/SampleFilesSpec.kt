@@ -7,13 +7,13 @@ import java.io.File
 
 class SampleFilesSpec : FunSpec({
     for ((name, make) in SAMPLES.filterKeys { !it.endsWith(".gz") }) {
-        test("$name is byte for byte what the simulation gives") {
+        test("$name equals the simulation's output, byte for byte") {
             make().contentEquals(sampleFile(name).readBytes()) shouldBe true
         }
     }
 
-    // Other builds of zlib compress to other bytes, which inflate to the same.
-    test("qualification-57.bag.gz inflates, as far as it goes, to what the simulation gives") {
+    // Other builds of zlib compress to different bytes that inflate to the same content.
+    test("qualification-57.bag.gz inflates, up to its cut end, to the simulation's output") {
         val inflated = Inflated(sampleFile("qualification-57.bag.gz").readBytes()).bytes
         qualification57().copyOf(inflated.size).contentEquals(inflated) shouldBe true
     }

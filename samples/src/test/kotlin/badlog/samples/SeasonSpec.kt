@@ -17,7 +17,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 
-/** Matches of a season, compared with each other: what is planted in one is found there, and nowhere else. */
+/** Tests of comparisons between the matches of a season: a fault planted in one match is found only there. */
 class SeasonSpec : FunSpec({
     fun viewOf(seed: Int, fault: Fault? = null) = LogView.of(BagParser().apply { accept(FaultyMatch(seed, fault, isFaint = false).bag()) }.finish())
 
@@ -27,7 +27,7 @@ class SeasonSpec : FunSpec({
 
     fun findingsOf(logs: List<LogNumbers>) = RuleSet.BUILT_IN.compared(logs).map { log -> log.findings.map { "${it.rule}: ${it.text}" } }
 
-    /** Match [seed], in which the topic [name] has [factor] times its values. */
+    /** Returns match [seed] with the values of the topic [name] multiplied by [factor]. */
     fun scaled(seed: Int, name: String, factor: Double): LogNumbers {
         val recording = viewOf(seed).recording
         val topics = recording.topics.map { topic ->
@@ -54,15 +54,15 @@ class SeasonSpec : FunSpec({
         findingsOf(season + tired).last().map { it.substringBefore(':') } shouldContain "Resistance above other matches"
     }
 
-    test("one outlier among the matches changes nothing for the others") {
-        val crazy = season[0].keys.map { it.topic }.distinct().fold(viewOf(501).recording) { recording, name ->
+    test("one outlier among the matches does not affect the others") {
+        val withOutlier = season[0].keys.map { it.topic }.distinct().fold(viewOf(501).recording) { recording, name ->
             recording.copy(
                 topics = recording.topics.map { topic ->
                     if (topic.name == name) topic.copy(samples = DoubleArray(topic.samples.size) { topic.samples[it] * 50 }) else topic
                 },
             )
         }
-        val found = findingsOf(season.take(10) + numbersOf(LogView.of(crazy)) + season.drop(10))
+        val found = findingsOf(season.take(10) + numbersOf(LogView.of(withOutlier)) + season.drop(10))
         found.filterIndexed { place, _ -> place != 10 }.flatten().shouldBeEmpty()
     }
 

@@ -5,8 +5,8 @@ import badlog.lib.DataInferMode;
 import java.util.function.Supplier;
 
 /**
- * Prints the time from {@code init} to the first row, in microseconds, in a JVM that has loaded nothing of badlog yet.
- * The program's own first lambda and its names are made before that, because it would pay for them with any logger.
+ * Prints the time from {@code init} to the first row, in µs, in a new JVM without classes of badlog. The program's own first lambda and its
+ * names are created before that, because any logger would need them.
  */
 final class ColdStart {
     private ColdStart() {

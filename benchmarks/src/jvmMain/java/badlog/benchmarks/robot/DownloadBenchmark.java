@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Measures a robot's loop on one core with and without two downloads from its server, in turns, so that whatever else the machine does falls on
- * both; writes a report. Arguments: the report, the class path of a robot.
+ * Measures a robot's loop on one core with and without two downloads from its server, and writes a report. It alternates between both, so
+ * that other load on the machine affects both. Arguments: the report, the class path of a robot.
  */
 final class DownloadBenchmark {
     private static final int TURNS = 8;
@@ -37,7 +37,7 @@ final class DownloadBenchmark {
             for (int turn = 0; turn < TURNS; turn++) {
                 List<Double> alone = loops(robot, answers);
                 Process downloads = pinned(1, args[1], Downloads.class, "http://127.0.0.1:" + port + "/logs/match.bag");
-                // Both are running.
+                // Both downloads are running.
                 BufferedReader begun = downloads.inputReader();
                 String first = begun.readLine();
                 String second = begun.readLine();
@@ -47,7 +47,7 @@ final class DownloadBenchmark {
                 List<Double> served = loops(robot, answers);
                 downloads.destroy();
                 downloads.waitFor();
-                // The first turn compiles what they run.
+                // The first turn is a warm-up for the compiler.
                 if (turn > 0) {
                     without.addAll(alone);
                     beside.addAll(served);
@@ -106,7 +106,7 @@ final class DownloadBenchmark {
         return millis;
     }
 
-    /** Starts a program with a robot's collector on one core, before other programs if this user may ask for that. */
+    /** Starts a program with a robot's garbage collector on one core, with a higher priority if this user may set it. */
     private static Process pinned(int core, String classpath, Class<?> program, String... args) throws IOException {
         List<String> command = new ArrayList<>(List.of(
             "nice", "-n", "-19", "taskset", "-c", Integer.toString(core), Path.of(System.getProperty("java.home"), "bin", "java").toString(),

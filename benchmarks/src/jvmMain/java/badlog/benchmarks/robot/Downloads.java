@@ -3,7 +3,7 @@ package badlog.benchmarks.robot;
 import java.io.InputStream;
 import java.net.URI;
 
-/** Downloads a log twice at the same time, again and again, until it is ended. Arguments: the address of the log. */
+/** Downloads a log twice at the same time, repeatedly, until the program is ended. Arguments: the address of the log. */
 final class Downloads {
     private Downloads() {
     }

@@ -17,11 +17,11 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 
-/** One loop of a robot: ten numbers published, all topics updated, a row written and flushed. */
+/** Measures a robot's loop: ten numbers published, all topics updated, a row written and flushed. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class LoopBenchmark {
-    /** Makes a file for each iteration, in memory if there is such a disk: the log is measured, not the disk. */
+    /** Creates a file for each iteration, on a memory disk if there is one, so that the log is measured, not the disk. */
     abstract static class Logging {
         final Signals signals = new Signals();
         private Path file;
@@ -45,7 +45,7 @@ public class LoopBenchmark {
         }
     }
 
-    /** Our logger, in whatever way topics are created. */
+    /** badlog's logger; subclasses create the topics. */
     abstract static class Ours extends Logging {
         private final String[] names = new String[Signals.PUBLISHED];
         BadLog log;
@@ -79,7 +79,7 @@ public class LoopBenchmark {
         }
     }
 
-    /** Numbers by primitive suppliers and handles. */
+    /** Numbers from primitive suppliers and handles. */
     @State(Scope.Benchmark)
     public static class Primitive extends Ours {
         private final Publisher[] publishers = new Publisher[Signals.PUBLISHED];
@@ -100,7 +100,7 @@ public class LoopBenchmark {
         }
     }
 
-    /** The original's functions. */
+    /** The functions of the original badLog. */
     @State(Scope.Benchmark)
     public static class DropIn extends Ours {
         @Override
@@ -109,7 +109,7 @@ public class LoopBenchmark {
         }
     }
 
-    /** The original's way. */
+    /** The implementation of the original badLog. */
     @State(Scope.Benchmark)
     public static class Straightforward extends Logging {
         private final String[] names = new String[Signals.PUBLISHED];

@@ -21,8 +21,8 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
 /**
- * Measures a robot's loop, compiled and interpreted, its start, and the size of what it needs; writes a report.
- * Arguments: the report, the jars that a robot gets, and this program's own classes.
+ * Measures a robot's loop, compiled and interpreted, its start, and the size of its jars; writes a report. Arguments: the report, the jars
+ * that a robot gets, and this program's own classes.
  */
 final class RobotBenchmark {
     private static final int STARTS = 15;

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A robot that logs 50 numbers every 20 ms after 2 ms of work of its own, and serves the folder of its logs. For each line on standard
- * input it runs some loops, and prints how long each of them took from the moment when it was due, in ns. Arguments: the folder, the port.
+ * A robot that logs 50 numbers every 20 ms and serves the folder of its logs. Each loop has 2 ms of other work. For each line on standard
+ * input it runs some loops, and prints the time from each loop's due time to its end, in ns. Arguments: the folder, the port.
  */
 final class ServingRobot {
     private static final int LOOPS = 500;
@@ -58,7 +58,7 @@ final class ServingRobot {
         }
     }
 
-    /** Returns how many rounds of work take 2 ms once they are compiled: the work is always the same, however often it is interrupted. */
+    /** Returns the number of rounds of work that take 2 ms when compiled. The work is constant, however often it is interrupted. */
     private static int calibrated(ServingRobot robot) {
         int rounds = 1000;
         for (int i = 0; i < 500; i++) {

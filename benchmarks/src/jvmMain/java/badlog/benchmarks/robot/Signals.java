@@ -1,6 +1,6 @@
 package badlog.benchmarks.robot;
 
-/** The numbers of a robot: 50 that change in each loop, from a table, so that computing them costs nothing. */
+/** The numbers of a robot: 50 that change in each loop. They come from a table, so that computing them takes no time. */
 final class Signals {
     static final int QUERIED = 40;
     static final int PUBLISHED = 10;

@@ -15,9 +15,8 @@ import java.util.StringJoiner;
 import java.util.function.Supplier;
 
 /**
- * A bag logger for comparison, as anyone would first write it, and as the original is: each number becomes a text by
- * {@code String.format}, published values are in a map of {@code Optional}s, a row is joined and passed to a buffered
- * writer.
+ * A simple bag logger for comparison, like the original badLog: it formats numbers by {@code String.format}, keeps published values in a
+ * map of {@code Optional}s, and joins each row for a buffered writer.
  */
 final class StraightforwardLog implements AutoCloseable {
     private static final String NOTHING = "-1.0";

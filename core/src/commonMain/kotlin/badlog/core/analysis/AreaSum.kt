@@ -3,8 +3,8 @@ package badlog.core.analysis
 import kotlin.math.abs
 
 /**
- * The area under samples that come one by one, each of which holds until the next, summed with Neumaier's compensation (1974), so
- * that a million small steps lose nothing.
+ * The area under samples that are added one by one; each holds until the next. Neumaier's compensation (1974) ensures that a million small
+ * steps lose nothing.
  */
 public class AreaSum {
     private var sum = 0.0
@@ -22,7 +22,7 @@ public class AreaSum {
         lastY = y
     }
 
-    /** Ends the area at [x]: the last sample holds until there, and no longer. */
+    /** Ends the area at [x]: the last sample holds until there. */
     public fun holdUntil(x: Double) {
         if (x >= lastX) addArea((x - lastX) * lastY)
         lastX = Double.NaN

@@ -3,7 +3,7 @@ package badlog.core.analysis
 import badlog.core.recording.ProblemKind
 
 /**
- * What a topic's attribute does when a recording is shown. A program adds its own by adding an implementation to an
+ * The effect of a topic's attribute when a recording is shown. Programs add an attribute by adding an implementation to an
  * [AttributeRegistry].
  */
 public interface Attribute {
@@ -11,15 +11,15 @@ public interface Attribute {
     public val name: String
 
     /**
-     * Applies it to a topic.
+     * Applies the attribute to [topic].
      *
-     * @param argument what follows the `:`, or null if there is none.
+     * @param argument the text after the `:`; null if there is none.
      */
     public fun apply(topic: TopicPlan, argument: String?)
 }
 
 /**
- * The attributes that have an effect.
+ * The attributes that have an effect, by their names.
  *
  * @property attributes the attributes; of two with the same name, the later one counts.
  */

@@ -1,15 +1,14 @@
 package badlog.core.analysis
 
 /**
- * Returns the differences between neighbors, `y[i+1] - y[i]`, each at the midpoint of `x[i]` and `x[i+1]`: one sample
- * fewer than the series has. There is a gap wherever one of the two neighbors has no finite value.
+ * Returns the differences between neighbors, `y[i+1] - y[i]`, each at the midpoint of `x[i]` and `x[i+1]`. The result has one sample fewer
+ * than the series, and a gap wherever a neighbor has no finite value.
  */
 public fun Series.delta(): Series = betweenNeighbors { i -> y[i + 1] - y[i] }
 
 /**
- * Returns the slopes between neighbors, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the midpoint of `x[i]` and
- * `x[i+1]`: one sample fewer than the series has. There is a gap wherever one of the two neighbors has no finite value,
- * or x does not increase.
+ * Returns the slopes between neighbors, `(y[i+1] - y[i]) / (x[i+1] - x[i])`, each at the midpoint of `x[i]` and `x[i+1]`. The result has
+ * one sample fewer than the series, and a gap wherever a neighbor has no finite value, or x does not increase.
  */
 public fun Series.derivative(): Series = betweenNeighbors { i ->
     val run = x[i + 1] - x[i]
@@ -18,9 +17,8 @@ public fun Series.derivative(): Series = betweenNeighbors { i ->
 }
 
 /**
- * Returns the running area under the series by the trapezoidal rule: 0 at the first value, and each sum at the sample that
- * ends its interval. Over a gap, and where x goes backwards, the sum is carried on unchanged, since the area there is not
- * known.
+ * Returns the running area under the series by the trapezoidal rule. It is 0 at the first value, and each sum is at the sample that ends
+ * its interval. Over a gap, and where x goes backwards, the sum stays unchanged, because the area there is not known.
  *
  * @param holds whether each sample holds until the next one, as in a topic that is logged when it changes; the area is then
  * made of rectangles.

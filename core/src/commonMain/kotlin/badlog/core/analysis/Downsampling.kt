@@ -1,9 +1,9 @@
 package badlog.core.analysis
 
 /**
- * Draws a series of any length at the cost of the screen's width: the smallest and largest value of each pixel column, with
- * its first and last (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014). A lone spike
- * always shows. A gap of a column's width or more stays a gap, and so does one between two columns.
+ * Reduces a series of any length to its first, last, smallest and largest value in each pixel column. Drawing then costs only the screen's
+ * width (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014). A lone spike always shows. A gap of a
+ * column's width or more stays a gap, and so does one between two columns.
  *
  * A min/max pyramid, built on first use, avoids visiting every sample at every zoom. Not thread-safe.
  */
@@ -11,8 +11,8 @@ public class Downsampling(private val series: Series) {
     private val pyramid by lazy { MinMaxPyramid(series.y) }
 
     /**
-     * Fills [into] with what lies from x = [from] to x = [to]. The range is divided into columns of equal width; the last
-     * one includes its end.
+     * Fills [into] with the samples from x = [from] to x = [to]. The range is divided into columns of equal width; the last one includes
+     * its end.
      *
      * @throws IllegalArgumentException if [to] is not above [from], or either of them is not finite.
      */
@@ -24,7 +24,7 @@ public class Downsampling(private val series: Series) {
 
     private fun fillOrdered(from: Double, to: Double, into: PixelColumns) {
         val y = series.y
-        // Each read of a lazy property makes an object in JavaScript, which would be three for each column.
+        // In JavaScript, each read of a lazy property creates an object: three for each column.
         val pyramid = pyramid
         val end = endOf(to)
         var start = series.firstAtOrAfter(from)
@@ -88,10 +88,9 @@ public class Downsampling(private val series: Series) {
 }
 
 /**
- * What a series looks like on a screen of [count] pixel columns, see [Downsampling]. Made once for a screen, and filled
- * again for each zoom.
+ * A series reduced to [count] pixel columns, see [Downsampling]. Create it once for a screen, and fill it again for each zoom.
  *
- * @property count how many pixel columns there are.
+ * @property count the number of pixel columns.
  */
 public class PixelColumns(public val count: Int) {
     /** The value of each column's first sample; NaN where that sample is a gap or there is none. */
@@ -125,9 +124,8 @@ public class PixelColumns(public val count: Int) {
 }
 
 /**
- * The smallest and the largest finite value of any range of an array, found in a time that hardly depends on the length
- * of the range. Each level holds both values for blocks of [BLOCK] entries of the level below. The pyramid takes a
- * sixteenth of the array's memory.
+ * Finds the smallest and the largest finite value of any range of an array. The time hardly depends on the range's length. Each level holds
+ * both values for blocks of [BLOCK] entries of the level below. The pyramid takes a sixteenth of the array's memory.
  */
 internal class MinMaxPyramid(private val values: DoubleArray) {
     private val mins = ArrayList<DoubleArray>()

@@ -6,8 +6,8 @@ import badlog.core.recording.Topic
  * A time during which the robot was enabled.
  *
  * @property span where on the x axis.
- * @property isAutonomous whether it was under its own control; false when a driver was, or it is unknown.
- * @property isTest whether it was in the mode for tests, which is called utility from 2027 on; no driver plays then.
+ * @property isAutonomous whether the robot was in autonomous mode; false if a driver controlled it, or if the mode is unknown.
+ * @property isTest whether the robot was in test mode, which is called utility from 2027 on; no match is played in that mode.
  * @property opMode the name of the op mode that a robot ran, from 2027 on; null if there is none.
  */
 public data class EnabledSpan(
@@ -22,10 +22,10 @@ public data class EnabledSpan(
  * times of its own holds until the recording's end. Empty if no topic shows it, or if x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
-    val alone = modes.autonomous?.let(::spansOf).orEmpty()
+    val autonomous = modes.autonomous?.let(::spansOf).orEmpty()
     val tests = modes.test?.let(::spansOf).orEmpty()
     val names = modes.opMode?.let(::textsOf)
-    return modes.enabled?.let(::spansOf).orEmpty().flatMap { enabled -> split(enabled, alone) }.flatMap { piece ->
+    return modes.enabled?.let(::spansOf).orEmpty().flatMap { enabled -> split(enabled, autonomous) }.flatMap { piece ->
         if (piece.isInside) {
             listOf(EnabledSpan(piece.span, isAutonomous = true, opMode = names?.at(piece.span.from)))
         } else {
@@ -73,7 +73,7 @@ private fun LogView.textsOf(name: String): Texts? {
     return line.states?.takeIf { line.data.isOrdered }?.let { Texts(line.data, it) }
 }
 
-/** A piece of a span, and whether it is inside others. */
+/** A piece of a span, and whether it lies inside other spans. */
 private class SplitPiece(val span: Span, val isInside: Boolean)
 
 /** Cuts [whole] where [others] begin and end. */

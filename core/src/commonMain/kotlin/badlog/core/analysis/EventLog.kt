@@ -6,21 +6,21 @@ import badlog.core.recording.Topic
 /**
  * A text with a time.
  *
- * @property x where it stands on the x axis; NaN where the x axis has a gap.
- * @property row the row it was logged in, from 0; of a topic with times of its own, the sample.
+ * @property x its position on the x axis; NaN if the x axis has a gap there.
+ * @property row the index of its row, from 0; in a topic with times of its own, the index of its sample.
  */
 public class Event(public val x: Double, public val row: Int, public val text: String)
 
 /**
- * What happened, in the order of the file.
+ * The events of one topic, in the order of the file.
  *
- * @property topic the topic it comes from.
+ * @property topic the topic that holds the events.
  */
 public class EventLog internal constructor(public val topic: Topic, xAxis: XAxis) {
     /** The full name, with its folder. */
     public val name: String get() = topic.name
 
-    /** The heading above it: its name without the folder. */
+    /** The heading above the events: the name without its folder. */
     public val title: String get() = PathName.baseNameOf(topic.name)
 
     /** Each text cell of the topic; numbers and empty cells are not events. */

@@ -3,10 +3,10 @@ package badlog.core.analysis
 import badlog.core.recording.PathName
 
 /**
- * What is drawn in one frame: one or more series over the common x.
+ * One or more series that are drawn in one frame over the common x.
  *
  * @property name the full name, with its folder.
- * @property unit the unit of y, `ul` for none; that of the first series where they differ.
+ * @property unit the unit of y, `ul` for none; the first series' unit if they differ.
  * @property isVirtual whether it was derived from topics rather than logged; its [title] is then in brackets.
  * @property isFilled whether the area below the line is filled.
  * @property includesZero whether y must include 0.
@@ -23,9 +23,9 @@ public class Graph(
     /** The folder it belongs to; empty for the root folder. */
     public val folder: String get() = PathName.folderOf(name)
 
-    /** The heading above it: its name without the folder, in `[ … ]` if [isVirtual]. */
+    /** The heading above the graph: its name without the folder, in `[ … ]` if [isVirtual]. */
     public val title: String get() = PathName.baseNameOf(name).let { if (isVirtual) "[ $it ]" else it }
 
-    /** Whether it shows states rather than numbers: each of its series has [GraphSeries.states]. */
+    /** Whether the graph shows states rather than numbers: each of its series has [GraphSeries.states]. */
     public val showsStates: Boolean get() = series.all { it.states != null }
 }

@@ -5,10 +5,10 @@ import badlog.core.recording.Topic
 /**
  * One line of a graph.
  *
- * @property name what the legend calls it.
+ * @property name its name in the legend.
  * @property unit its unit, `ul` for none.
  * @property topic the topic it comes from.
- * @property isDerived whether its samples were calculated from those of [topic] rather than logged.
+ * @property isDerived whether its samples were calculated from [topic]'s samples rather than logged.
  * @property states the names of the states, if the numbers only stand for states: number `n` is `states[n]`. Otherwise
  * null.
  * @param range returns where its recording has samples, see [recorded].
@@ -25,18 +25,18 @@ public class GraphSeries internal constructor(
     /** Its samples, computed on first use. */
     public val data: Series by lazy(compute)
 
-    /** Whether a sample's value holds until the next one: true for a topic with times of its own, which is logged when it changes. */
+    /** Whether a sample's value holds until the next one. True for a topic with times of its own, which is logged when it changes. */
     public val holds: Boolean get() = topic.times != null && !isDerived
 
     /**
-     * The part of x in which its recording has samples, of this line or of others: where values hold, the last one holds until its end.
-     * Null if there are none.
+     * The part of x in which its recording has samples, of this line or of others. Where values hold, the last one holds until the end of
+     * this part. Null if there are no samples.
      */
     public val recorded: ClosedFloatingPointRange<Double>? get() = range()
 
     /**
-     * Returns this line with [offset] added to each x, in the unit of x, and [suffix] behind its name and its topic's: so a line of one log
-     * is drawn among those of another. The times of the topic itself stay.
+     * Returns this line with [offset] added to each x, and [suffix] to its name and its topic's. The line can then be drawn among the lines
+     * of another log. [offset] is in the unit of x; the times of the topic itself stay.
      */
     public fun moved(offset: Double, suffix: String): GraphSeries = GraphSeries(
         name + suffix,

@@ -7,14 +7,14 @@ import badlog.core.recording.Topic
 import badlog.core.recording.Value
 
 /**
- * A recording after its attributes were applied: what a front end shows, in the order in which it shows it.
+ * A recording after its attributes were applied: values, event logs and graphs in the order in which they are shown.
  *
- * @property recording what it was made from.
+ * @property recording the recording that the view shows.
  * @property title the match, such as `OHCL Qualification 42`, from the event and match values; null if there are
  * none.
  * @property xAxis the common x of its graphs.
  * @property folders the root folder first, if it has anything, then the others, sorted regardless of case.
- * @property problems the recording's problems, then those of its attributes.
+ * @property problems the recording's problems, then the problems of its attributes.
  * @property modes the topics that show when the robot was enabled.
  */
 public class LogView internal constructor(
@@ -34,7 +34,7 @@ public class LogView internal constructor(
     /** Returns the texts of [topic], one of the recording's, as events, whether or not they are shown as a list. */
     public fun eventsOf(topic: Topic): EventLog = EventLog(topic, xAxis)
 
-    /** Returns how many of [problems] have [severity]. */
+    /** Returns the number of [problems] with [severity]. */
     public fun count(severity: Severity): Int = problems.count { it.severity == severity }
 
     public companion object {
@@ -45,7 +45,7 @@ public class LogView internal constructor(
 }
 
 /**
- * All values, event logs and graphs whose names begin with the same path. They keep the order of the file.
+ * The values, event logs and graphs with the same path at the start of their names. They keep the order of the file.
  *
  * @property name the path, without slashes at its ends; empty for the root folder.
  */

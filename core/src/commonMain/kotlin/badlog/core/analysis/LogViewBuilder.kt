@@ -33,7 +33,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
     fun build(): LogView {
         val plans = recording.topics.map(::planOf)
         val xAxis = findXAxis(plans)
-        for (plan in plans) addOwn(plan, xAxis)
+        for (plan in plans) addTopic(plan, xAxis)
         // Last, so that all topics' graphs have their names before anything joins them.
         for (plan in plans) for (graph in plan.joins) join(plan, graph, xAxis)
         return LogView(
@@ -141,7 +141,7 @@ internal class LogViewBuilder(private val recording: Recording, private val regi
         }
     }
 
-    private fun addOwn(plan: TopicPlan, xAxis: XAxis) {
+    private fun addTopic(plan: TopicPlan, xAxis: XAxis) {
         val topic = plan.topic
         if (plan.isEventLog) {
             if (!plan.isHidden) eventLogs += EventLog(topic, xAxis)
@@ -204,7 +204,7 @@ private fun textOf(number: Double): String = if (abs(number) < WHOLE) number.toL
 
 private const val WHOLE = 1e15
 
-/** Puts all that is shown into folders: the root folder first, the others sorted regardless of case. */
+/** Sorts everything into folders: the root folder first, then the others regardless of case. */
 private fun folders(values: List<Value>, eventLogs: List<EventLog>, graphs: List<Graph>): List<Folder> {
     val valuesOf = values.groupBy { PathName.folderOf(it.name) }
     val eventLogsOf = eventLogs.groupBy { PathName.folderOf(it.name) }

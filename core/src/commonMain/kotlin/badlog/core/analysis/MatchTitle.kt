@@ -4,13 +4,13 @@ import badlog.core.recording.PathName
 import badlog.core.recording.Value
 
 /**
- * Returns the match that a recording is of, such as `OHCL Qualification 42`, from the values that teams log under these
- * names. Null if no value says.
+ * Returns the title of a recording's match, such as `OHCL Qualification 42`, from values that teams usually log. Null if [values] name
+ * neither event nor match.
  */
 public fun matchTitle(values: List<Value>): String? =
     matchTitle(values.meant("event name", "event"), values.meant("match type"), values.meant("match number", "match"))
 
-/** Returns the title of the match [number] of the type [type] of an event; null unless there is an event and a number. */
+/** Returns the title of match [number] of [type] at [event]; null if there is neither event nor number. */
 public fun matchTitle(event: String?, type: String?, number: String?): String? {
     if (event == null && number == null) return null
     val match = if (number == null) type else "${type ?: "Match"} $number"
@@ -18,15 +18,15 @@ public fun matchTitle(event: String?, type: String?, number: String?): String? {
 }
 
 /**
- * Returns the text of the first value that means anything and is called one of [names], which are in lower case and without folders; null
- * if there is none.
+ * Returns the first meaningful text of a value that has one of [names]; null if there is none. [names] are in lower case and without
+ * folders.
  */
 public fun List<Value>.meant(vararg names: String): String? =
     firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() in names && isMeant(it.text) }?.text?.trim()
 
 /**
- * Returns whether [text] says anything about a match: off the field, robots log what the Driver Station provides, which is nothing, 0 or
- * None.
+ * Returns whether [text] says anything about a match. Off the field, the Driver Station provides a blank text, 0 or None, and robots log
+ * that.
  */
 public fun isMeant(text: String): Boolean = text.isNotBlank() && text.trim().lowercase() !in MEANINGLESS
 

@@ -1,13 +1,13 @@
 package badlog.core.analysis
 
 /**
- * The topics of a recording that show when the robot was enabled. Their names differ from log to log: code that knows the
- * names finds them, and passes them to [LogView.identified].
+ * The topics of a recording that show when the robot was enabled, and in which mode. Their names differ from log to log: code that knows
+ * the names finds the topics, and passes them to [LogView.identified].
  *
  * @property enabled the topic that shows when it was enabled; null for none.
  * @property autonomous the topic that shows when it was autonomous; null for none.
- * @property test the topic that shows when it was in the mode for tests, called utility from 2027 on; null for none.
- * @property opMode the name of the topic with the name of the op mode; null for none.
+ * @property test the topic that shows when it was in test mode, called utility from 2027 on; null for none.
+ * @property opMode the name of the topic that holds the op mode's name; null for none.
  */
 public class ModeTopics(
     public val enabled: FlagTopic?,
@@ -22,7 +22,7 @@ public class ModeTopics(
 }
 
 /**
- * A topic that shows when something is the case.
+ * A topic with samples that are read as true or false.
  *
  * @property topic its full name.
  * @property reading how to read its samples.

@@ -12,11 +12,12 @@ import kotlin.math.ceil
 import kotlin.math.round
 
 /**
- * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before
- * that time, and nothing before its first sample. A sample less than a nanosecond after a row, as rounding makes them, is in it. An event
- * is in the first row that is not before it; several events of one row are joined by `; `. So is the sample of a topic that
- * [was sparse][Topic.wasSparse]; of several in one row, it is the last. The first topic is `Time`, with these times, as the x axis. If the
- * recording was made from rows, the topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as a bag or as CSV.
+ * Returns the samples of [recording] in rows, one for each of [times]. In each row, a topic has its last value at or before that time, and
+ * nothing before its first sample. A sample less than a nanosecond after a row is in that row, because times are rounded. An event is in
+ * the first row that is not before it; several events of one row are joined by `; `. A sample of a topic that [was sparse][Topic.wasSparse]
+ * goes to its row in the same way; of several in one row, the last one counts. The first topic is `Time`, with these times, as the x axis.
+ * If the recording was made from rows, the topic that [was their x axis][Topic.wasXAxis] is the x axis again. The result can be written as
+ * a bag or as CSV.
  *
  * @param times ascending and finite, in the unit of the recording's x axis.
  * @throws IllegalArgumentException if they are not.
@@ -29,8 +30,8 @@ public fun resampled(recording: Recording, times: DoubleArray): Recording {
     val xAxis = LogView.of(recording).xAxis
     val formerX = recording.topics.find { it.wasXAxis && it.samples.isNotEmpty() }
     val topics = recording.topics.filter { it !== xAxis.topic }.map { topic ->
-        val held = held(topic, xAxis, times)
-        if (topic === formerX) xAxisAgain(held, times) else held
+        val resampled = resampledTopic(topic, xAxis, times)
+        if (topic === formerX) restoredXAxis(resampled, times) else resampled
     }
     return recording.copy(
         format = RecordingFormat.BAG,
@@ -46,8 +47,8 @@ private fun newXAxis(recording: Recording, unit: String, times: DoubleArray): To
     return Topic(name, unit, listOf("xaxis", "hide"), times, TextColumn.EMPTY, xCounts(times))
 }
 
-/** Returns the topic [former] with its own numbers, if they hold the times more precisely than [times] does. */
-private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
+/** Returns the topic [former] as the x axis. Its own numbers are kept where they agree with [times], because they are more precise. */
+private fun restoredXAxis(former: Topic, times: DoubleArray): Topic {
     val inSeconds = Units.microsIn(former.unit) / 1e6
     val x = DoubleArray(times.size) { row ->
         val own = former.samples[row]
@@ -59,11 +60,10 @@ private fun xAxisAgain(former: Topic, times: DoubleArray): Topic {
 private fun xCounts(times: DoubleArray) = CellCounts(times.size, 0, 0, 0, 0, 0)
 
 /**
- * Returns times that are [period] apart, from the first sample of [recording] on; the last one is not before the
- * last sample.
+ * Returns times [period] apart, from the first sample of [recording] on. The last time is not before the last sample.
  *
- * @param period in the unit of the x axis, above 0.
- * @throws IllegalArgumentException if it is not, or if there would be more than 100 million times.
+ * @param period in the unit of the x axis; above 0.
+ * @throws IllegalArgumentException if [period] is not above 0, or if there would be more than 100 million times.
  */
 public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     require(period > 0) { "A period must be above 0, but is $period." }
@@ -76,7 +76,7 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
 /** Returns [count] times from [from] on, [period] apart, without the stray last digits of sums of binary fractions. */
 public fun periodicTimes(from: Double, period: Double, count: Int): DoubleArray = DoubleArray(count) {
     val time = from + it * period
-    if (period >= MICROSECOND) round(time * PLACES) / PLACES else time
+    if (period >= MICROSECOND) round(time * ROUNDING_SCALE) / ROUNDING_SCALE else time
 }
 
 /** Returns the times at which [topic], one of [recording]'s, has samples: each once, in ascending order. */
@@ -88,24 +88,27 @@ public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
     return positions.copyOf(size)
 }
 
-/** Returns how many samples of [topic], which has times of its own, are in none of the rows that [resampled] makes at [times]. */
+/**
+ * Returns the number of samples of [topic] that are in none of the rows that [resampled] makes at [times]. [topic] must have times of its
+ * own.
+ */
 public fun samplesBetween(topic: Topic, times: DoubleArray): Long {
     val own = topic.times ?: return 0
     // All events before a row are in it.
     if (topic.kind == TopicKind.EVENT || "log" in topic.attributes) {
-        return own.count { times.isEmpty() || it > times.last() + NEAR }.toLong()
+        return own.count { times.isEmpty() || it > times.last() + MAX_LATENESS }.toLong()
     }
     var lost = 0L
     var row = 0
     for (i in own.indices) {
-        while (row < times.size && times[row] + NEAR < own[i]) row++
-        val isShown = row < times.size && (i == own.lastIndex || own[i + 1] > times[row] + NEAR)
+        while (row < times.size && times[row] + MAX_LATENESS < own[i]) row++
+        val isShown = row < times.size && (i == own.lastIndex || own[i + 1] > times[row] + MAX_LATENESS)
         if (!isShown) lost++
     }
     return lost
 }
 
-private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
+private fun resampledTopic(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     val positions = positionsOf(topic, xAxis)
     val isOrdered = Series(positions, positions).isOrdered
     // If a clock was set back, samples out of order would be found by none of the times.
@@ -120,16 +123,16 @@ private fun held(topic: Topic, xAxis: XAxis, times: DoubleArray): Topic {
     for (row in times.indices) {
         while (next < count) {
             val index = order?.get(next) ?: next
-            if (positions[index] > times[row] + NEAR) break
-            sampler.meet(index)
+            if (positions[index] > times[row] + MAX_LATENESS) break
+            sampler.advanceTo(index)
             next++
         }
-        sampler.hold(row)
+        sampler.endRow(row)
     }
     return sampler.build()
 }
 
-/** Walks through the samples of a topic, and puts the last one at each time into its row. */
+/** Puts the last sample of a topic at each time into that time's row. */
 private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val isEvent = topic.kind == TopicKind.EVENT || "log" in topic.attributes
 
@@ -139,7 +142,7 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     private val samples = if (topic.samples.isEmpty()) DoubleArray(0) else DoubleArray(rows) { Double.NaN }
     private val textOf = IntArray(topic.size) { -1 }
     private val dictionary = ArrayList(topic.texts.dictionary)
-    private val idOfJoined = HashMap<String, Int>()
+    private val idOfText = HashMap<String, Int>()
     private val textIds = IntArray(rows) { -1 }
     private var last = -1
     private var text = -1
@@ -148,29 +151,29 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
         for (i in 0 until topic.texts.size) textOf[topic.texts.rows[i]] = topic.texts.ids[i]
     }
 
-    fun meet(index: Int) {
+    fun advanceTo(index: Int) {
         // Empty cells of a sparse topic are not samples.
         if (topic.isSparse && textOf[index] < 0 && topic.samples.getOrElse(index) { Double.NaN }.isNaN()) return
         last = index
-        val met = textOf[index]
-        text = if (isEvent && text >= 0 && met >= 0) {
-            joined(text, met)
-        } else if (isEvent && met < 0) {
+        val textId = textOf[index]
+        text = if (isEvent && text >= 0 && textId >= 0) {
+            joined(text, textId)
+        } else if (isEvent && textId < 0) {
             text
         } else {
-            met
+            textId
         }
     }
 
     private fun joined(one: Int, other: Int): Int {
         val joined = dictionary[one] + "; " + dictionary[other]
-        return idOfJoined.getOrPut(joined) {
+        return idOfText.getOrPut(joined) {
             dictionary += joined
             dictionary.lastIndex
         }
     }
 
-    fun hold(row: Int) {
+    fun endRow(row: Int) {
         if (last < 0) return
         textIds[row] = text
         if (samples.isNotEmpty() && textOf[last] < 0) {
@@ -193,15 +196,15 @@ private class LastValueSampler(private val topic: Topic, rows: Int) {
     private fun counts(texts: Int): CellCounts {
         val total = textIds.size
         val finite = samples.count { it.isFinite() }
-        val unfit = samples.count { it.isInfinite() }
+        val infinite = samples.count { it.isInfinite() }
         val gaps = textIds.indices.count { row -> isGap(row) && (row == 0 || !isGap(row - 1)) }
         val isTruth = topic.counts.truthValues > 0 && topic.counts.numbers == 0
         return CellCounts(
             numbers = if (isTruth) 0 else finite,
-            notFinite = unfit + nans,
+            notFinite = infinite + nans,
             truthValues = if (isTruth) finite else 0,
             texts = texts,
-            empty = total - finite - unfit - nans - texts,
+            empty = total - finite - infinite - nans - texts,
             gaps = gaps,
         )
     }
@@ -215,7 +218,7 @@ private const val MICROSECOND = 1e-6
 private const val MAX_ROWS = 1e8
 
 /** Times are rounded to this fraction of a unit of x. */
-private const val PLACES = 1e9
+private const val ROUNDING_SCALE = 1e9
 
-/** A sample that is this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s. */
-private const val NEAR = 1 / PLACES
+/** A sample up to this much later than a row is in that row. Times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s. */
+private const val MAX_LATENESS = 1 / ROUNDING_SCALE

@@ -4,8 +4,9 @@ import badlog.core.recording.Topic
 import kotlin.math.abs
 
 /**
- * The samples per second of [topic], one of this view's, gaps included, on average from its first to its last. NaN if it has fewer than
- * two, or the x axis has another unit than one of time. An axis without a unit counts as seconds, the row index does not.
+ * Returns the average number of samples per second of [topic], one of this view's, gaps included. It counts from the first to the last
+ * sample. NaN if it has fewer than two samples, or if the x axis does not have a unit of time. An axis without a unit counts as seconds,
+ * the row index does not.
  */
 public fun LogView.sampleRateOf(topic: Topic): Double {
     val ownTimes = topic.times

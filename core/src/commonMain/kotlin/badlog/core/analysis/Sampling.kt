@@ -4,10 +4,10 @@ import badlog.core.recording.PathName
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
-/** Returns the x of each sample of [topic]: its own times, or those of the rows. */
+/** Returns the x of each sample of [topic]: the topic's own times, or the rows' x. */
 internal fun positionsOf(topic: Topic, xAxis: XAxis): DoubleArray = topic.times ?: xAxis.positions
 
-/** Returns the numbers of [topic] over [xAxis]; rows without an x are dropped, and so are empty cells of a sparse topic. */
+/** Returns the numbers of [topic] over [xAxis]. Rows without an x and empty cells of a sparse topic are dropped. */
 internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     val x = positionsOf(topic, xAxis)
     val y = topic.samples
@@ -29,7 +29,7 @@ internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     return Series(keptX, keptY)
 }
 
-/** Returns the states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary; a cell without text is a gap. */
+/** Returns the states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary. A cell without text is a gap. */
 internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
     val positions = positionsOf(topic, xAxis)
     val texts = topic.texts
@@ -43,7 +43,7 @@ internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
     )
 }
 
-/** Returns the line of [topic] by itself: its numbers, or the states it was in. */
+/** Returns [topic] as a line by itself: its numbers or its states. */
 internal fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
     val name = PathName.baseNameOf(topic.name)
     return when (topic.kind) {

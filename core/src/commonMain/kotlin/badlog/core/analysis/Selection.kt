@@ -5,8 +5,8 @@ import kotlin.math.ln
 import kotlin.math.sqrt
 
 /**
- * Partially sorts [values] from index [from] until [until]: the number that sorting would bring to index [place] is then
- * there, with no larger one before it and no smaller one after it. None of the values may be NaN.
+ * Partially sorts [values] from index [from] until [until], so that [place] has the same number as after sorting. No larger number is
+ * before it, and no smaller one after it. None of the values may be NaN.
  *
  * Selection by Floyd and Rivest ("Algorithm 489", 1975): the pivot comes from a sample around the place, so that a few
  * rounds nearly always suffice. If they do not, the rest is sorted.
@@ -16,11 +16,11 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
     var high = until - 1
     var rounds = MAX_ROUNDS
     while (high > low) {
-        if (high - low < FEW || rounds-- == 0) {
+        if (high - low < MAX_SORTED || rounds-- == 0) {
             values.sort(low, high + 1)
             return
         }
-        if (high - low > MANY) selectInSample(values, place, low, high)
+        if (high - low > MIN_SAMPLED) selectInSample(values, place, low, high)
         val pivot = values[place]
         var left = low
         var right = high
@@ -33,7 +33,7 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
                 values[right--] = value
             }
         }
-        // Anything between the two is the pivot.
+        // The values between the two equal the pivot.
         if (place >= left) {
             low = left
         } else if (place <= right) {
@@ -44,7 +44,7 @@ public fun select(values: DoubleArray, place: Int, from: Int = 0, until: Int = v
     }
 }
 
-/** Moves to [place], by selecting within a sample, a value slightly farther from the middle than the wanted one. */
+/** Moves a pivot to [place]: a value slightly farther from the middle than the wanted one, selected within a sample. */
 private fun selectInSample(values: DoubleArray, place: Int, low: Int, high: Int) {
     val size = high - low + 1.0
     val rank = place - low + 1.0
@@ -57,16 +57,16 @@ private fun selectInSample(values: DoubleArray, place: Int, low: Int, high: Int)
 }
 
 // Up to this many values are simply sorted.
-private const val FEW = 32
+private const val MAX_SORTED = 32
 
 // From this many values on, taking a sample is worth it.
-private const val MANY = 600
+private const val MIN_SAMPLED = 600
 private const val MAX_ROUNDS = 8
 
 /**
- * Returns the value below which [share] of the total weight lies. It is the smallest of the first [count] of [values] whose weight,
- * with the weights of all below it, reaches that share; if they reach it exactly, it is the midpoint between that value and the
- * next. Equal values may have their weights together or separately, with the same result. NaN if there are no values.
+ * Returns the value below which [share] of the total weight lies. It is the smallest of the first [count] of [values] that weighs, together
+ * with all values below it, at least that share; if exactly that share, the result is the midpoint between that value and the next. Equal
+ * values may have their weights together or separately, with the same result. NaN if there are no values.
  *
  * @param values not NaN.
  * @param weights above 0.
@@ -82,7 +82,7 @@ public fun weightedPercentile(values: DoubleArray, weights: DoubleArray, count: 
 internal class WeightedPercentiles(private val values: DoubleArray, private val weights: DoubleArray, private val count: Int) {
     private var smallest = Double.POSITIVE_INFINITY
     private val scale: Double
-    private val parts = DoubleArray(if (count < FEW_WEIGHED) 1 else PARTS)
+    private val parts = DoubleArray(if (count < MAX_UNDIVIDED) 1 else PARTS)
     private val sizes = IntArray(parts.size)
     private val total: Double
 
@@ -124,14 +124,14 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
 
     private fun partOf(value: Double): Int = ((value - smallest) * scale).toInt()
 
-    /** The value of [some] at which the weight reaches [wanted], if the values below all of them weigh [before]. */
+    /** Returns the value of [some] at which the weight reaches [wanted]; the values below all of them weigh [before]. */
     private fun selected(some: DoubleArray, weightsOfSome: DoubleArray, before: Double, wanted: Double, rounding: Double): Double {
         var low = 0
         var high = some.size - 1
         var below = before
         var random = 1
         while (true) {
-            // Any place will do; but with a fixed one, some orders of values would make this slow.
+            // Any place is correct, but with a fixed one, some orders of values would be slow.
             random = random * 1_103_515_245 + 12_345
             val pivot = some[low + (random ushr 1) % (high - low + 1)]
             var less = low
@@ -143,9 +143,9 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
                 val value = some[i]
                 if (value < pivot) {
                     weightBelow += weightsOfSome[i]
-                    exchange(some, weightsOfSome, i++, less++)
+                    swap(some, weightsOfSome, i++, less++)
                 } else if (value > pivot) {
-                    exchange(some, weightsOfSome, i, more--)
+                    swap(some, weightsOfSome, i, more--)
                 } else {
                     weightAt += weightsOfSome[i++]
                 }
@@ -153,8 +153,8 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
             if (less > low && weightBelow >= wanted) {
                 high = less - 1
             } else if (weightBelow + weightAt >= wanted || more == high) {
-                val isJustReached = weightBelow + weightAt <= wanted + 2 * rounding
-                return if (isJustReached) (pivot + nextAbove(pivot)) / 2 else pivot
+                val isExact = weightBelow + weightAt <= wanted + 2 * rounding
+                return if (isExact) (pivot + nextAbove(pivot)) / 2 else pivot
             } else {
                 below = weightBelow + weightAt
                 low = more + 1
@@ -172,14 +172,14 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
         const val PARTS = 1024
 
         /** Up to this many values are not divided. */
-        const val FEW_WEIGHED = 64
+        const val MAX_UNDIVIDED = 64
 
         /** The relative difference of sums of the same weights in different orders is smaller than this. */
         const val ROUNDING = 1e-9
     }
 }
 
-private fun exchange(values: DoubleArray, weights: DoubleArray, one: Int, other: Int) {
+private fun swap(values: DoubleArray, weights: DoubleArray, one: Int, other: Int) {
     val value = values[one]
     values[one] = values[other]
     values[other] = value

@@ -3,8 +3,7 @@ package badlog.core.analysis
 import kotlin.math.abs
 
 /**
- * Samples over x: `(x[i], y[i])` for every `i`. Callers need not know whether it shares its x with other series or
- * has its own.
+ * Samples over x: `(x[i], y[i])` for every `i`. Several series may share one array of x.
  *
  * @property x the position of each sample; finite. Usually ascending, see [isOrdered]. Not to be changed.
  * @property y the samples, of the same size as [x]; NaN is a gap, and an infinity is drawn as one. Not to be changed.
@@ -56,10 +55,13 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         return low
     }
 
-    /** Returns the index of the sample nearest to [position], the earlier of two that are equally near; -1 if there are no samples. */
+    /**
+     * Returns the index of the sample nearest to [position], or the earlier of two that are equally near. Returns -1 if there are no
+     * samples.
+     */
     public fun nearest(position: Double): Int {
         if (size == 0) return -1
-        if (!isOrdered) return nearestOfAll(position)
+        if (!isOrdered) return nearestUnordered(position)
         val after = firstAtOrAfter(position)
         return when {
             after == 0 -> 0
@@ -69,7 +71,7 @@ public class Series(public val x: DoubleArray, public val y: DoubleArray) {
         }
     }
 
-    private fun nearestOfAll(position: Double): Int {
+    private fun nearestUnordered(position: Double): Int {
         var nearest = 0
         for (i in 1 until size) if (abs(x[i] - position) < abs(x[nearest] - position)) nearest = i
         return nearest

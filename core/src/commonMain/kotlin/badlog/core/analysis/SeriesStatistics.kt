@@ -3,12 +3,12 @@ package badlog.core.analysis
 import kotlin.math.sqrt
 
 /**
- * Statistics of a series over a range of x. Each sample holds until the next: mean, standard deviation and percentiles are
- * weighted by x, so that they are the same whether a value was logged again and again or only when it changed. Gaps have no
- * weight. Everything but the counts is NaN if there is no value in the range.
+ * Statistics of a series over a range of x. Each sample holds until the next. Mean, standard deviation and percentiles are weighted by x,
+ * so they are the same for a value logged repeatedly or only when it changed. Gaps have no weight. Everything but the counts is NaN if
+ * there is no value in the range.
  *
  * @property count the number of samples in the range that have a finite value.
- * @property gaps the number of those that have none.
+ * @property gaps the number of samples in the range that have none.
  * @property min the smallest value, including one that still holds from before the range.
  * @property max the largest value, likewise.
  * @property mean the mean, with each value weighted by how long it holds.
@@ -36,8 +36,8 @@ public data class SeriesStatistics(
 )
 
 /**
- * Returns the statistics from [from] to [to]: of the samples there, both ends included, and of the value that still holds at
- * [from]. In an ordered series only these samples are visited; two arrays are allocated for them.
+ * Returns the statistics from [from] to [to], both ends included. The value that still holds at [from] counts, too. In an ordered series
+ * only these samples are visited; two arrays are allocated for them.
  *
  * @param end until where the last sample holds, such as the end of its recording; NaN for no farther than its own x.
  */
@@ -48,15 +48,14 @@ public fun Series.statistics(
 ): SeriesStatistics = statistics(listOf(Span(from, to)), end)
 
 /**
- * Returns the statistics of several [parts] together, without what lies between them: for example, of the time in which a
- * robot was enabled.
+ * Returns the statistics of several [parts] together, without anything between them. An example is the time in which a robot was enabled.
  *
  * @param parts in the order of x; they do not touch.
  * @param end see the statistics of a single part.
  */
 public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): SeriesStatistics {
     val pieces = parts.map { Piece(this, it) }
-    val figures = WeighedFigures(pieces.sumOf { maxOf(0, it.stop - it.held) })
+    val weighted = WeightedValues(pieces.sumOf { maxOf(0, it.stop - it.held) })
     val isOrdered = isOrdered
     for (piece in pieces) {
         val (from, to) = piece.part
@@ -67,10 +66,10 @@ public fun Series.statistics(parts: List<Span>, end: Double = Double.NaN): Serie
                 isOrdered || x[i + 1] in from..to -> x[i + 1]
                 else -> x[i]
             }
-            figures.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= piece.begin)
+            weighted.add(maxOf(x[i], from), minOf(until, to), y[i], isCounted = i >= piece.begin)
         }
     }
-    return figures.statistics()
+    return weighted.statistics()
 }
 
 /** The samples of [series] within [part]. */
@@ -89,11 +88,11 @@ private class Piece(series: Series, val part: Span) {
 public fun GraphSeries.statistics(from: Double = Double.NEGATIVE_INFINITY, to: Double = Double.POSITIVE_INFINITY): SeriesStatistics =
     statistics(listOf(Span(from, to)))
 
-/** Returns the same for several [parts] together, which are in the order of x and do not touch. */
+/** Returns the statistics of several [parts] together, which are in the order of x and do not touch. */
 public fun GraphSeries.statistics(parts: List<Span>): SeriesStatistics =
     data.statistics(parts, recorded?.endInclusive?.takeIf { holds } ?: Double.NaN)
 
-private class WeighedFigures(most: Int) {
+private class WeightedValues(most: Int) {
     private val values = DoubleArray(most)
     private val weights = DoubleArray(most)
     private var size = 0
@@ -122,7 +121,7 @@ private class WeighedFigures(most: Int) {
     }
 
     fun statistics(): SeriesStatistics {
-        keepWeighty()
+        dropWeightless()
         val (mean, standardDeviation) = moments()
         val percentiles = WeightedPercentiles(values, weights, size)
         return SeriesStatistics(
@@ -142,8 +141,8 @@ private class WeighedFigures(most: Int) {
     }
 
     /**
-     * The weighted mean and standard deviation. The second pass shows by how much rounding put the mean of the first one off, so that
-     * neither suffers where all values are far from 0, or one is far from the others.
+     * Returns the weighted mean and standard deviation. The second pass corrects the rounding error in the first pass's mean. So both stay
+     * accurate if all values are far from 0, or if one is far from the others.
      */
     private fun moments(): Pair<Double, Double> {
         var weight = 0.0
@@ -164,7 +163,7 @@ private class WeighedFigures(most: Int) {
     }
 
     /** Drops values that hold for no time; if none holds for any time, all have the same weight. */
-    private fun keepWeighty() {
+    private fun dropWeightless() {
         var kept = 0
         for (i in 0 until size) {
             if (weights[i] <= 0) continue
@@ -201,6 +200,9 @@ public class Moments {
     /** The root mean square of the distances from [mean]; NaN if there are no values. */
     public val standardDeviation: Double get() = if (weight > 0) sqrt(squares / weight) else Double.NaN
 
-    /** The standard deviation of a sample whose weights are all 1, dividing by one less than their number; NaN for fewer than two. */
+    /**
+     * The sample standard deviation, with the number of values minus one as its divisor. All weights must be 1; NaN for fewer than two
+     * values.
+     */
     public val sampleStandardDeviation: Double get() = if (weight > 1) sqrt(squares / (weight - 1)) else Double.NaN
 }

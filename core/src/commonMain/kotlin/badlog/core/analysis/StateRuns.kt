@@ -1,8 +1,8 @@
 package badlog.core.analysis
 
 /**
- * The runs of a series of states: run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`, where the next one begins.
- * The last one lasts until [end], because a topic that is logged when it changes keeps its state.
+ * The runs of a series of states. Run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`, where the next one begins. The last one lasts
+ * until [end], because a topic that is logged when it changes keeps its state.
  */
 public class StateRuns(series: Series, end: Double) {
     /** Where each run begins. */
@@ -53,7 +53,7 @@ public class StateRuns(series: Series, end: Double) {
         sums
     }
 
-    /** Returns how much of x the whole recording is in [state]. */
+    /** Returns the total length of the runs in [state], in the unit of x. */
     public fun timeIn(state: Int): Double = times[state]
 
     /** Returns the index of the first run that may extend to [position] or beyond. */

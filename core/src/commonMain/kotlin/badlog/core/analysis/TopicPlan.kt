@@ -6,7 +6,7 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
 /**
- * How one topic is to be shown, as decided by its attributes, which are applied one after the other.
+ * The plan for showing one topic. Its attributes change the plan, one after the other.
  *
  * @property topic the topic.
  */
@@ -60,21 +60,20 @@ public class TopicPlan internal constructor(public val topic: Topic, private val
     }
 
     /**
-     * Adds a graph of its own for the result of [series] from the topic's samples, titled `[ topic name ]` in
-     * brackets.
+     * Adds a graph for the result of [series] from the topic's samples. Its title is the topic's name and [name], in brackets.
      *
-     * @param unit returns its unit from the topic's unit and that of x.
+     * @param unit returns the graph's unit from the topic's unit and the unit of x.
      */
     public fun derive(name: String, unit: (unit: String, xUnit: String) -> String, series: (Series) -> Series) {
         derivations += Derivation("${topic.name} $name", unit, series)
     }
 
-    /** Adds the topic as a line to the graph named [graph], which others may also join. */
+    /** Adds the topic as a line to the graph named [graph], which other topics may join, too. */
     public fun join(graph: String) {
         joins += graph
     }
 
-    /** Reports that something about the topic or its attributes is odd. */
+    /** Reports a problem of the topic or its attributes. */
     public fun report(kind: ProblemKind, message: String) {
         report(Problem(kind, message, topic = topic.name))
     }

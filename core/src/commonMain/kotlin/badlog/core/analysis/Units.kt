@@ -2,7 +2,7 @@ package badlog.core.analysis
 
 import badlog.core.recording.Topic
 
-/** How units are shown and derived. */
+/** Functions that recognize, derive and convert units. */
 public object Units {
     /** Returns whether [unit] means that there is none: `ul`, or a blank text. */
     public fun isNone(unit: String): Boolean = unit.isBlank() || unit == Topic.UNITLESS
@@ -16,7 +16,7 @@ public object Units {
     /** Returns the unit of an integral: `unit·xunit`, or the unit of x alone if the topic has none. */
     public fun ofIntegral(unit: String, xUnit: String): String = if (isNone(unit)) ofX(xUnit) else "$unit·${ofX(xUnit)}"
 
-    /** Returns the number of seconds in one [unit], such as 0.001 for `ms` and `Milliseconds`; null if it is not a unit of time. */
+    /** Returns the number of seconds in one [unit], such as 0.001 for `ms` and `Milliseconds`. Null if it is not a unit of time. */
     public fun secondsIn(unit: String): Double? = when (unit.trim().lowercase()) {
         "h", "hr", "hrs", "hour", "hours" -> 3600.0
 
@@ -34,7 +34,7 @@ public object Units {
         else -> null
     }
 
-    /** Returns the number of microseconds in one [unit] of an x axis; anything that is not a unit of time counts as a second. */
+    /** Returns the number of microseconds in one [unit] of an x axis. Anything that is not a unit of time counts as a second. */
     public fun microsIn(unit: String): Double = (secondsIn(unit) ?: 1.0) * 1e6
 
     private fun ofX(xUnit: String) = if (isNone(xUnit)) "Index" else xUnit

@@ -1,8 +1,8 @@
 package badlog.core.analysis
 
 /**
- * The range in which some positions lie, without a few outliers that would make the others too small to see. Outliers are a hundred times
- * as far away as the others are from one another, and at most one in a hundred. Positions that are not finite are ignored.
+ * The range of some positions without a few outliers, which would make the others too small to see. An outlier is a hundred times as far
+ * away as the others are from one another. At most one position in a hundred is an outlier. Positions that are not finite are ignored.
  *
  * @property range the range; null if there are no positions.
  * @property wildCount the number of outliers.
@@ -21,11 +21,11 @@ internal class UsualRange(positions: DoubleArray) {
         range = all
         if (all != null) {
             val bounds = boundsOf(positions)
-            if (bounds != null && (all.start < bounds.start || all.endInclusive > bounds.endInclusive)) leaveOut(positions, bounds)
+            if (bounds != null && (all.start < bounds.start || all.endInclusive > bounds.endInclusive)) removeOutliers(positions, bounds)
         }
     }
 
-    private fun leaveOut(positions: DoubleArray, bounds: ClosedFloatingPointRange<Double>) {
+    private fun removeOutliers(positions: DoubleArray, bounds: ClosedFloatingPointRange<Double>) {
         var count = 0
         var farthest = Double.NaN
         for (position in positions) {
@@ -33,7 +33,7 @@ internal class UsualRange(positions: DoubleArray) {
             count++
             if (!(distance(position, bounds) <= distance(farthest, bounds))) farthest = position
         }
-        if (count > positions.size / FEW) return
+        if (count > positions.size / POSITIONS_PER_OUTLIER) return
         wildCount = count
         wildest = farthest
         range = rangeOf(positions) { it in bounds }
@@ -44,13 +44,13 @@ internal class UsualRange(positions: DoubleArray) {
 
     /** Returns the bounds beyond which a position is an outlier; null if that cannot be decided. Uses a sample of the positions. */
     private fun boundsOf(positions: DoubleArray): ClosedFloatingPointRange<Double>? {
-        val step = maxOf(1, positions.size / LOOKED_AT)
+        val step = maxOf(1, positions.size / MAX_EXAMINED)
         val some = (positions.indices step step).map { positions[it] }.filter { it.isFinite() }.sorted()
-        if (some.size < FEWEST) return null
-        val cut = some.size / PART
+        if (some.size < MIN_POSITIONS) return null
+        val cut = some.size / POSITIONS_PER_IGNORED
         val from = some[cut]
         val to = some[some.lastIndex - cut]
-        val reach = (to - from) * FAR
+        val reach = (to - from) * OUTLIER_DISTANCE
         return if (reach > 0 && reach.isFinite()) from - reach..to + reach else null
     }
 
@@ -67,16 +67,16 @@ internal class UsualRange(positions: DoubleArray) {
 
     private companion object {
         /** An outlier is this many times as far away as the others are from one another. */
-        const val FAR = 100.0
+        const val OUTLIER_DISTANCE = 100.0
 
         /** At most one in this many positions may be an outlier. */
-        const val FEW = 100
+        const val POSITIONS_PER_OUTLIER = 100
 
-        /** One in this many is ignored at each end when the distances of the others are measured. */
-        const val PART = 20
+        /** One position in this many is ignored at each end when the spread of the others is measured. */
+        const val POSITIONS_PER_IGNORED = 20
 
-        /** With fewer positions than this, there is no usual range. */
-        const val FEWEST = 100
-        const val LOOKED_AT = 2000
+        /** With fewer positions than this, no position counts as an outlier. */
+        const val MIN_POSITIONS = 100
+        const val MAX_EXAMINED = 2000
     }
 }

@@ -7,12 +7,12 @@ import badlog.core.recording.Topic
 /**
  * The common x of a recording's graphs.
  *
- * @property name what it is called: the base name of the topic with the `xaxis` attribute, `Time` if there are no rows and
- *   topics have times of their own, otherwise `Index`.
+ * @property name its name: the base name of the topic with the `xaxis` attribute; `Time` if there are no rows and topics have times of
+ *   their own; otherwise `Index`.
  * @property unit its unit, `ul` for none.
  * @property positions the x of each row; may hold gaps, and may go backwards. Empty where there are no rows. Not to be
  *   changed.
- * @property topic the topic it comes from, or null for the row index and for topics' own times.
+ * @property topic the topic that holds it; null for the row index and for topics' own times.
  */
 public class XAxis private constructor(
     public val name: String,
@@ -27,7 +27,7 @@ public class XAxis private constructor(
     /** Whether x is only the number of the row. */
     public val isIndex: Boolean get() = topic == null && name == INDEX
 
-    /** Every x of the recording: [positions] if there are rows, and an ascending array for each clock of its topics. */
+    /** All arrays of x in the recording. They are [positions] if there are rows, and an ascending array for each clock of its topics. */
     public val clocks: List<DoubleArray>
         get() = if (positions.isEmpty() && ownTimes.isNotEmpty()) ownTimes else listOf(positions) + ownTimes
 
@@ -39,12 +39,12 @@ public class XAxis private constructor(
     /** The number of [positions] that are so far from all others that [range] does not include them. */
     public val wildCount: Int get() = usual.wildCount
 
-    /** The one of those that is farthest away; NaN if there are none. */
+    /** The farthest of the positions that [range] does not include; NaN if there are none. */
     public val wildest: Double get() = usual.wildest
 
     /**
-     * The smallest and the largest x at which there is a sample; null if there are none. A few that are far away from all others, as
-     * when a clock was wrong for a moment, are ignored: otherwise the others would be too small to see.
+     * The smallest and the largest x with a sample; null if there are none. A few positions far away from all others are ignored, such as
+     * those from a clock that was wrong for a moment. They would make the others too small to see.
      */
     public val range: ClosedFloatingPointRange<Double>? by lazy {
         var from = usual.range?.start ?: Double.POSITIVE_INFINITY
@@ -60,7 +60,7 @@ public class XAxis private constructor(
     public companion object {
         private const val INDEX = "Index"
 
-        /** Returns the x axis made from [topic], one of those of [recording]. */
+        /** Returns the x axis made from [topic], which is in [recording]. */
         internal fun of(topic: Topic, recording: Recording): XAxis =
             XAxis(PathName.baseNameOf(topic.name), topic.unit, topic.samples, topic, ownTimesOf(recording))
 

@@ -36,9 +36,9 @@ public data class BagTopic(
 )
 
 /**
- * A value as line 1 of a bag holds it.
+ * A value in line 1 of a bag.
  *
- * @property value what the reader shows.
+ * @property value the name and the text that are shown.
  * @property unknown unknown keys, each with its value as JSON.
  */
 public data class BagValue(public val value: Value, public val unknown: Map<String, String> = emptyMap())
@@ -79,8 +79,8 @@ private fun List<JsonMember>.without(vararg known: String): Map<String, String> 
     filter { it.key !in known }.associate { it.key to it.value.json }
 
 /**
- * Returns line 1 of a bag, without its newline: JSON on one line, in ASCII apart from the names' own characters. A header that
- * [readHeader] returned is written with everything it had.
+ * Returns line 1 of a bag without its newline: JSON in ASCII, apart from the names' own characters. A header that [readHeader] returned is
+ * written with everything it had.
  *
  * A topic's name is written in the form that the line of titles can hold, so that both lines agree: a newline becomes a space; a
  * NUL, and half of a surrogate pair, become U+FFFD.

@@ -12,11 +12,11 @@ import badlog.core.text.NUL
 import badlog.core.text.TextDecoder
 
 /**
- * Reads a bag, or a plain CSV file, that is pushed to it in pieces of any size. It never throws because of the bytes:
- * whatever is wrong becomes a problem of the recording, by the rules in `docs/bag-format.md`.
+ * Reads a bag or a plain CSV file from pieces of any size. It never throws because of the bytes: anything wrong in them becomes a problem
+ * of the recording, by the rules in `docs/bag-format.md`.
  *
- * Besides the recording's own columns, it holds one piece of the file in memory, never the whole file. Compressed files must
- * be inflated first. Not thread-safe.
+ * Besides the recording's columns, it keeps one piece of the file in memory, never the whole file. Compressed files must be inflated first.
+ * Not thread-safe.
  *
  * @param expectedBytes the length of the file, if known, so that columns do not grow beyond what its rows need. 0 if it is
  *   not known.
@@ -30,7 +30,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     /**
      * Creates a parser that passes the slow work of each column to [forAll].
      *
-     * @param sinks where numbers go that the recording is not to keep; texts and counts are kept all the same.
+     * @param sinks receivers of the numbers that the recording does not keep; texts and counts are always kept.
      * @param expectedLines the number of lines of the file, if known, so that columns need not grow at all. 0 if it is not known.
      * @param forAll calls its function for each number from 0 until the first argument, in any order, on several threads if
      *   available, and returns when all calls have returned.
@@ -61,14 +61,17 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     override val isFull: Boolean get() = rows?.gaveUp == true
 
-    /** What a [RowBatchParser] must know to read rows of this file; null until the header is read, and if no rows follow. */
-    public val readsDecimalComma: BooleanArray? get() = if (ignoresTheRest) null else rowReader()?.readsDecimalComma
+    /**
+     * The argument for a [RowBatchParser] that reads rows of this file: for each column, whether a decimal comma is read. Null until the
+     * header is read, and if no rows follow.
+     */
+    public val readsDecimalComma: BooleanArray? get() = if (ignoresRest) null else rowReader()?.readsDecimalComma
 
-    private val ignoresTheRest: Boolean get() = header.isNoLog || isFull
+    private val ignoresRest: Boolean get() = header.isNotLog || isFull
 
     override fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
-        while (at < until && !ignoresTheRest) {
+        while (at < until && !ignoresRest) {
             val end = minOf(at + PendingBytes.PIECE, until)
             append(bytes, at, end)
             if (!waitsForLineEnd || lineEndIn(bytes, at, end) < end || pending.size > MAX_WAIT) advance(false)
@@ -83,14 +86,14 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     /**
-     * Takes rows that a [RowBatchParser] read, in place of their bytes, which follow those of the previous calls.
+     * Adds rows that a [RowBatchParser] read from the next bytes of the file, in place of those bytes.
      *
      * @return false if no row begins there because a row or a hole continues, if [batch] lacks numbers that this parser keeps
      *   or passes on, or if the file separates cells or writes numbers in an unusual way; the bytes themselves must then be passed.
      */
     public fun accept(batch: RowBatch): Boolean {
         val reader = rowReader()
-        if (header.translation != null || reader == null || ignoresTheRest || pending.size > 0 || holeBytes > 0 ||
+        if (header.translation != null || reader == null || ignoresRest || pending.size > 0 || holeBytes > 0 ||
             pending.isAfterHole
         ) {
             return false
@@ -101,12 +104,12 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     override fun finish(): Recording {
         header.translation?.let(pending::finish)
         advance(true)
-        val rows = rows ?: rowsOf(header.columns ?: columnsOfHeaderAlone())
+        val rows = rows ?: rowsOf(header.columns ?: columnsWithoutTitles())
         val topics = rows.topics()
-        if (pending.sawCarriageReturn && !ignoresTheRest) {
+        if (pending.sawCarriageReturn && !ignoresRest) {
             problems.add(ProblemKind.CARRIAGE_RETURNS, "Lines end in a carriage return, as on Windows; that is fine.")
         }
-        if (isProse(topics)) return nothing()
+        if (isProse(topics)) return refused()
         reportEmptiness(topics, rows.rowCount)
         return Recording(
             format = if (header.line != null) RecordingFormat.BAG else RecordingFormat.CSV,
@@ -119,7 +122,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     private fun advance(isEnd: Boolean) {
-        while (passHole(isEnd) && pending.size > 0) {
+        while (skipHole(isEnd) && pending.size > 0) {
             val next = if (header.isDone) readRow(isEnd) else header.read(isEnd)
             waitsForLineEnd = next == RowScanner.INCOMPLETE
             if (waitsForLineEnd) return
@@ -128,7 +131,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     private fun readRow(isEnd: Boolean): Int {
-        if (ignoresTheRest) return pending.end
+        if (ignoresRest) return pending.end
         return rowReader()?.read(isEnd) ?: pending.end
     }
 
@@ -149,11 +152,11 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     )
 
     /** Without a line of titles there are no rows, but the line of JSON may still list the topics. */
-    private fun columnsOfHeaderAlone(): HeaderColumns =
+    private fun columnsWithoutTitles(): HeaderColumns =
         HeaderColumns.match(header.header, header.header?.topics.orEmpty().map { it.name }, pending.line, problems)
 
-    /** Skips NULs, and reports how many there were once they end. Returns false if more may follow. */
-    private fun passHole(isEnd: Boolean): Boolean {
+    /** Skips NULs, and reports their number once they end. Returns false if more may follow. */
+    private fun skipHole(isEnd: Boolean): Boolean {
         var at = pending.start
         while (at < pending.end && pending.bytes[at].toInt() == NUL) at++
         holeBytes += at - pending.start
@@ -174,15 +177,15 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     private fun isProse(topics: List<Topic>) =
         header.header == null && topics.size == 1 && rowCount > 0 && topics[0].counts.run { texts + empty == total }
 
-    private fun nothing(): Recording {
-        val message = "${HeaderReader.NO_LOG}: it is text without columns of numbers."
+    private fun refused(): Recording {
+        val message = "${HeaderReader.NOT_A_LOG}: it is text without columns of numbers."
         problems.add(ProblemKind.NOT_A_RECORDING, message, 1)
         return Recording(RecordingFormat.CSV, null, emptyList(), emptyList(), 0, problems.toList())
     }
 
     private fun reportEmptiness(topics: List<Topic>, rowCount: Int) {
         when {
-            ignoresTheRest -> return
+            ignoresRest -> return
 
             header.line == null && topics.isEmpty() -> problems.add(
                 ProblemKind.EMPTY_FILE,

@@ -2,7 +2,7 @@ package badlog.core.bag
 
 import badlog.core.text.QUOTE
 
-/** Copies what [splitter] found in a damaged or quoted row into [cells], as [RowScanner] leaves them for a clean one. */
+/** Copies the cells that [splitter] found in a damaged or quoted row into [cells], in the form that [RowScanner] uses. */
 internal class CellCopy(
     private val cells: RowCells,
     private val splitter: RowSplitter,

@@ -20,7 +20,7 @@ internal object CellKind {
     const val ROUNDED = 6
 }
 
-/** Finds out what a cell's bytes are. Spaces and tabs around a number are ignored. Not thread-safe. */
+/** Determines the kind of a cell from its bytes. Spaces and tabs around a number are ignored. Not thread-safe. */
 internal class CellReader {
     private val decimal = DecimalReader()
 

@@ -9,13 +9,12 @@ import badlog.core.text.TextDecoder
 import badlog.core.text.TextPool
 
 /**
- * One column while its file is being read: a growing array of numbers, the sparse texts, and whatever was odd about
- * it.
+ * One column while its file is being read: a growing array of numbers, the sparse texts, and counts of oddities.
  *
  * @property name the name of its topic.
  * @property readsDecimalComma false for a topic of texts, in which `1,5` may be meant literally.
  * @param keepsSamples false to count only, in memory that does not grow.
- * @param sink where the numbers go instead of into this column, or null.
+ * @param sink receives the numbers instead of this column; null for none.
  */
 internal class ColumnBuilder(
     val name: String,
@@ -167,7 +166,7 @@ internal class ColumnBuilder(
         roundedCount = 0
     }
 
-    /** Writes to [out] what [append] reads. Returns the numbers, which still belong to this builder. */
+    /** Writes everything but the numbers to [out], for [append]. Returns the numbers, which still belong to this builder. */
     fun writeTo(out: BatchWriter): DoubleArray {
         out.put(notFiniteCount)
         out.put(truthCount)
@@ -197,10 +196,10 @@ internal class ColumnBuilder(
      * Adds the rows of another builder.
      *
      * @param row the first of them, which follows all rows added here.
-     * @param rows how many there are.
+     * @param rows their number.
      * @param more their numbers.
-     * @param details what [writeTo] wrote about them.
-     * @param linesBefore how many lines come before the first of them.
+     * @param details the output of [writeTo] for them.
+     * @param linesBefore the number of lines before the first of them.
      */
     fun append(row: Int, rows: Int, more: DoubleArray, details: BatchReader, linesBefore: Int) {
         if (keepsNumbers) {

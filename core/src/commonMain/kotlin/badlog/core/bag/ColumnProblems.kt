@@ -8,7 +8,7 @@ import badlog.core.recording.addNotFinite
 import badlog.core.recording.addNotUtf8
 import badlog.core.recording.addRounded
 
-/** Reports what was odd about a whole column: once, after all of it was read. */
+/** Reports the oddities of a column once, after all of it was read. */
 internal fun reportColumn(column: ColumnBuilder, topic: Topic, problems: ProblemList) {
     val counts = topic.counts
     val name = topic.name

@@ -1,10 +1,10 @@
 package badlog.core.bag
 
 /**
- * The titles of a file's columns, as far as its first two lines and the rows after them agree on them.
+ * The titles of a file's columns, according to its first two lines and the rows after them.
  *
  * @property titles a title for each column.
- * @property isDoubtful for each column, whether its title may be that of another one.
+ * @property isDoubtful for each column, whether its title may belong to another column.
  */
 internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArray = BooleanArray(titles.size)) {
     /** Returns the same with [change] applied to each title. */
@@ -12,8 +12,8 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
 
     companion object {
         /**
-         * Returns the titles for [names] on line 1, [titles] on line 2, and rows of [width] cells; 0 if that is not known. Line 1
-         * wins if it has that many names.
+         * Returns the titles for [names] on line 1, [titles] on line 2, and rows of [width] cells. A [width] of 0 is not known. Line 1 wins
+         * if it has that many names.
          */
         fun of(names: List<String>, titles: List<String>, width: Int): ColumnTitles = when {
             width == 0 || (titles.size == width && names.size != width) || names.sorted() == titles.sorted() -> ColumnTitles(titles)
@@ -23,7 +23,7 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
 
         private fun doubtful(titles: List<String>) = ColumnTitles(titles, BooleanArray(titles.size) { true })
 
-        /** Pairs names with titles, some of which differ. */
+        /** Pairs names with titles if some of them differ. */
         private fun paired(names: List<String>, titles: List<String>): ColumnTitles {
             val same = titles.indices.count { titles[it] == names[it] }
             val waiting = names.filterIndexed { index, name -> titles[index] != name }.toMutableList()
@@ -51,19 +51,19 @@ internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArr
             val waiting = names.indices.groupByTo(HashMap()) { names[it] }
             val found = titles.mapNotNull { waiting[it]?.removeFirstOrNull() }
             val isAtEnd = titles.first() == names.first() || titles.last() == names.last()
-            val isInOrder = isAtEnd && found.size * FEW >= names.size && found.zipWithNext().all { (one, next) -> one < next }
+            val isInOrder = isAtEnd && found.size * NAMES_PER_MATCH >= names.size && found.zipWithNext().all { (one, next) -> one < next }
             // A hole may leave only the start or the end of a name.
             val line = names.joinToString(",")
             val rest = titles.joinToString(",")
             if (isInOrder || line.startsWith(rest) || line.endsWith(rest)) return ColumnTitles(names)
-            // Line 2 had its own order, which is known from both its ends inwards.
+            // Line 2 had its own order, which is known from both ends of the line inwards.
             val left = names.toMutableList()
             val first = titles.takeWhile { left.remove(it) }
             val last = titles.drop(first.size).takeLastWhile { left.remove(it) }
             return doubtful(first + left + last)
         }
 
-        /** If at least one in this many names is among the titles, in the order of line 1, the order is that of line 1. */
-        private const val FEW = 4
+        /** Line 1's order counts if at least one in this many names is among the titles, in that order. */
+        private const val NAMES_PER_MATCH = 4
     }
 }

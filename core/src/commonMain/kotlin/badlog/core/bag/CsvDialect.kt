@@ -3,12 +3,12 @@ package badlog.core.bag
 import badlog.core.text.COMMA
 
 /**
- * How a CSV file differs from the usual one, whose cells are separated by commas and whose numbers have points.
+ * The differences between a CSV file and the usual form: cells separated by commas, and decimal points.
  *
  * @property separator the byte between two cells.
  * @property hasComma whether numbers have decimal commas.
  * @property between the mark between thousands, a character; null if there is none.
- * @property clocks for each column of times of day, by its index, how they are written.
+ * @property clocks the notation of each column of times of day, by the column's index.
  * @property hasTitles whether the first line is titles.
  * @property isNamed whether the file's first line names the separator, as Excel's does.
  */
@@ -23,7 +23,7 @@ internal class CsvDialect(
     /** Whether nothing differs. */
     val isUsual: Boolean get() = separator == COMMA && !hasComma && between == null && clocks.isEmpty()
 
-    /** What differs in all cells, as a sentence; null if nothing does. */
+    /** A sentence about the differences in all cells; null if there are none. */
     val sentence: String?
         get() {
             val parts = buildList {
@@ -44,7 +44,7 @@ internal class CsvDialect(
     }
 }
 
-/** How a column writes times of day. */
+/** The notation of times of day in a column. */
 internal enum class CsvClock(val microsEach: Double) {
     /** As in ISO 8601. */
     ISO(0.0),
@@ -59,7 +59,7 @@ internal enum class CsvClock(val microsEach: Double) {
         private const val FIRST = 1e9
         private const val LAST = 4e9
 
-        /** Returns the unit in which [number] is a time since 1970; null if it is none. */
+        /** Returns the unit in which [number] is a time since 1970; null if there is none. */
         fun of(number: Double): CsvClock? = entries.find { it != ISO && number * it.microsEach / 1e6 in FIRST..LAST }
     }
 }

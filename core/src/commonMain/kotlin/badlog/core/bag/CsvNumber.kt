@@ -1,7 +1,7 @@
 package badlog.core.bag
 
 /**
- * A number as a person or a spreadsheet writes it: digits with marks between them, such as `1.234,5`, `12 345` or `0,02`.
+ * A number in the form of a person or a spreadsheet. It has digits with marks between them, such as `1.234,5`, `12 345` or `0,02`.
  *
  * @param parts the digits between the marks.
  * @param marks the marks, each a point, a comma, a space or an apostrophe.
@@ -12,7 +12,7 @@ internal class CsvNumber private constructor(
     private val marks: List<Char>,
     private val exponent: String,
 ) {
-    /** The mark that can only be one between thousands; null if there is none, and if that is not clear. */
+    /** The mark that can only separate thousands; null if there is none, or if that is not clear. */
     val grouping: Char?
         get() = when {
             marks.isEmpty() -> null
@@ -21,7 +21,7 @@ internal class CsvNumber private constructor(
             else -> groupedBeforePoint()
         }
 
-    /** The mark that can only be the decimal one; null if there is none, and if that is not clear. */
+    /** The mark that can only be the decimal mark; null if there is none, or if that is not clear. */
     val point: Char?
         get() = when {
             marks.size == 1 -> marks[0].takeIf { it in POINTS && !mayBeGrouped }
@@ -32,7 +32,7 @@ internal class CsvNumber private constructor(
     /** Whether several marks leave no doubt about [grouping]. */
     val isSurelyGrouped: Boolean get() = marks.size > 1 && grouping != null
 
-    /** Whether its only mark may be either: `1,234`. */
+    /** Whether its only mark may be either a decimal mark or one between thousands: `1,234`. */
     val mayBeGrouped: Boolean get() = marks.size == 1 && marks[0] in POINTS && exponent.isEmpty() && isGrouped(parts)
 
     /** The only mark if it [may be grouped][mayBeGrouped]. */
@@ -41,7 +41,10 @@ internal class CsvNumber private constructor(
     /** Whether it is a number under any reading. */
     val isPossible: Boolean get() = marks.isEmpty() || grouping != null || point != null || mayBeGrouped
 
-    /** Returns it as programs write it, read with [between] between thousands, or none; null if it is not a number then. */
+    /**
+     * Returns the number in the form that programs write, or null if it is not a number in this reading. [between] is the mark between
+     * thousands; null for none.
+     */
     fun text(between: Char?, isComma: Boolean): String? {
         fun isPoint(mark: Char) = mark != between && (mark == '.' || (mark == ',' && isComma))
         val whole = when {
@@ -64,14 +67,14 @@ internal class CsvNumber private constructor(
         private const val POINTS = ".,"
         private const val MARKS = "., '"
 
-        /** No number is longer. */
+        /** Longer cells are not numbers. */
         const val MAX_LENGTH = 48
         private val HARD_SPACES = listOf("\u00c2\u00a0", "\u00e2\u0080\u00af", "\u00a0")
 
         private fun isGrouped(parts: List<String>): Boolean =
             parts.size > 1 && parts[0].length in 1..3 && parts[0][0] != '0' && parts.drop(1).all { it.length == 3 }
 
-        /** Returns the number in [cell], whose characters are bytes; null if there is none. */
+        /** Returns the number in [cell], which has one character for each byte; null if there is none. */
         fun of(cell: String): CsvNumber? {
             if (cell.length > MAX_LENGTH) return null
             var text = cell.trim()

@@ -14,8 +14,7 @@ import badlog.core.text.microsOfIsoTime
 import badlog.core.text.wallTimeText
 
 /**
- * Rewrites a CSV file of another [dialect], as it arrives, to the usual one, line by line. Cells that are not numbers in that dialect stay
- * texts.
+ * Rewrites a CSV file from [dialect] to the usual form, line by line, as it arrives. Cells that are not numbers in that dialect stay texts.
  */
 internal class CsvTranslation(private val dialect: CsvDialect) {
     private var cell = ByteArray(64)
@@ -28,22 +27,22 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
     private val starts = HashMap<Int, Double>()
     private var startText: String? = null
 
-    /** What has been rewritten: the first [outSize] bytes. */
+    /** The rewritten file: the first [outSize] bytes. */
     var out = ByteArray(1 shl 10)
         private set
     var outSize = 0
         private set
 
-    /** What the times of day say about the whole file. */
+    /** The values that the times of day provide: when the file starts. */
     val values: List<Value> get() = listOfNotNull(startText?.let { Value("Start Time", it) })
 
-    /** Rewrites the bytes from [from] until [until] into [out], whose former content is dropped. */
+    /** Rewrites the bytes from [from] until [until] into [out], and drops its former content. */
     fun accept(bytes: ByteArray, from: Int, until: Int) {
         outSize = 0
         for (at in from until until) accept(bytes[at].toInt())
     }
 
-    /** Rewrites what is left of the file into [out], whose former content is dropped. */
+    /** Rewrites the rest of the file into [out], and drops its former content. */
     fun finish() {
         outSize = 0
         if (size > 0 || hasQuotes) endCell()
@@ -148,7 +147,7 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
         return true
     }
 
-    /** Writes a number whose only mark is its decimal one. Returns false if the cell is not one. */
+    /** Writes a number that has no mark but the decimal one. Returns false for any other cell. */
     private fun putPlain(): Boolean {
         var marks = 0
         var digits = 0
@@ -197,7 +196,7 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
             }
             if (byte != between) put(if (byte == COMMA) DOT else byte)
         }
-        // A group begins with a zero in no number that somebody grouped.
+        // A number with groups does not begin with a zero.
         val first = cell[if (cell[0].toInt() == MINUS && size > 1) 1 else 0].toInt()
         val isWhole = hasDigit && (groups == 0 || (first != ZERO && (hasPoint || digits == GROUP)))
         if (!isWhole) outSize = sizeBefore
@@ -227,13 +226,13 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
     }
 
     private companion object {
-        /** No number and no time is longer. */
+        /** Longer cells are neither numbers nor times. */
         const val MAX_CELL = 64
 
         /** The digits between two marks. */
         const val GROUP = 3
 
-        /** What is longer is cut: no log has such a line. */
+        /** Longer lines are cut: no log has such a line. */
         const val MAX_LINE = 1 shl 24
 
         /** A quote that nothing closes must not swallow the file. */

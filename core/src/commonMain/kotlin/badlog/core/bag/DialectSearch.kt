@@ -7,7 +7,7 @@ import badlog.core.text.QUOTE
 import badlog.core.text.TAB
 import badlog.core.text.microsOfIsoTime
 
-/** Finds the [CsvDialect] of a file by counting the cells of its first lines: one line alone may be read in several ways. */
+/** Finds the [CsvDialect] of a file by counting the cells of its first lines. One line alone may be read in several ways. */
 internal object DialectSearch {
     /** This many bytes are examined. */
     const val BYTES = 1 shl 16
@@ -22,10 +22,10 @@ internal object DialectSearch {
 
     /** The lines, split at [separator]. */
     private class Reading(val separator: Int, val lines: List<List<Cell>>) {
-        val width = lines.drop(1).groupingBy { it.size }.eachCount().maxByOrNull { it.value * WIDEST + it.key }?.key ?: 0
+        val width = lines.drop(1).groupingBy { it.size }.eachCount().maxByOrNull { it.value * MAX_CELLS + it.key }?.key ?: 0
         val rows = lines.drop(1).filter { it.size == width }
 
-        /** How well the rows fit: in rows with a value, each value counts for it, each other text against it. */
+        /** The quality of this reading: in rows with a value, each value counts for it, each other text against it. */
         val score by lazy(LazyThreadSafetyMode.NONE) {
             if (width < 2) 0 else rows.filter { row -> row.any { it.isValue } }.sumOf(::scoreOf)
         }
@@ -33,7 +33,7 @@ internal object DialectSearch {
         private fun scoreOf(row: List<Cell>) = row.count { it.isValue } - row.count { !it.isValue && !it.isEmpty }
     }
 
-    /** Returns the dialect of the file that begins with the bytes from [from] until [until]; [isEnd] if those are the whole file. */
+    /** Returns the dialect of a file that begins with the bytes from [from] until [until]. [isEnd] says whether they are the whole file. */
     fun of(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): CsvDialect {
         val all = linesOf(bytes, from, until, isEnd)
         val named = all.firstOrNull()?.let(::separatorIn)
@@ -48,7 +48,7 @@ internal object DialectSearch {
         if (isOneColumn(usual, lines)) return Reading(SEMICOLON, lines.map { listOf(Cell(it)) })
         val others = listOf(SEMICOLON, TAB).filter { lines[0].indexOf(it.toChar()) >= 0 || lines[1].indexOf(it.toChar()) >= 0 }
             .map { separator -> Reading(separator, lines.map { split(it, separator) }) }
-            // A cell between commas may have a list, which its title has not.
+            // A cell between commas may contain a list, unlike its title.
             .filter { it.lines[0].size == it.width }
         return others.maxByOrNull { it.score }?.takeIf { it.score > maxOf(usual.score, 0) } ?: usual
     }
@@ -85,7 +85,7 @@ internal object DialectSearch {
         // In quotes, between commas, the reader of rows finds decimal commas, and reports them for each topic.
         val hasComma = between != ',' && (if (isUsual) between != null && points(',') > 0 else points(',') > 0 || isOpen(','))
         val clocks = (0 until reading.width).mapNotNull { index -> clockOf(index, first, body)?.let { index to it } }.toMap()
-        // Where there is a time already, a clock beside it is not the x axis.
+        // If there already is a time, a clock beside it is not the x axis.
         val hasTime = (0 until reading.width).any { index -> index !in clocks && isTime(index, first, body) }
         return CsvDialect(reading.separator, hasComma, between, if (hasTime) emptyMap() else clocks, hasTitles, isNamed)
     }
@@ -110,7 +110,7 @@ internal object DialectSearch {
     /** Returns the separator that a line such as `sep=;` names, which Excel writes and reads; null for any other line. */
     private fun separatorIn(line: String): Int? {
         val text = line.trim().removeSurrounding("\"")
-        return text.takeIf { it.length == NAMING.length + 1 && it.startsWith(NAMING, ignoreCase = true) }?.last()?.code
+        return text.takeIf { it.length == SEPARATOR_PREFIX.length + 1 && it.startsWith(SEPARATOR_PREFIX, ignoreCase = true) }?.last()?.code
     }
 
     private fun linesOf(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): List<String> {
@@ -141,8 +141,8 @@ internal object DialectSearch {
     }
 
     private const val MARKS = ", '\u00A0"
-    private const val NAMING = "sep="
-    private const val WIDEST = 1 shl 16
+    private const val SEPARATOR_PREFIX = "sep="
+    private const val MAX_CELLS = 1 shl 16
     private val WORDS = setOf("true", "false", "nan", "inf", "-inf", "infinity", "-infinity", "null")
     private val TIMES = listOf("time", "date", "clock", "epoch", "unix")
 }

@@ -4,15 +4,15 @@ import badlog.core.text.CR
 import badlog.core.text.LF
 import badlog.core.text.TAB
 
-/** The first lines from the titles on: the rows that follow show whether a line of titles is damaged or merely unusual. */
+/** The first lines of a file from the titles on. The rows show whether a line of titles is damaged or merely unusual. */
 internal class FirstLines(private val pending: PendingBytes, private val cellReader: CellReader) {
     /**
      * A line without its end.
      *
-     * @property next where the next line begins.
-     * @property cells how many cells it has; 0 if its quotes or its bytes are not those of a row.
-     * @property numbers how many of them are numbers, or true or false.
-     * @property texts how many of them are texts.
+     * @property next the start of the next line.
+     * @property cells the number of its cells; 0 if its quotes or bytes cannot be in a row.
+     * @property numbers the number of cells with a number, `true` or `false`.
+     * @property texts the number of cells with a text.
      */
     class Line(val from: Int, val end: Int, val next: Int, val cells: Int, val numbers: Int, val texts: Int) {
         /** Whether it is a line of titles rather than a row: all of its cells are texts. */
@@ -32,7 +32,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
     var hasRows = false
         private set
 
-    /** Whether these are the bytes of a picture, an archive or a program: even a damaged log has more text than those. */
+    /** Whether the bytes are a picture, an archive or a program: even a damaged log has more text than those. */
     var isBinary = false
         private set
 
@@ -75,11 +75,11 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
 
     private fun findWidth() {
         val full = lines.drop(1).filter { it.cells > 0 }
-        // A piece of the titles that damage split off has no numbers.
+        // A piece of the titles, split off by damage, has no numbers.
         val rows = full.filter { it.numbers > 0 }.ifEmpty { full }
         val counts = rows.groupingBy { it.cells }.eachCount()
         val own = counts[lines.firstOrNull()?.cells] ?: 0
-        val best = counts.maxByOrNull { it.value * MOST_CELLS + it.key }
+        val best = counts.maxByOrNull { it.value * MAX_CELLS + it.key }
         width = when {
             best == null -> 0
             own * CLEARLY >= best.value -> lines[0].cells
@@ -90,16 +90,16 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
     }
 
     /**
-     * Returns whether [line], the first after the titles, has the units of the columns: only texts, of which none is long, above rows that
-     * have numbers, and at least one of them above nothing but numbers.
+     * Returns whether [line], the first after the titles, holds the columns' units. A line of units has only short texts, rows with numbers
+     * below it, and at least one text above a column of nothing but numbers.
      */
-    fun isOfUnits(line: Line): Boolean {
+    fun isUnitLine(line: Line): Boolean {
         val rows = lines.drop(2).filter { it.cells == line.cells }
         if (line.numbers > 0 || line.texts == 0 || rows.size < 2 || rows.any { it.numbers == 0 }) return false
         val bytes = pending.bytes
         splitter.split(bytes, line.from, line.end, RowSplitter.Quotes.STRICT)
         val filled = (0 until line.cells).filter { cellReader.read(bytes, splitter.starts[it], splitter.ends[it]) == CellKind.TEXT }
-        if (filled.any { splitter.ends[it] - splitter.starts[it] > LONGEST_UNIT }) return false
+        if (filled.any { splitter.ends[it] - splitter.starts[it] > MAX_UNIT_LENGTH }) return false
         val above = rows.map { row ->
             splitter.split(bytes, row.from, row.end, RowSplitter.Quotes.STRICT)
             filled.map { cellReader.read(bytes, splitter.starts[it], splitter.ends[it]) }
@@ -107,16 +107,16 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         return filled.indices.any { index -> above.all { it[index] == CellKind.NUMBER || it[index] == CellKind.EMPTY } }
     }
 
-    /** Returns how many of the lines after the first have [width] cells. */
+    /** Returns the number of lines after the first that have [width] cells. */
     fun rowsOf(width: Int): Int = lines.drop(1).count { it.cells == width }
 
     companion object {
         /** This many rows are examined. */
         private const val ROWS = 20
         private const val MAX_BYTES = 1 shl 20
-        private const val LONGEST_UNIT = 16
+        private const val MAX_UNIT_LENGTH = 16
         private const val CLEARLY = 3
-        private const val MOST_CELLS = 1 shl 16
+        private const val MAX_CELLS = 1 shl 16
 
         /** Among random bytes, every ninth is a control character; in text with a few damaged places, fewer than one in [MIN_TEXT]. */
         private const val MIN_TEXT = 20

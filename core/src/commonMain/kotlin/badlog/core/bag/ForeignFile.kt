@@ -4,8 +4,7 @@ package badlog.core.bag
 internal const val FOREIGN_BYTES: Int = 512
 
 /**
- * Returns a sentence about a file that is certainly not a log of a kind that is read here: what it is, and what to do. Returns null for
- * any other file.
+ * Returns a sentence about a file that is certainly not a readable log: its kind, and what to do. Returns null for any other file.
  *
  * @param bytes the first bytes of the file.
  */
@@ -56,10 +55,10 @@ private val SIGNATURES = listOf(
     Signature(0, "\u001a\u0045\u00df\u00a3", VIDEO),
 )
 
-/** What is in the first bytes of a ZIP that a spreadsheet program wrote. */
+/** Names in the first bytes of a ZIP that a spreadsheet program wrote. */
 private val WORKBOOKS = listOf("[Content_Types].xml", "opendocument.spreadsheet")
 
-/** A version, a time as a double, and the start of the first field: its number, the length of its name, and the name. */
+/** Returns whether [text] begins like an RLOG: a version, a time as a double, and the first field's number, name length and name. */
 private fun isRlog(text: String): Boolean {
     if (text.length < RLOG_NAME + 2 || text[0].code !in 1..2 || text[1].code != 0 || text[RLOG_FIELD].code != 1) return false
     val length = text[RLOG_NAME - 2].code shl 8 or text[RLOG_NAME - 1].code
@@ -80,7 +79,7 @@ private fun markup(text: String): String? {
 
 private val PAGES = listOf("<!doctype html", "<html", "<head", "<body")
 
-/** Where an RLOG starts its first field, and where the name of that is. */
+/** The start of an RLOG's first field, and the start of that field's name. */
 private const val RLOG_FIELD = 10
 private const val RLOG_NAME = 15
 private const val MAX_NAME = 1000

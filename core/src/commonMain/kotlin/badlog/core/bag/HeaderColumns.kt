@@ -6,11 +6,11 @@ import badlog.core.text.UniqueNames
 import badlog.core.text.isLetterOrDigit
 
 /**
- * Which topic of line 1 belongs to which column of line 2.
+ * The columns of line 2, matched with the topics of line 1.
  *
  * @property columnNames the name of each column, unique, in the order of line 2.
  * @property topics for each column, its topic of line 1, or null.
- * @property order the columns in display order: that of line 1, then those it does not name.
+ * @property order the columns in display order: first in the order of line 1, then those that line 1 does not name.
  */
 internal class HeaderColumns private constructor(val columnNames: List<String>, val topics: List<BagTopic?>, val order: List<Int>) {
     /** Returns the same with the topic that [describe] returns for each column by its index. */
@@ -18,8 +18,8 @@ internal class HeaderColumns private constructor(val columnNames: List<String>, 
 
     companion object {
         /**
-         * Matches the topics of [header], or of none in a plain CSV file, to the column titles of line [line] by name, the
-         * first of equal names to the first.
+         * Matches the topics of [header] with the column titles of line [line] by name; of equal names, the first with the first. A plain
+         * CSV file has no header.
          */
         fun match(header: BagHeader?, titles: List<String>, line: Int, problems: ProblemList): HeaderColumns {
             val described = header?.topics.orEmpty()

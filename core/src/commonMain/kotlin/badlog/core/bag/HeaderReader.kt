@@ -10,7 +10,7 @@ import badlog.core.text.LF
 import badlog.core.text.NUL
 import badlog.core.text.TextDecoder
 
-/** Reads what comes before the rows: the line of JSON, if there is one, and the line of column titles. */
+/** Reads the lines before the rows: the line of JSON, if there is one, and the line of column titles. */
 internal class HeaderReader(private val pending: PendingBytes, private val decoder: TextDecoder, private val problems: ProblemList) {
     private enum class Stage { SIGNATURE, FIRST_LINE, DIALECT, TITLES, DONE }
 
@@ -27,7 +27,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     var header: BagHeader? = null
         private set
 
-    /** What rewrites the bytes that follow; null if the file is a bag, or a CSV file of the usual kind. */
+    /** The translation of the bytes that follow; null for a bag and for a CSV file of the usual form. */
     var translation: CsvTranslation? = null
         private set
     private var clocks = emptyMap<Int, CsvClock>()
@@ -40,7 +40,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     val isDone: Boolean get() = stage == Stage.DONE
 
     /** Whether the bytes turned out not to be a log. */
-    var isNoLog = false
+    var isNotLog = false
         private set
 
     /** Reads one line of the header. Returns where the next begins, or [RowScanner.INCOMPLETE]. */
@@ -81,7 +81,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         val next = afterLineEnd(bytes, lineEnd, pending.end, isEnd)
         if (next == RowScanner.INCOMPLETE) return next
         if (lineEnd > pending.start) return take(lineEnd, next, isEnd)
-        return pending.passBlankLines(lineEnd, next, problems)
+        return pending.skipBlankLines(lineEnd, next, problems)
     }
 
     private fun takeFirstLine(lineEnd: Int, next: Int): Int {
@@ -104,7 +104,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return next
     }
 
-    /** Finds out how a file without a line of JSON separates cells and writes numbers. */
+    /** Determines how a file without a line of JSON separates cells and writes numbers. */
     private fun readDialect(isEnd: Boolean): Int {
         if (pending.size < DialectSearch.BYTES && !isEnd) return RowScanner.INCOMPLETE
         val dialect = DialectSearch.of(pending.bytes, pending.start, pending.end, isEnd)
@@ -147,7 +147,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return if (header == null) takeWithoutHeader(titles, lineEnd, next) else takeWithHeader(names, titles, isSure, next, isCut)
     }
 
-    /** Returns whether this is a piece of the line of JSON, split off by a newline that damage put there. */
+    /** Returns whether this is a piece of the line of JSON that damage split off with a newline. */
     private fun isRestOfJson(lineEnd: Int): Boolean = (pending.start..lineEnd - JSON_MARKS[0].length).any { at ->
         JSON_MARKS.any { mark -> mark.indices.all { pending.bytes[at + it].toInt() == mark[it].code } }
     }
@@ -177,10 +177,10 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return end
     }
 
-    /** Returns how many cells a row has; 0 if that is not clear. */
-    private fun clearWidth(names: Int): Int = firstLines.width.takeIf { it == names || firstLines.rowsOf(it) >= LEAST_ROWS } ?: 0
+    /** Returns the number of cells in a row; 0 if that is not clear. */
+    private fun clearWidth(names: Int): Int = firstLines.width.takeIf { it == names || firstLines.rowsOf(it) >= MIN_ROWS } ?: 0
 
-    /** Handles a plain CSV file, or the rest of a bag whose first line cannot be read. */
+    /** Handles a plain CSV file, or the rest of a bag if its first line cannot be read. */
     private fun takeWithoutHeader(titles: List<String>, lineEnd: Int, next: Int): Int {
         val width = clearWidth(0)
         val isDamaged = width > 1 && titles.size != width
@@ -206,9 +206,9 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return if (end == next) takeUnits(width, next) else end
     }
 
-    /** Takes a line of units below the titles, if there is one, and what is known of times of day. Returns where the next line begins. */
+    /** Takes a line of units below the titles, if there is one, and the known times of day. Returns where the next line begins. */
     private fun takeUnits(width: Int, next: Int): Int {
-        val line = firstLines.lines.getOrNull(1)?.takeIf { it.from == next && it.cells == width && width > 1 && firstLines.isOfUnits(it) }
+        val line = firstLines.lines.getOrNull(1)?.takeIf { it.from == next && it.cells == width && width > 1 && firstLines.isUnitLine(it) }
         val units = line?.let { textsIn(it.from, it.end, emptyList()) }.orEmpty().map { it.trim('[', ']', '(', ')', ' ') }
         val isAxis = clocks.keys.minOrNull()
         val names = columns?.columnNames.orEmpty()
@@ -239,7 +239,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         return pending.start
     }
 
-    /** Continues at the line [titles]; everything before it is lost. */
+    /** Continues at the line [titles]; all earlier bytes are lost. */
     private fun skipTo(titles: FirstLines.Line): Int {
         val text = decoder.decode(pending.bytes, pending.start, firstLines.lines[0].end)
         if (line == null && "\"name\":" in text) line = text
@@ -315,17 +315,17 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     private fun refuse(message: String): Int {
         problems.add(ProblemKind.NOT_A_RECORDING, message, pending.line)
         stage = Stage.DONE
-        isNoLog = true
+        isNotLog = true
         return pending.end
     }
 
     companion object {
-        const val NO_LOG = "This file is not a log that badlog can read"
+        const val NOT_A_LOG = "This file is not a log that badlog can read"
 
-        private const val BINARY = "$NO_LOG: it has bytes that never occur in text."
+        private const val BINARY = "$NOT_A_LOG: it has bytes that never occur in text."
         private const val UTF_16 = "The file is UTF-16, like Excel's “Unicode text”; save it again as CSV UTF-8."
 
-        /** No header line is longer; a file without a newline before that is not a bag. */
+        /** The longest header line; a file without a newline in so many bytes is not a bag. */
         private const val MAX_LINE_BYTES = 1 shl 24
         private val BYTE_ORDER_MARK = byteArrayOf(0xEF.toByte(), 0xBB.toByte(), 0xBF.toByte())
 
@@ -335,8 +335,8 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
         /** Characters between a key and its value in JSON, which no title contains. */
         private val JSON_MARKS = listOf("\":\"", "\":[")
 
-        /** From this many rows of one width on, their width counts, not that of the titles. */
-        private const val LEAST_ROWS = 3
+        /** From this many rows of one width on, their width counts, not the titles' width. */
+        private const val MIN_ROWS = 3
     }
 }
 

@@ -53,7 +53,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         end += until - from
     }
 
-    /** Replaces all bytes that have arrived by what [translation] makes of them. */
+    /** Replaces all bytes that have arrived by their [translation]. */
     fun translate(translation: CsvTranslation) {
         translation.accept(bytes, start, end)
         end = start
@@ -61,7 +61,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         append(translation.out, 0, translation.outSize)
     }
 
-    /** Appends what [translation] makes of the last bytes of the file. */
+    /** Appends the [translation] of the file's last bytes. */
     fun finish(translation: CsvTranslation) {
         translation.finish()
         append(translation.out, 0, translation.outSize)
@@ -92,10 +92,10 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
     }
 
     /**
-     * Skips the blank line that ends at [end], before [next], and all blank lines after it that have arrived, as there may be a
-     * billion of them. Reports them, and returns where they end.
+     * Skips the blank line that ends at [end], before [next], and all blank lines after it that have arrived. Reports them, and returns
+     * where they end. There may be a billion of them.
      */
-    fun passBlankLines(end: Int, next: Int, problems: ProblemList): Int {
+    fun skipBlankLines(end: Int, next: Int, problems: ProblemList): Int {
         var at = next
         val size = next - end
         if (size == 2) {
@@ -120,7 +120,8 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
 }
 
 /**
- * Returns where the line that contains [from] ends: at its LF or CR, or at a NUL, where the original content is lost; otherwise [until].
+ * Returns the end of the line that contains [from]: its LF or CR, or a NUL, where the original content is lost. Returns [until] if there is
+ * none.
  */
 internal fun lineEndIn(bytes: ByteArray, from: Int, until: Int): Int {
     var at = from

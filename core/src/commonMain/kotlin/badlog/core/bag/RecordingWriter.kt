@@ -6,14 +6,14 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
 /**
- * Writes a recording, or some of its rows, as a file that, when read again, has the same topics, values and samples: every number to
- * the last bit, each cell as what it was.
+ * Writes a recording, or some of its rows, as a file. Read again, the file has the same topics, values and samples: every number to the
+ * last bit, and each cell of the same kind.
  *
- * What the format cannot express is lost. CSV has neither units, attributes nor values. A newline in a topic's name becomes a space,
- * and a CSV title keeps no control characters but tabs. If a topic has both empty cells and cells with `NaN`, all of them are written
- * as the same. A text whose lines look like rows is read as rows, see `docs/bag-format.md`.
+ * Details that the format cannot express are lost. CSV has neither units, attributes nor values. A newline in a topic's name becomes a
+ * space, and a CSV title keeps no control characters but tabs. If a topic has both empty cells and cells with `NaN`, all of them are
+ * written as the same. A text with lines that look like rows is read as rows, see `docs/bag-format.md`.
  *
- * @param recording what to write; it must have been read with its samples.
+ * @param recording the recording to write; it must have been read with its samples.
  * @param format the format to write; a recording read from a bag can be written as CSV, and vice versa.
  */
 public class RecordingWriter(private val recording: Recording, private val format: RecordingFormat = recording.format) {
@@ -86,7 +86,10 @@ public class RecordingWriter(private val recording: Recording, private val forma
     }
 
     public companion object {
-        /** Returns how many cells of [topic] have `NaN`, but are written empty: it also has empty cells, and both are the same sample. */
+        /**
+         * Returns the number of cells of [topic] that hold `NaN` but are written empty. That happens if the topic also has empty cells,
+         * because both are the same sample.
+         */
         public fun emptiedNaNs(topic: Topic): Int = if (gapsAreNaN(topic)) 0 else writtenNaNs(topic)
 
         private const val PIECE = 1 shl 16
@@ -94,14 +97,14 @@ public class RecordingWriter(private val recording: Recording, private val forma
         /** A one-column file with one of these in its title would be read as a table with that separator. */
         private const val SEPARATORS = ";\t"
 
-        /** What other files begin with: JSON, a WPILOG, a byte order mark. */
+        /** The first characters of other files: JSON, a WPILOG, a byte order mark. */
         private val MISLEADING = listOf("{", "WPILOG", "\uFEFF")
     }
 }
 
 /**
- * Returns line 1 for writing [recording] as a bag: its own, if that describes exactly these topics and values; otherwise a
- * new one that does, with the unknown keys of its own.
+ * Returns line 1 for writing [recording] as a bag. It is the recording's own line if that describes exactly these topics and values,
+ * otherwise a new one with the unknown keys of the own line.
  */
 internal fun headerLineOf(recording: Recording): String {
     val line = recording.headerLine
@@ -123,7 +126,7 @@ internal class TopicCells(private val topic: Topic) {
     private val isBoolean = topic.kind == TopicKind.BOOLEAN
     private val gapsAreNaN = gapsAreNaN(topic)
 
-    /** Writes the cell of [row], which must be after those of previous calls. */
+    /** Writes the cell of [row], which must be after the rows of previous calls. */
     fun write(row: Int, out: RowWriter) {
         val texts = topic.texts
         while (nextText < texts.size && texts.rows[nextText] < row) nextText++

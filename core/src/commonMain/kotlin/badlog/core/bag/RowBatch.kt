@@ -20,7 +20,7 @@ public class RowBatch(public val numbers: Array<DoubleArray>, public val details
     internal val sawCarriageReturn: Boolean get() = details[3] != 0
 }
 
-/** Collects what a [RowBatch] holds besides its numbers. */
+/** Collects the details and texts of a [RowBatch]. */
 internal class BatchWriter {
     private var integers = IntArray(256)
     private var size = 0
@@ -44,7 +44,7 @@ internal class BatchWriter {
     fun batch(numbers: Array<DoubleArray>) = RowBatch(numbers, integers.copyOf(size), texts.toTypedArray())
 }
 
-/** Reads what a [BatchWriter] wrote, in the same order. */
+/** Reads the output of a [BatchWriter], in the same order. */
 internal class BatchReader(private val batch: RowBatch, private var at: Int) {
     private var textAt = 0
 
@@ -59,6 +59,6 @@ internal class BatchReader(private val batch: RowBatch, private var at: Int) {
 
     companion object {
         /** The number of integers that concern all columns. */
-        const val FRAME = 4
+        const val COMMON_INTS = 4
     }
 }

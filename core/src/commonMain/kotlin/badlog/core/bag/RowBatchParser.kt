@@ -5,8 +5,8 @@ import badlog.core.text.LF
 import badlog.core.text.TextDecoder
 
 /**
- * Reads some of a bag's rows independently of those before them, as one of several parsers that work on a file in
- * parallel. Reusable, but not by several threads at a time.
+ * Reads some of a bag's rows independently of those before them, so that several parsers can share a file. Reusable, but not by several
+ * threads at a time.
  *
  * @param readsDecimalComma see [BagParser.readsDecimalComma].
  * @param keepSamples as for the [BagParser].
@@ -22,8 +22,8 @@ public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSam
     /**
      * Reads the rows from [from] until [until] of [bytes], where the first begins and the last ends with its newline.
      *
-     * @return the rows, whose numbers are overwritten by the next call; null if something is irregular, so that the rows may
-     *   depend on those before or after, and the [BagParser] must read the bytes itself.
+     * @return the rows; the next call overwrites their numbers. Null if something is irregular: the rows may then depend on those before or
+     *   after, and the [BagParser] must read the bytes itself.
      */
     public fun parse(bytes: ByteArray, from: Int, until: Int): RowBatch? {
         if (until <= from || bytes[until - 1].toInt() != LF) return null

@@ -6,7 +6,7 @@ import badlog.core.recording.ProblemList
 import badlog.core.recording.Topic
 import badlog.core.text.TextDecoder
 
-/** Reads the rows into columns: the fast way where it can, the forgiving one where it must. */
+/** Reads the rows into columns: plain ones with [RowScanner], all others with [RowRepair]. */
 internal class RowReader(
     private val pending: PendingBytes,
     private val layout: HeaderColumns,
@@ -38,7 +38,7 @@ internal class RowReader(
     var rowCount = 0
         private set
 
-    /** Whether reading stopped because what follows is not a row at all. */
+    /** Whether reading stopped because the bytes that follow are not rows at all. */
     var gaveUp = false
         private set
 
@@ -60,17 +60,17 @@ internal class RowReader(
         return next
     }
 
-    /** For each column, whether it is one of numbers, in which a decimal comma is read, rather than of texts. */
+    /** For each column, whether it has numbers, in which a decimal comma is read, rather than texts. */
     val readsDecimalComma: BooleanArray get() = BooleanArray(columns.size) { columns[it].readsDecimalComma }
 
-    /** Adds rows that were read elsewhere. Returns false if they lack numbers that are needed here. */
+    /** Adds rows that a [RowBatchParser] read. Returns false if they lack numbers that are needed here. */
     fun add(batch: RowBatch): Boolean {
         if (batch.rowCount > maxRows - rowCount) return false
         if (batch.hasSamples != keepSamples || (!keepSamples && columns.any { it.hasSink })) return false
         val linesBefore = pending.line - 1
         pending.pass(batch)
         if (rowCount + batch.rowCount > roomyRows) makeRoom(rowCount + batch.rowCount)
-        val details = BatchReader(batch, BatchReader.FRAME)
+        val details = BatchReader(batch, BatchReader.COMMON_INTS)
         for (i in columns.indices) columns[i].append(rowCount, batch.rowCount, batch.numbers[i], details, linesBefore)
         rowCount += batch.rowCount
         return true

@@ -14,8 +14,8 @@ import badlog.core.text.ZERO
 import badlog.core.text.isLetterOrDigit
 
 /**
- * Reads the rows that [RowScanner] cannot: quoted, cut, split, too short or too long ones. The most important rule: a line
- * that is a complete row by itself is never merged into a damaged one before it.
+ * Reads the rows that [RowScanner] cannot read: quoted, cut, split, too short or too long ones. A line that is a complete row by itself is
+ * never merged into a damaged one before it.
  *
  * @param endsInNewline whether every whole row of this file ends in a newline, as a bag's does, so that a last row
  *   without one is cut.
@@ -52,7 +52,7 @@ internal class RowRepair(
      * Reads the pending bytes, from the start of a line.
      *
      * @param isEnd whether no more bytes will follow.
-     * @param row how many rows there are so far.
+     * @param row the number of rows so far.
      * @return where the next row begins, or [RowScanner.INCOMPLETE] when more bytes are needed to decide.
      */
     fun repair(isEnd: Boolean, row: Int): Int {
@@ -69,51 +69,54 @@ internal class RowRepair(
         linesPassed = 1
         if (end == from) {
             linesPassed = 0
-            return pending.passBlankLines(end, next, problems)
+            return pending.skipBlankLines(end, next, problems)
         }
         val strictCount = splitter.split(bytes, from, end, Quotes.STRICT)
         if (!splitter.isOpen && !splitter.isMalformed && strictCount == cells.columns) return take(bytes, true, next)
         if (splitter.isOpen && !splitter.isMalformed) {
             findNumbers(bytes, strictCount - 1)
             val after = quotedLines(bytes, from, next, until, isEnd)
-            if (after != NOT_SO) return after
+            if (after != NO_MATCH) return after
         }
         if (readWithOddQuotes(bytes, from, end, mayBeOpen = true)) return take(bytes, false, next)
         if (pending.isAfterHole) return dropFragment(bytes, from, end, next)
         val after = joinedLines(bytes, from, end, next, until, isEnd)
         return when {
-            after != NOT_SO -> after
+            after != NO_MATCH -> after
             continuesText(bytes, from, end, row - 1) -> next
             else -> takeUneven(bytes, from, end, next)
         }
     }
 
-    /** Returns where the next row begins, if this one has a quoted cell with newlines inside, as RFC 4180 allows; otherwise [NOT_SO]. */
+    /**
+     * Reads a row with newlines inside a quoted cell, as RFC 4180 allows. Returns where the next row begins, or [NO_MATCH] if it is not
+     * one.
+     */
     private fun quotedLines(bytes: ByteArray, from: Int, secondLine: Int, until: Int, isEnd: Boolean): Int {
         var start = secondLine
         var holdsRows = false
         for (lines in 2..MAX_LINES) {
             val end = lineEndIn(bytes, start, until)
-            if (end - from > MAX_BYTES) return NOT_SO
+            if (end - from > MAX_BYTES) return NO_MATCH
             if (end == until && !isEnd) return RowScanner.INCOMPLETE
             // With one topic every line is a row.
             if (start < end && (cells.columns == 1 || isCompleteRow(bytes, start, end))) {
-                if (cells.columns > 1 && hasSameNumbers(bytes)) return NOT_SO
+                if (cells.columns > 1 && hasSameNumbers(bytes)) return NO_MATCH
                 holdsRows = true
             }
-            if (end == until) return if (holdsRows) NOT_SO else tail(bytes, from, until, endsInNewline)
-            if (bytes[end].toInt() == NUL) return NOT_SO
+            if (end == until) return if (holdsRows) NO_MATCH else tail(bytes, from, until, endsInNewline)
+            if (bytes[end].toInt() == NUL) return NO_MATCH
             val count = splitter.split(bytes, from, end, Quotes.STRICT)
             val next = afterLineEnd(bytes, end, until, isEnd)
             if (next == RowScanner.INCOMPLETE) return next
             if (!splitter.isOpen) {
-                if (splitter.isMalformed || count != cells.columns) return NOT_SO
+                if (splitter.isMalformed || count != cells.columns) return NO_MATCH
                 linesPassed = lines
                 return take(bytes, true, next)
             }
             start = next
         }
-        return NOT_SO
+        return NO_MATCH
     }
 
     private fun findNumbers(bytes: ByteArray, count: Int) {
@@ -147,7 +150,7 @@ internal class RowRepair(
         return fits
     }
 
-    /** Joins a text cell that a raw newline has split: the pieces belong together if they then have the right number of cells. */
+    /** Joins a text cell that a raw newline has split. The pieces belong together if they then have the right number of cells. */
     private fun joinedLines(bytes: ByteArray, from: Int, end: Int, next: Int, until: Int, isEnd: Boolean): Int {
         var start = next
         // Without quotes, counting commas gives the number of cells, so nothing has to be split repeatedly.
@@ -155,19 +158,19 @@ internal class RowRepair(
         var quotes = bytes.count(QUOTE, from, end)
         for (lines in 2..MAX_LINES) {
             val pieceEnd = lineEndIn(bytes, start, until)
-            if (pieceEnd - from > MAX_BYTES) return NOT_SO
+            if (pieceEnd - from > MAX_BYTES) return NO_MATCH
             if (pieceEnd == until && !isEnd) return RowScanner.INCOMPLETE
-            if (start == until || (pieceEnd < until && bytes[pieceEnd].toInt() == NUL)) return NOT_SO
-            if (isCompleteRow(bytes, start, pieceEnd)) return NOT_SO
+            if (start == until || (pieceEnd < until && bytes[pieceEnd].toInt() == NUL)) return NO_MATCH
+            if (isCompleteRow(bytes, start, pieceEnd)) return NO_MATCH
             commas += bytes.count(COMMA, start, pieceEnd)
             quotes += bytes.count(QUOTE, start, pieceEnd)
             val isSplit = quotes > 0 || commas + 1 >= cells.columns
             val count = if (isSplit) splitter.split(bytes, from, pieceEnd, Quotes.LENIENT) else commas + 1
-            if (isSplit && (count > cells.columns || splitter.isOpen)) return NOT_SO
+            if (isSplit && (count > cells.columns || splitter.isOpen)) return NO_MATCH
             val after = afterLineEnd(bytes, pieceEnd, until, isEnd)
             if (after == RowScanner.INCOMPLETE) return after
             if (count == cells.columns) {
-                if (!isTextTornAt(bytes, end, next)) return NOT_SO
+                if (!isTextTornAt(bytes, end, next)) return NO_MATCH
                 linesPassed = lines
                 problems.add(
                     ProblemKind.LINES_JOINED,
@@ -180,10 +183,10 @@ internal class RowRepair(
             }
             start = after
         }
-        return NOT_SO
+        return NO_MATCH
     }
 
-    /** Handles a piece of the last topic's text, split off by a raw newline: a line that is one text, where a number should be. */
+    /** Handles a piece of the last topic's text that a raw newline split off. It is a line of one text, where a number should be. */
     private fun continuesText(bytes: ByteArray, from: Int, end: Int, row: Int): Boolean {
         val isPiece = cells.columns > 1 && columns[0].firstText == null &&
             (from until end).none { bytes[it].toInt() == COMMA } &&
@@ -197,8 +200,7 @@ internal class RowRepair(
     }
 
     /**
-     * Returns whether the bytes are a number directly followed by letters: the x of a row of which, because of damage, only the end is left
-     * besides.
+     * Returns whether the bytes are a number directly followed by letters. Such a line is a row that damage reduced to its x and its end.
      */
     private fun isEndOfRow(bytes: ByteArray, from: Int, end: Int): Boolean {
         var at = from
@@ -246,7 +248,7 @@ internal class RowRepair(
         return take(bytes, isStrict, next, count)
     }
 
-    /** Drops what follows a hole up to the next newline, as it would be complete only by chance. */
+    /** Drops the bytes between a hole and the next newline, as they would be a complete row only by chance. */
     private fun dropFragment(bytes: ByteArray, from: Int, end: Int, next: Int): Int {
         problems.add(
             ProblemKind.ROW_CUT,
@@ -323,7 +325,7 @@ internal class RowRepair(
     }
 
     private companion object {
-        const val NOT_SO = -3
+        const val NO_MATCH = -3
 
         // For a damaged row the parser may look ahead, but never hold more than this.
         const val MAX_LINES = 100

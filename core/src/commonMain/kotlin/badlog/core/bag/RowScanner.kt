@@ -12,13 +12,12 @@ import badlog.core.text.QUOTE
 import badlog.core.text.ZERO
 
 /**
- * The fast way through a bag: rows without quotes, NULs and missing cells, as nearly all rows are. All others are left to
- * [RowRepair], which is thorough rather than fast.
+ * Reads plain rows fast: those without quotes, NULs and missing cells, as nearly all rows are. All others are left to [RowRepair], which is
+ * thorough rather than fast.
  */
 internal class RowScanner(private val cells: RowCells, private val reader: CellReader) {
     /**
-     * Reads the row that begins at [from] into the cells. A line end or a NUL must follow, so that the end need not be checked at
-     * every byte.
+     * Reads the row that begins at [from] into the cells. A line end or a NUL must follow, so that the end is not checked at every byte.
      *
      * @return where the next row begins; [INCOMPLETE] if it ends in what may be half of a CRLF; [IRREGULAR] if it is not plain.
      */
@@ -91,7 +90,7 @@ internal class RowScanner(private val cells: RowCells, private val reader: CellR
  * The cells of one row, on their way from bytes to columns. A row is added to the columns only after all of it was read,
  * so a row that turns out to be cut or irregular leaves no trace.
  *
- * @property columns how many cells a row has.
+ * @property columns the number of cells in a row.
  */
 internal class RowCells(val columns: Int) {
     /** The [CellKind] of each cell. */

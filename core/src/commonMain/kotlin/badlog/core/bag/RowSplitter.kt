@@ -6,7 +6,8 @@ import badlog.core.text.QUOTE
 /** Finds the cells of a row that is not plain, under several readings of its quotes. */
 internal class RowSplitter {
     /**
-     * Where the cells that were last found begin and end, without their quotes; only the first ones are valid, as many as [split] returned.
+     * The start and the end of each cell that was last found, without its quotes. Only the first ones are valid, as many as [split]
+     * returned.
      */
     var starts = IntArray(16)
         private set
@@ -25,12 +26,12 @@ internal class RowSplitter {
     var isMalformed = false
         private set
 
-    /** How to read quotes. */
+    /** The readings of quotes. */
     enum class Quotes {
         /** RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one. */
         STRICT,
 
-        /** A quote opens at a cell's start and closes only before a comma or the end: the original badlog never doubled them. */
+        /** A quote opens at a cell's start and closes only before a comma or the end. The original badlog never doubled quotes. */
         LENIENT,
 
         /** A quote is a character like any other. */
@@ -86,16 +87,16 @@ internal class RowSplitter {
     }
 
     /**
-     * Joins cells that were split at a quote and a comma inside one text, as in `"he said "a", ok"`: a cell that ends
-     * in a quote without having begun with one belongs to the quoted cell before it. Stops at [wanted] cells.
+     * Joins cells that were split at a quote and a comma inside one text. In `"he said "a", ok"`, a cell that ends in a quote without
+     * having begun with one belongs to the quoted cell before it. Stops at [wanted] cells.
      *
      * @return the number of cells that are left.
      */
     fun mergeTornQuotes(bytes: ByteArray, wanted: Int): Int {
         var i = 1
         while (i < count && count > wanted) {
-            val tornOff = !quoted[i] && ends[i] > starts[i] && bytes[ends[i] - 1].toInt() == QUOTE
-            val opening = if (tornOff) quotedBefore(i) else -1
+            val isSplitOff = !quoted[i] && ends[i] > starts[i] && bytes[ends[i] - 1].toInt() == QUOTE
+            val opening = if (isSplitOff) quotedBefore(i) else -1
             if (opening >= 0 && count - (i - opening) >= wanted) {
                 ends[opening] = ends[i] - 1
                 remove(opening + 1, i - opening)

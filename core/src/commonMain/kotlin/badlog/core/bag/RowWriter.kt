@@ -10,9 +10,8 @@ import badlog.core.text.NUL
 import badlog.core.text.QUOTE
 
 /**
- * Writes the lines of a bag into a buffer of its own, cell by cell: numbers by [FiveDigitFormat], texts in UTF-8, quoted
- * according to RFC 4180, each row ended by one newline. Once the buffer has grown to the longest row, nothing is
- * allocated. Not thread-safe.
+ * Writes the lines of a bag into its buffer, cell by cell. Numbers are written by [FiveDigitFormat], texts in UTF-8 with quotes according
+ * to RFC 4180, and each row ends in one newline. Once the buffer has grown to the longest row, nothing is allocated. Not thread-safe.
  *
  * ```
  * row.number(12.3).text("armed, ready").endRow()
@@ -24,7 +23,7 @@ public class RowWriter {
     private var cells = 0
     private var rowStart = 0
 
-    /** What was written since the last [clear], in the first [size] bytes. The array is replaced when it grows. */
+    /** The bytes written since the last [clear]: the first [size] of this array. The array is replaced when it grows. */
     public var bytes: ByteArray = ByteArray(1024)
         private set
 
@@ -77,8 +76,8 @@ public class RowWriter {
     }
 
     /**
-     * Writes a cell with a number in as many digits as it takes to read exactly the same double again: `0.02`,
-     * `12.346`, `-7`, `1e-7`; infinities and NaN as by [number].
+     * Writes a cell with a number in enough digits to read the same double again: `0.02`, `12.346`, `-7`, `1e-7`. Infinities and NaN are
+     * written as by [number].
      */
     public fun exact(value: Double): RowWriter {
         beginCell()

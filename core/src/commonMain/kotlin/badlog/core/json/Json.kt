@@ -30,8 +30,8 @@ public class JsonMember internal constructor(public val key: String, public val 
 /**
  * Reads JSON as defined by RFC 8259, with one exception: control characters are allowed in strings.
  *
- * It exists because the platforms' own readers differ in what they accept and in what they do to numbers, while a page
- * must show the same as the viewer. A JSON library would also be most of a page's script.
+ * It exists because the platforms' own readers accept different texts and treat numbers differently, while page and viewer must show the
+ * same. A JSON library would also be most of a page's script.
  */
 public class JsonReader private constructor(private val text: String) {
     private var at = 0

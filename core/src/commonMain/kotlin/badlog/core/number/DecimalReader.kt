@@ -19,7 +19,7 @@ internal class DecimalReader {
     var value: Double = 0.0
         private set
 
-    /** Whether that is a whole number that no double holds exactly. */
+    /** Whether the text was a whole number that no double holds exactly. */
     var isRounded: Boolean = false
         private set
 

@@ -7,8 +7,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes a number so that a reader gets exactly the same double: `0.02`, `-7`, `1e-7`. Uses few digits wherever they are
- * enough, which allocates nothing; otherwise the platform's digits.
+ * Writes a number so that a reader gets exactly the same double: `0.02`, `-7`, `1e-7`. If few digits are enough, nothing is allocated;
+ * otherwise the platform's digits are used.
  */
 internal object ExactFormat {
     /** Length in bytes of the longest text [write] produces. */
@@ -42,7 +42,7 @@ internal object ExactFormat {
             val scaled = magnitude * power
             if (scaled >= WHOLE_LIMIT) return -1
             val digits = floor(scaled + 0.5)
-            // A quotient of two exact numbers is the double nearest to it, which is what a reader arrives at.
+            // The quotient of two exact numbers is the nearest double, and a reader gets the same one.
             if (digits / power == magnitude) return writeDecimals(digits.toLong(), decimals, into, at)
         }
         return -1

@@ -26,7 +26,7 @@ import badlog.core.text.ZERO
  * several threads are safe if their buffers are not shared.
  */
 public object FiveDigitFormat {
-    /** Length in bytes of the longest text [write] produces, that of `-1.7977e+308`. */
+    /** Length in bytes of the longest text that [write] produces: `-1.7977e+308`. */
     public const val MAX_LENGTH: Int = 12
 
     private val exactDigits = ExactDigits()

@@ -5,8 +5,8 @@ import badlog.core.text.MINUS
 import badlog.core.text.ZERO
 
 /**
- * Writes a number with six decimals, as a time in seconds needs them: `%.5g` only resolves 10 ms from 100 s on. A
- * magnitude of 9e18 or more, or a number that is not finite, is written by [FiveDigitFormat]. Calls allocate nothing.
+ * Writes a number with six decimals, for times in seconds. `%.5g` only resolves 10 ms from 100 s on. A magnitude of 9e18 or more, or a
+ * number that is not finite, is written by [FiveDigitFormat]. Calls allocate nothing.
  */
 internal object MicrosecondFormat {
     /** Length in bytes of the longest text [write] produces. */

@@ -7,8 +7,8 @@ internal val EXACT_POWERS_OF_TEN: DoubleArray = doubleArrayOf(
 )
 
 /**
- * The top 96 bits of the powers of ten from 10^[min] to 10^[max], truncated, each as three words: `10^power` is
- * their number times `2^(log2Floor(power) - 95)`, or more than that by less than one unit.
+ * The top 96 bits of the powers of ten from 10^[min] to 10^[max], truncated, each as three words. `10^power` is their number times
+ * `2^(log2Floor(power) - 95)`, or more than that by less than one unit.
  *
  * @param min lowest power, -1000 to 0
  * @param max highest power, 0 to 1000
@@ -27,7 +27,7 @@ internal class PowersOfTen96(private val min: Int, max: Int) {
     /** Bits 32 to 63. */
     fun middle(power: Int): Long = words[(power - min) * WORDS + 1].toLong() and WORD_MASK
 
-    /** Highest 32 bits, the first of which is set. */
+    /** Highest 32 bits; the first bit is set. */
     fun high(power: Int): Long = words[(power - min) * WORDS + 2].toLong() and WORD_MASK
 
     /** Powers of five times 2^96, which leaves room for three words below the shortest of them. */

@@ -1,9 +1,6 @@
 package badlog.core.recording
 
-/**
- * A log format that may be read besides the bag, such as WPILOG. Formats are not registered anywhere: code that reads files
- * passes those it knows.
- */
+/** A log format other than the bag, such as WPILOG. Formats are not registered: code that reads files passes the formats it knows.  */
 public interface LogFormat : RecordingFormat {
     override val hasRows: Boolean get() = false
 
@@ -25,28 +22,28 @@ public interface LogFormat : RecordingFormat {
 }
 
 /**
- * Makes a recording from the bytes of a file, which are pushed to it in pieces of any size. It never throws because of the
- * bytes: whatever is wrong becomes a problem of the recording. Compressed files must be inflated first. Not thread-safe.
+ * Makes a recording from the bytes of a file, which arrive in pieces of any size. It never throws because of the bytes: anything wrong in
+ * them becomes a problem of the recording. Compressed files must be inflated first. Not thread-safe.
  */
 public interface LogParser {
     /** The number of rows read so far; of records, if the format has no rows. */
     public val rowCount: Int
 
     /**
-     * The maximum number of rows or records to read: a small compressed file may hold a billion, which would fill the memory. Set it
-     * before the first bytes.
+     * The maximum number of rows or records to read. Set it before the first bytes. A small compressed file may hold a billion rows, which
+     * would fill the memory.
      */
     public var maxRows: Int
 
     /**
-     * Whether no further bytes will be read, because there are more rows than [maxRows] or what follows is not a row: they need not be
-     * passed.
+     * Whether the rest of the file will not be read, and need not be passed. Either there are more rows than [maxRows], or the following
+     * bytes are not rows.
      */
     public val isFull: Boolean
 
-    /** Reads the bytes from [from] until [until] of [bytes], which follow those of previous calls. Keeps no reference to the array. */
+    /** Reads the next bytes of the file: those of [bytes] from [from] until [until]. Keeps no reference to the array. */
     public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size)
 
-    /** Ends the file, and returns what was read. Call it once, last. */
+    /** Ends the file, and returns the recording. Call it once, last. */
     public fun finish(): Recording
 }

@@ -1,8 +1,8 @@
 package badlog.core.recording
 
 /**
- * Receives the numbers of one topic while its file is read, in place of the recording: the topic then has no samples, but is
- * complete otherwise.
+ * Receives the numbers of one topic in place of the recording, while the file is read. The topic then has no samples, but is complete
+ * otherwise.
  */
 public fun interface NumberSink {
     /** Receives the [number] of the next row, or NaN for a cell without one; [row] counts from 0. */
@@ -14,9 +14,9 @@ public fun interface NumberSink {
     }
 }
 
-/** Decides where the numbers of a file's topics go. Called once for each topic, before its first row. */
+/** Chooses the sink for the numbers of each topic. Called once for each topic, before its first row. */
 public fun interface NumberSinks {
-    /** Returns where the numbers of the topic [name] with [attributes] go; null for the recording. */
+    /** Returns the sink for the numbers of the topic [name] with [attributes]; null for the recording. */
     public fun of(name: String, attributes: List<String>): NumberSink?
 
     public companion object {

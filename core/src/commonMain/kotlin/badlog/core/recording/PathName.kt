@@ -1,7 +1,7 @@
 package badlog.core.recording
 
 /**
- * The two parts of a name in which `/` makes folders: `Drivetrain/Wheels/A Position` is `A Position` in the folder
+ * Splits a name into its folder and its base name at the last `/`. `Drivetrain/Wheels/A Position` is `A Position` in the folder
  * `Drivetrain/Wheels`. A leading `/` does not make a folder.
  */
 public object PathName {
@@ -11,7 +11,7 @@ public object PathName {
         return if (slash < 0) "" else name.substring(0, slash).trim('/')
     }
 
-    /** Returns what [name] is called inside its folder; never empty unless [name] is. */
+    /** Returns [name] without its folder; never empty unless [name] is. */
     public fun baseNameOf(name: String): String = name.substring(lastSeparator(name) + 1)
 
     // A slash at the very end separates nothing: "Arm/" would otherwise have no name at all.

@@ -1,15 +1,15 @@
 package badlog.core.recording
 
 /**
- * Something that was wrong in a file: what, where, and how it was handled. Problems are data: every front end shows
- * them, none stops a file from opening.
+ * A problem in a file: its kind, its place, and how it was handled. Problems are data: every front end shows them, and none stops a file
+ * from opening.
  *
- * @property kind what sort of problem it is; it also gives the [severity].
+ * @property kind the kind of the problem, which also determines the [severity].
  * @property message one sentence that a student understands.
  * @property line the physical line of the file, from 1, or null if the problem has no line.
  * @property topic the name of the topic concerned, or null.
- * @property count how often it occurred; [line] and [message] are those of the first time.
- * @property loss what was lost, over all occurrences.
+ * @property count how often it occurred; [line] and [message] describe the first occurrence.
+ * @property loss the loss over all occurrences.
  */
 public data class Problem(
     public val kind: ProblemKind,
@@ -19,16 +19,16 @@ public data class Problem(
     public val count: Int = 1,
     public val loss: Loss = Loss.NONE,
 ) {
-    /** How much it matters. */
+    /** The importance of the problem, from its [kind]. */
     public val severity: Severity get() = kind.severity
 }
 
-/** How much a [Problem] matters to someone who reads the recording. */
+/** The importance of a [Problem] to someone who reads the recording. */
 public enum class Severity {
-    /** Nothing is lost or doubtful; for information. */
+    /** Nothing is lost or doubtful: for information only. */
     NOTE,
 
-    /** Everything was kept, but some of it may have been read differently from how it was meant. */
+    /** Everything was kept, but some of it may have been read differently than intended. */
     WARNING,
 
     /** Part of the file's data is lost. */
@@ -36,12 +36,12 @@ public enum class Severity {
 }
 
 /**
- * How much of a file was lost to a [Problem]: what was in the file, but is in no row of the recording. Data that never
- * reached the file cannot be known and is not counted.
+ * The part of a file that was lost to a [Problem]. It was in the file, but is in no row of the recording. Data that never reached the file
+ * is not counted, because it is not known.
  *
- * @property rows how many rows were dropped.
- * @property cells how many cells were dropped or emptied, whole or in part, including those of [rows].
- * @property bytes how many bytes of the file, after inflating, were skipped.
+ * @property rows the number of dropped rows.
+ * @property cells the number of cells that were dropped or emptied, whole or in part, including the cells of [rows].
+ * @property bytes the number of skipped bytes, counted after inflating.
  */
 public data class Loss(public val rows: Int = 0, public val cells: Int = 0, public val bytes: Long = 0) {
     /** Returns the sum of both. */

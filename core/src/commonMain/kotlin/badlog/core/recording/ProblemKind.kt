@@ -1,9 +1,9 @@
 package badlog.core.recording
 
 /**
- * What can be wrong with a recording. The rules behind each kind are in `docs/bag-format.md` and `docs/wpilog.md`.
+ * The kinds of problems of a recording. `docs/bag-format.md` and `docs/wpilog.md` have the rule behind each kind.
  *
- * @property severity how much it matters.
+ * @property severity the importance of such a problem.
  */
 public enum class ProblemKind(public val severity: Severity) {
     /** The bytes are neither a bag, nor a CSV file, nor any other log this library reads; there is nothing to show. */
@@ -21,7 +21,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The line of titles does not have one for each column; the names of the line of JSON were used. */
     TITLES_DAMAGED(Severity.ERROR),
 
-    /** The header is damaged, and a column's name may be that of another one. */
+    /** The header is damaged, and a column's name may belong to another column. */
     NAME_IN_DOUBT(Severity.WARNING),
 
     /** There is a header but no sample. */
@@ -39,7 +39,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A text cell that was split by a raw newline was put together again. */
     LINES_JOINED(Severity.WARNING),
 
-    /** Quotes inside a cell were not escaped; the row was read the way that gives it the right number of cells. */
+    /** Quotes inside a cell were not escaped. The row was read in the way that gives the right number of cells. */
     QUOTES_REPAIRED(Severity.WARNING),
 
     /** The file has more rows than the maximum; the rest was not read. */
@@ -63,7 +63,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Text is not UTF-8 and was read as Windows-1252. */
     NOT_UTF8(Severity.WARNING),
 
-    /** A CSV file separates its cells, writes its numbers or describes its columns in an unusual way, and was read that way. */
+    /** A CSV file has unusual separators, numbers or column descriptions, and was read accordingly. */
     CSV_DIALECT(Severity.NOTE),
 
     /** Numbers with a decimal comma were read as if it were a point. */
@@ -114,7 +114,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The x axis has no value in some rows, which can therefore not be drawn. */
     X_GAPS(Severity.WARNING),
 
-    /** A few values of the x axis are far away from all others; what was logged there is not drawn. */
+    /** A few values of the x axis are far away from all others; their samples are not drawn. */
     X_WILD(Severity.WARNING),
 
     /** A joined graph mixes units, repeats a line's name, or is the graph of an existing topic. */

@@ -15,7 +15,7 @@ public class ProblemList {
         val times = (seen[key] ?: 0) + 1
         seen[key] = times
         val problem = Problem(kind, message, line, topic, count, loss)
-        if (times <= LISTED) {
+        if (times <= MAX_LISTED) {
             problems += problem
         } else {
             val first = overflow[key] ?: problem.copy(count = 0, loss = Loss.NONE)
@@ -27,6 +27,6 @@ public class ProblemList {
     public fun toList(): List<Problem> = problems + overflow.values
 
     private companion object {
-        const val LISTED = 10
+        const val MAX_LISTED = 10
     }
 }

@@ -1,15 +1,15 @@
 package badlog.core.recording
 
 /**
- * What was read from one file: everything that could be kept, and the problems found on the way.
+ * The content of one log file: everything that could be kept, and the problems found.
  *
- * @property format the format that the content turned out to have.
+ * @property format the format, recognized by the content.
  * @property headerLine the JSON of the file's first line exactly as in the file, or null if it has none.
  * @property values the values, in the order of the file.
  * @property topics the topics, in the order of the file's header.
  * @property rowCount the number of samples of each topic that shares rows with the others; 0 if all topics have
  *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts both.
- * @property problems what was wrong, in the order in which it was found.
+ * @property problems the problems, in the order in which they were found.
  */
 public class Recording(
     public val format: RecordingFormat,
@@ -32,7 +32,9 @@ public class Recording(
     /** The number of samples of all topics together, gaps included. */
     public val sampleCount: Long get() = topics.sumOf { it.size.toLong() }
 
-    /** Why the bytes are not a log at all, as a sentence, so that there is nothing to show but [problems]; null if they are one. */
+    /**
+     * A sentence that says why the bytes are not a log at all; null if they are one. If it is set, there is nothing to show but [problems].
+     */
     public val refusal: String? get() = problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING }?.message
 
     /** Whether the bytes are a log: there is no [refusal]. */

@@ -2,19 +2,19 @@ package badlog.core.recording
 
 /** The format that a [Recording] was read from: [BAG], [CSV], or a [LogFormat]. */
 public interface RecordingFormat {
-    /** Its name for programs, such as `wpilog`: in lower case, without spaces. No two formats have the same. */
+    /** The format's name for programs, such as `wpilog`: in lower case, without spaces. Each format has its own. */
     public val id: String
 
-    /** What people call one log of this format, such as `WPILOG`; an `s` makes it several. */
+    /** The name that people use for one log of this format, such as `WPILOG`; its plural ends in `s`. */
     public val title: String
 
-    /** What the names of such files end in: in lower case, each with its dot. A file's content decides what it really is. */
+    /** The endings of such files' names: in lower case, each with its dot. Only the content of a file decides its format. */
     public val endings: List<String>
 
     /** Whether all topics share rows; otherwise each has times of its own. */
     public val hasRows: Boolean
 
-    /** Whether a log of this format has the records of a WPILOG, or is read as the records of one. */
+    /** Whether a log of this format has WPILOG records, or is read as such records. */
     public val hasRecords: Boolean get() = false
 
     public companion object {

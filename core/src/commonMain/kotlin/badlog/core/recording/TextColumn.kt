@@ -1,8 +1,8 @@
 package badlog.core.recording
 
 /**
- * The text cells of a topic, sparse and without an object per cell: cell `i` is [dictionary]`[ids[i]]` and is in row
- * [rows]`[i]`. Rows ascend.
+ * The text cells of a topic, sparse and without an object per cell. Cell `i` is [dictionary]`[ids[i]]` and is in row [rows]`[i]`. Rows
+ * ascend.
  *
  * @property rows the rows, from 0, that have a text; for a topic with times of its own, the indices of its text samples.
  * @property ids for each of [rows], the index of its text in [dictionary]; of the same size.

@@ -1,7 +1,7 @@
 package badlog.core.recording
 
 /**
- * A stream of samples with a name, a unit and attributes: one for each row of its recording, or at times of its own.
+ * A stream of samples with a name, a unit and attributes. It has a sample for each row of its recording, or samples at times of its own.
  *
  * @property name the full name, unique in its recording; `/` makes folders, see [PathName].
  * @property unit the unit as the file gives it; `ul` and the empty text mean none.
@@ -9,14 +9,14 @@ package badlog.core.recording
  * @property samples one number for each row or time, NaN where there is none; of size 0 if no cell has a number. Not to be
  *   changed.
  * @property texts the cells that hold a text.
- * @property counts what the cells held.
+ * @property counts the number of cells of each kind.
  * @property times when each sample was taken, finite and ascending, perhaps repeating; in the unit of the recording's x axis,
  *   which is s where there are no rows. Null where sample `i` belongs to row `i` of the recording. Topics that were logged
  *   together share one array. Of size 0 if samples were not kept. Not to be changed.
  * @property type the type of the samples as named in the file, such as `double` or `struct:Pose2d`; empty if it names none.
- * @property metadata what else the file says about the topic, often JSON; may be empty.
- * @property wasXAxis whether the topic was the x axis of the rows that this log was made of.
- * @property wasSparse whether the topic was [sparse][isSparse] in them, so that rows are not to hold its last value.
+ * @property metadata further text about the topic in the file, often JSON; may be empty.
+ * @property wasXAxis whether the topic was the x axis of the rows from which this log was made.
+ * @property wasSparse whether the topic was [sparse][isSparse] in those rows, so that new rows must not repeat its last value.
  */
 public class Topic(
     public val name: String,
@@ -35,29 +35,30 @@ public class Topic(
     public val size: Int get() = counts.total
 
     /**
-     * What the cells turned out to be. A topic of mostly texts with times of its own is a [state][TopicKind.STATE] if there
-     * are few different texts or each occurs twice on average, otherwise [events][TopicKind.EVENT]; if the samples were not
-     * kept, it is a state.
+     * The kind of the topic, determined by its cells. A topic of mostly texts with times of its own is a [state][TopicKind.STATE] if there
+     * are few different texts or each occurs twice on average, otherwise [events][TopicKind.EVENT]; if the samples were not kept, it is a
+     * state.
      */
     public val kind: TopicKind = kindOf(counts).let {
         if (it == TopicKind.STATE && times != null && holdsEvents(texts)) TopicKind.EVENT else it
     }
 
     /**
-     * Whether its samples are the sizes in bytes of records of a [type] that is not decoded: those are never values of what its name says.
+     * Whether its samples are only record sizes in bytes, because its [type] is not decoded. They never are values of the quantity in its
+     * name.
      */
     public val isSizes: Boolean get() = times != null && unit == "B" && type.isNotEmpty() && type.removeSuffix("[]") !in NUMBERS
 
     /**
-     * Whether fewer than half of the rows have a number, mostly isolated ones. Such a topic is sampled at times of its own, as
-     * in a CSV file made from a log of changes: its empty cells are not gaps, they just have no sample.
+     * Whether fewer than half of the rows have a number, mostly isolated ones. Such a topic is sampled at times of its own, as in a CSV
+     * file made from a log of changes: its empty cells are not gaps, but rows without a sample.
      */
     public val isSparse: Boolean
         get() {
             if (times != null) return false
             val withoutNumber = counts.empty.toLong() + counts.texts
             val withNumber = counts.total - withoutNumber
-            return withoutNumber > withNumber && withNumber < ALONE * counts.gaps
+            return withoutNumber > withNumber && withNumber < MAX_ISOLATED * counts.gaps
         }
 
     /** Returns this topic with some of its parts replaced. */
@@ -80,13 +81,13 @@ public class Topic(
         public const val UNITLESS: String = "ul"
 
         /** Numbers count as isolated if, on average, at most this many are between two gaps. */
-        private const val ALONE = 2L
+        private const val MAX_ISOLATED = 2L
 
-        /** The types whose records are numbers. */
+        /** The types of records that are numbers. */
         private val NUMBERS = setOf("boolean", "int64", "int", "float", "double")
 
         /** Up to this many different texts are states, however often each occurs. */
-        private const val FEW_STATES = 8
+        private const val MAX_RARE_STATES = 8
 
         internal fun kindOf(counts: CellCounts): TopicKind {
             val numeric = counts.numbers + counts.notFinite + counts.truthValues
@@ -100,12 +101,12 @@ public class Topic(
 
         private fun holdsEvents(texts: TextColumn): Boolean {
             val different = texts.dictionary.size
-            return different > FEW_STATES && different * 2L > texts.size
+            return different > MAX_RARE_STATES && different * 2L > texts.size
         }
     }
 }
 
-/** What the cells of a [Topic] turned out to be. */
+/** The kinds of topics, by the content of their cells. */
 public enum class TopicKind {
     /** No cell holds anything. */
     EMPTY,
@@ -116,23 +117,22 @@ public enum class TopicKind {
     /** Only `true` and `false`, kept as 1 and 0. */
     BOOLEAN,
 
-    /** Mostly texts, in at least half of the rows: what state something is in. */
+    /** Mostly texts, in at least half of the rows: the states of something. */
     STATE,
 
-    /** Mostly texts, in fewer than half of the rows: what happened. */
+    /** Mostly texts, in fewer than half of the rows: events. */
     EVENT,
 }
 
 /**
- * How many cells of a topic hold which kind of content. The first five add up to the topic's [size][Topic.size], so every
- * cell is accounted for. If topics have times of their own, a sample counts as a cell, and neighboring samples as
- * neighboring rows.
+ * The number of a topic's cells for each kind of content. The first five add up to the topic's [size][Topic.size], so every cell is
+ * accounted for. If topics have times of their own, a sample counts as a cell, and neighboring samples as neighboring rows.
  *
  * @property numbers finite numbers.
  * @property notFinite `NaN` and infinities that were written as such.
  * @property truthValues `true` and `false`.
  * @property texts any other text.
- * @property empty nothing, `null`, or a cell that its row lacks.
+ * @property empty empty cells, `null`, and cells that their row lacks.
  * @property gaps the number of runs of neighboring rows without a number.
  */
 public data class CellCounts(

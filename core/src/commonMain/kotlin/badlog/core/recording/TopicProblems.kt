@@ -7,7 +7,7 @@ public fun ProblemList.addNotUtf8(topic: String, line: Int? = null) {
     add(ProblemKind.NOT_UTF8, "Texts in “$topic” are not UTF-8; they were read as Windows-1252.", line, topic)
 }
 
-/** Reports it if some of the [samples] of [topic] are not finite numbers. */
+/** Reports the samples of [topic] that are not finite, if there are any. The message calls them [samples]. */
 public fun ProblemList.addNotFinite(topic: Topic, samples: String) {
     val count = topic.counts.notFinite
     if (count == 0) return

@@ -1,8 +1,7 @@
 package badlog.core.text
 
 /**
- * Returns [wanted] followed by [ending], or, if that is taken, the first of `wanted (2)`, `wanted (3)` and so on that
- * is free.
+ * Returns [wanted] followed by [ending]. If that is taken, returns the first free one of `wanted (2)`, `wanted (3)` and so on.
  *
  * @param isFree called for one name after another until it returns true; it may reserve that name.
  */
@@ -13,12 +12,12 @@ public inline fun freeName(wanted: String, ending: String = "", isFree: (String)
     return name
 }
 
-/** Hands out each name once, in a time that does not grow with how often one is wanted. */
+/** Hands out each name once, in a time that does not grow with the number of requests for it. */
 public class UniqueNames {
     private val given = HashSet<String>()
     private val copies = HashMap<String, Int>()
 
-    /** Returns [wanted], or, if that was handed out before, the first of `wanted (2)`, `wanted (3)` and so on that was not. */
+    /** Returns [wanted]. If that was handed out before, returns the first of `wanted (2)`, `wanted (3)` and so on that was not. */
     public fun give(wanted: String): String {
         var name = wanted
         var copy = copies[wanted] ?: 2

@@ -1,8 +1,8 @@
 package badlog.core.text
 
 /**
- * Assigns a number, from 0 on, to each different text of a column. Known texts are found by their bytes, so that repeats
- * allocate nothing. Not thread-safe.
+ * Assigns a number, from 0 on, to each different text of a column. Known texts are found by their bytes, so repeated texts allocate
+ * nothing. Not thread-safe.
  */
 public class TextPool(private val decoder: TextDecoder) {
     private val texts = ArrayList<String>()

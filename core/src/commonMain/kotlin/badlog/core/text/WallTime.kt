@@ -22,12 +22,12 @@ public fun wallTimeText(micros: Double): String? {
 }
 
 /**
- * Returns the moment that [text] is in ISO 8601, with at least date, hour and minute, in whole µs since 1970: in UTC if it has an offset,
- * otherwise on the clock that it was read from. Null if it is not one.
+ * Returns the time that [text] gives in ISO 8601, in whole µs since 1970. Null if it is not such a time. [text] needs at least date, hour
+ * and minute. With an offset, the result is in UTC, otherwise on the clock that wrote it.
  */
 internal fun microsOfIsoTime(text: String): Double? {
-    // Most cells of a file are none, and cheap to tell.
-    if (text.length < SHORTEST || text[DASH] != '-') return null
+    // Most cells of a file are not times, and are excluded quickly.
+    if (text.length < MIN_LENGTH || text[DASH] != '-') return null
     val match = ISO_TIME.matchEntire(text) ?: return null
     val (year, month, day, hour, minute, second) = match.destructured
     val days = daysTo(year.toInt(), month.toInt(), day.toInt()) ?: return null
@@ -61,7 +61,7 @@ private val ISO_TIME = Regex(
     "(\\d{4})-(\\d{2})-(\\d{2})[T ](\\d{2}):(\\d{2})(?::(\\d{2})(?:[.,](\\d{1,9}))?)? ?(Z|UTC|[+-]\\d{2}(?::?\\d{2})?)?",
 )
 private val MONTHS = listOf(31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
-private const val SHORTEST = "2024-03-16 10:41".length
+private const val MIN_LENGTH = "2024-03-16 10:41".length
 private const val DASH = 4
 private const val FRACTION = 7
 private const val ZONE = 8

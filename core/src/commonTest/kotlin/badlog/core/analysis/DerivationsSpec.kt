@@ -17,15 +17,15 @@ class DerivationsSpec : FunSpec({
     // Worked out by hand: y = 1, 3, 2, 2 at x = 0, 1, 3, 4.
     val worked = series(0.0 to 1.0, 1.0 to 3.0, 3.0 to 2.0, 4.0 to 2.0)
 
-    test("delta is the difference of neighbors at their middle") {
+    test("delta is the difference between neighbors, at their midpoint") {
         worked.delta().pairs() shouldBe listOf(0.5 to 2.0, 2.0 to -1.0, 3.5 to 0.0)
     }
 
-    test("derivative is the slope between neighbors at their middle") {
+    test("derivative is the slope between neighbors, at their midpoint") {
         worked.derivative().pairs() shouldBe listOf(0.5 to 2.0, 2.0 to -0.5, 3.5 to 0.0)
     }
 
-    test("integral is the running trapezoid sum, each at the sample that closes it, 0 at the first") {
+    test("integral is the running trapezoid sum, 0 at the first sample") {
         worked.integral().pairs() shouldBe listOf(0.0 to 0.0, 1.0 to 2.0, 3.0 to 7.0, 4.0 to 9.0)
     }
 
@@ -37,28 +37,28 @@ class DerivationsSpec : FunSpec({
         series().integral().size shouldBe 0
     }
 
-    test("a gap leaves gaps beside it, and the integral carries on over it without its area") {
+    test("a gap makes neighboring derivations gaps, and adds no area to the integral") {
         val gappy = series(0.0 to 2.0, 1.0 to 2.0, 2.0 to GAP, 3.0 to 4.0, 4.0 to 4.0)
         gappy.delta().y.shown() shouldBe doubleArrayOf(0.0, GAP, GAP, 0.0).shown()
         gappy.derivative().y.shown() shouldBe doubleArrayOf(0.0, GAP, GAP, 0.0).shown()
         gappy.integral().y.shown() shouldBe doubleArrayOf(0.0, 2.0, GAP, 2.0, 6.0).shown()
     }
 
-    test("where x repeats or goes backwards the derivative is a gap, never an infinity, and no area is added") {
+    test("if x repeats or goes backwards, the derivative is a gap and the integral adds no area") {
         val clockSet = series(5.0 to 1.0, 6.0 to 3.0, 6.0 to 9.0, 0.0 to 9.0, 1.0 to 11.0)
         clockSet.derivative().y.shown() shouldBe doubleArrayOf(2.0, GAP, GAP, 2.0).shown()
         clockSet.delta().y.shown() shouldBe doubleArrayOf(2.0, 6.0, 0.0, 2.0).shown()
         clockSet.integral().y.shown() shouldBe doubleArrayOf(0.0, 2.0, 2.0, 2.0, 12.0).shown()
     }
 
-    test("infinities are gaps to every derivation") {
+    test("every derivation treats infinities as gaps") {
         val wild = series(0.0 to 1.0, 1.0 to Double.POSITIVE_INFINITY, 2.0 to 1.0)
         wild.delta().y.shown() shouldBe doubleArrayOf(GAP, GAP).shown()
         wild.derivative().y.shown() shouldBe doubleArrayOf(GAP, GAP).shown()
         wild.integral().y.shown() shouldBe doubleArrayOf(0.0, GAP, 0.0).shown()
     }
 
-    test("a million small steps do not lose the integral's last digits") {
+    test("an integral of a million small steps keeps its last digits") {
         val size = 1_000_001
         val steady = Series(DoubleArray(size) { it * 0.001 }, DoubleArray(size) { 0.1 })
         steady.integral().y.last() shouldBe (100.0 plusOrMinus 1e-12)

@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-/** What [Downsampling] promises, found in a slow and simple way. */
+/** The result that [Downsampling] promises, computed in a slow and simple way. */
 private fun expected(series: Series, from: Double, to: Double, count: Int): List<List<Double>> = List(count) { column ->
     val indices = series.x.indices.filter { i ->
         series.x[i] in from..to && columnOf(series.x[i], from, to, count) == column
@@ -24,7 +24,7 @@ private fun columnOf(x: Double, from: Double, to: Double, count: Int): Int = (0 
 
 private fun found(series: Series, from: Double, to: Double, count: Int): List<List<Double>> {
     val columns = PixelColumns(count)
-    // Filled twice, because nothing may remain of an earlier zoom.
+    // Filled twice, because an earlier zoom must leave nothing behind.
     val downsampling = Downsampling(series)
     series.range?.let { if (it.endInclusive > it.start) downsampling.fill(it.start, it.endInclusive, columns) }
     downsampling.fill(from, to, columns)
@@ -56,7 +56,7 @@ class DownsamplingSpec : FunSpec({
         }
     }
 
-    test("a lone spike among a million samples shows at every zoom that contains it") {
+    test("a lone spike among a million samples shows at every zoom") {
         val size = 1_000_000
         val series = Series(DoubleArray(size) { it.toDouble() }, DoubleArray(size) { if (it == 765_432) 99.0 else 1.0 })
         val downsampling = Downsampling(series)
@@ -70,7 +70,7 @@ class DownsamplingSpec : FunSpec({
         }
     }
 
-    test("a gap as wide as a column stays a gap, and is not confused with a place without samples") {
+    test("a gap as wide as a column stays a gap, and differs from a column without samples") {
         val series = Series(DoubleArray(100) { it.toDouble() }, DoubleArray(100) { if (it in 40..59) Double.NaN else 1.0 })
         val columns = PixelColumns(10)
         Downsampling(series).fill(0.0, 100.0, columns)
@@ -80,7 +80,7 @@ class DownsamplingSpec : FunSpec({
         columns.samples[4] shouldBe 10
     }
 
-    test("x that goes backwards still falls into the right columns") {
+    test("samples fall into the right columns even if x goes backwards") {
         val series = Series(doubleArrayOf(0.0, 1.0, 2.0, 0.5, 1.5), doubleArrayOf(1.0, 2.0, 3.0, -1.0, 9.0))
         val columns = PixelColumns(2)
         Downsampling(series).fill(0.0, 2.0, columns)

@@ -21,7 +21,7 @@ private fun spans(vararg rows: String): List<EnabledSpan> {
 }
 
 class EnabledSpanSpec : FunSpec({
-    test("autonomous and driven stretches follow one another, and disabled time belongs to neither") {
+    test("enabled spans are autonomous or teleop, and exclude disabled time") {
         spans("0,false,true", "1,true,true", "2,true,false", "3,true,false", "4,false,false", "5,true,false") shouldBe listOf(
             EnabledSpan(Span(1.0, 2.0), isAutonomous = true),
             EnabledSpan(Span(2.0, 4.0), isAutonomous = false),
@@ -29,7 +29,7 @@ class EnabledSpanSpec : FunSpec({
         )
     }
 
-    test("the mode for tests is neither autonomous nor driven, and each stretch has the op mode that ran when it began") {
+    test("test mode is neither autonomous nor teleop, and each span has the op mode at its start") {
         val parser = BagParser()
         val topics = listOf("Time" to "xaxis", "On" to "", "Alone" to "", "Test" to "", "Op" to "")
         val header = topics.joinToString(",", "{\"topics\":[", "],\"values\":[]}") { (name, attribute) ->
@@ -46,11 +46,11 @@ class EnabledSpanSpec : FunSpec({
         )
     }
 
-    test("numbers show enabled as truth values do") {
+    test("numbers show when the robot was enabled, like truth values") {
         spans("0,0,0", "1,1.0000,0", "2,0,0") shouldBe listOf(EnabledSpan(Span(1.0, 2.0), isAutonomous = false))
     }
 
-    test("a topic that says when the robot was disabled, a bit of a word, and a state show it, too") {
+    test("a disabled flag, a bit of a word, and a state show when the robot was enabled") {
         fun spans(reading: FlagReading, vararg cells: String): List<Span> {
             val parser = BagParser()
             val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Mode","unit":"ul","attrs":[]}],"values":[]}"""
@@ -64,7 +64,7 @@ class EnabledSpanSpec : FunSpec({
         spans(FlagReading.Text("auto"), "Disabled", "Autonomous", "Teleop", "Teleop") shouldBe listOf(Span(1.0, 2.0))
     }
 
-    test("without a topic that shows it, and where x goes backwards, nothing is claimed") {
+    test("without a mode topic, or if x goes backwards, there are no enabled spans") {
         val parser = BagParser()
         parser.accept("Time,On\n0,true\n1,true\n".encodeToByteArray())
         LogView.of(parser.finish()).enabledBy(null) shouldBe emptyList()

@@ -58,7 +58,7 @@ class LogViewSpec : FunSpec({
         view.graph("Angle").series.single().data.x.toList() shouldBe listOf(1.0, 3.0)
     }
 
-    test("hide hides the topic's own graph, not what derives from it") {
+    test("hide hides the topic's own graph, but not derived graphs") {
         val view = view(TIME, topic("A", "hide", "delta"), topic("B", "hide"))
         view.graphs.map { it.title } shouldBe listOf("[ A Delta ]")
     }
@@ -89,7 +89,7 @@ class LogViewSpec : FunSpec({
         view.graph("[ A Delta ]").run { isFilled to includesZero } shouldBe (false to false)
     }
 
-    test("join puts topics of any folder as lines into one graph, behind all others") {
+    test("join adds topics of any folder to one graph, which comes last") {
         val view = view(
             TIME,
             topic("PDP/Current 0", "hide", "join:Power/Currents", unit = "A"),
@@ -101,7 +101,7 @@ class LogViewSpec : FunSpec({
         view.problems.shouldBeEmpty()
     }
 
-    test("joining different units, equal names or the graph of a topic works and is noted") {
+    test("joining different units, equal names or a topic's graph works, and is reported as a note") {
         val view = view(
             TIME,
             topic("A/x", "join:G"),
@@ -114,7 +114,7 @@ class LogViewSpec : FunSpec({
         view.problems.count { it.kind == ProblemKind.UNUSUAL_JOIN } shouldBe 3
     }
 
-    test("log makes events of the texts, with the x of their rows, and not of numbers") {
+    test("log turns texts, but not numbers, into events with the x of their rows") {
         val rows = listOf(listOf(0.5, "on, ready"), listOf(1.5, null), listOf(2.5, 7.0), listOf(3.5, "off"))
         val view = view(TIME, topic("Sys/Log", "log"), rows = rows)
         val log = view.folders.flatMap { it.eventLogs }.single()
@@ -129,7 +129,7 @@ class LogViewSpec : FunSpec({
         view.kinds() shouldContain ProblemKind.UNFIT_ATTRIBUTE
     }
 
-    test("texts in few rows are events, in most rows states, also without an attribute") {
+    test("without an attribute, texts in few rows are events, and in most rows states") {
         val rows = List(6) { listOf(it.toDouble(), if (it == 2) "hit" else null, if (it < 3) "IDLE" else "SHOOT") }
         val view = view(TIME, topic("What"), topic("State"), rows = rows)
         view.folders.flatMap { it.eventLogs }.map { it.name } shouldBe listOf("What")
@@ -139,7 +139,7 @@ class LogViewSpec : FunSpec({
         view.graph("State").showsStates shouldBe true
     }
 
-    test("the events of a topic are there whether or not they are shown") {
+    test("a topic has its events whether or not they are shown") {
         val view = view(TIME, topic("What", "log", "hide"), rows = listOf(listOf(1.5, null), listOf(2.5, "boom")))
         view.folders.flatMap { it.eventLogs }.shouldBeEmpty()
         view.eventsOf(view.recording.topics[1]).events.map { it.x to it.text } shouldBe listOf(2.5 to "boom")
@@ -160,7 +160,7 @@ class LogViewSpec : FunSpec({
         view.graph("[ Slow Derivative ]").series.single().data.y.toList() shouldBe listOf(1.0)
     }
 
-    test("a topic with long gaps is not sparse: nothing is drawn over them, however long they are") {
+    test("a topic with long gaps is not sparse, and no line crosses its gaps") {
         val rows = List(20) { listOf(it.toDouble(), if (it in 5..8 || it in 15..17) 1.0 else null) }
         val series = view(TIME, topic("Target"), rows = rows).graph("Target").series.single().data
         series.size shouldBe 20
@@ -172,7 +172,7 @@ class LogViewSpec : FunSpec({
         view(TIME, topic("A", "integrate"), rows = rows).kinds() shouldContain ProblemKind.INTEGRAL_OVER_GAPS
     }
 
-    test("a derived graph with the name of a topic, or of another derived graph, is shown beside that") {
+    test("a derived graph with a name that is taken is shown under a free name") {
         val view = view(TIME, topic("A", "differentiate"), topic("A Derivative"), topic("B", "delta", "delta:1"))
         view.graphs.map { it.title } shouldBe
             listOf("A", "[ A Derivative (2) ]", "A Derivative", "B", "[ B Delta ]", "[ B Delta (2) ]")
@@ -224,7 +224,7 @@ class LogViewSpec : FunSpec({
         view.folders.first().values.map { it.text } shouldBe listOf("8")
     }
 
-    test("calculating with texts is reported, not done") {
+    test("a derivation of texts is reported and skipped") {
         val view = view(TIME, topic("State", "delta", "join:G"), rows = listOf(listOf(0.0, "A"), listOf(1.0, "B")))
         view.graphs.map { it.title } shouldBe listOf("State")
         view.kinds() shouldBe listOf(ProblemKind.UNFIT_ATTRIBUTE, ProblemKind.UNFIT_ATTRIBUTE)

@@ -21,7 +21,7 @@ class MixedClocksSpec : FunSpec({
     val bag = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"a","unit":"V"}],"values":[]}""" +
         "\nTime,a\n1,10\n2,20\n"
 
-    test("beside rows, a topic with times of its own leaves the x axis to the rows' topic") {
+    test("a topic with times of its own does not replace the rows' x axis") {
         val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
         view.xAxis.topic?.name shouldBe "Time"
         view.points("a") shouldBe listOf(1.0 to 10.0, 2.0 to 20.0)
@@ -29,13 +29,13 @@ class MixedClocksSpec : FunSpec({
         view.problems.shouldBeEmpty()
     }
 
-    test("x spans the rows and the topic's own times, and each is a clock") {
+    test("x includes the rows and topics' own times, each as a clock") {
         val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
         view.xAxis.range shouldBe 0.25..7.5
         view.xAxis.clocks.map { it.toList() } shouldBe listOf(listOf(1.0, 2.0), listOf(0.25, 7.5))
     }
 
-    test("each line knows where its recording has samples, also where it is drawn elsewhere") {
+    test("a moved line still knows where its recording has samples") {
         val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
         val line = view.seriesOf(view.recording.topics.single { it.name == "a" })
         line.recorded shouldBe 0.25..7.5
@@ -43,7 +43,7 @@ class MixedClocksSpec : FunSpec({
         LogView.of(BagParser().finish()).run { recording.topics.map { seriesOf(it).recorded } }.filterNotNull().shouldBeEmpty()
     }
 
-    test("topics of one clock are one clock, even if others stand between them") {
+    test("topics with the same times share one clock, even if others are between them") {
         val view = withOwnTimes(bag, doubleArrayOf(0.25, 7.5))
         val one = view.recording.topics.last()
         val other = Topic("other", "V", emptyList(), one.samples, one.texts, one.counts, doubleArrayOf(0.25, 7.5))

@@ -23,7 +23,7 @@ class SampleRateSpec : FunSpec({
         rateOver("""{"name":"T","attrs":["xaxis"]}""", rows) shouldBe (0.05 plusOrMinus 1e-9)
     }
 
-    test("there is no rate over a distance, over rows, or of a single sample") {
+    test("a distance axis, a row index and a single sample give no sample rate") {
         rateOver("""{"name":"T","unit":"m","attrs":["xaxis"]}""", "0,1\n20,2\n").shouldBeNaN()
         rateOver("""{"name":"T","unit":"s"}""", "0,1\n20,2\n").shouldBeNaN()
         rateOver("""{"name":"T","unit":"s","attrs":["xaxis"]}""", "0,1\n").shouldBeNaN()

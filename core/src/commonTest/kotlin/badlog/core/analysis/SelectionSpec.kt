@@ -17,7 +17,7 @@ class SelectionSpec : FunSpec({
         selected.apply { sort(from, until) } shouldBe expected
     }
 
-    test("any place gets the number that sorting would put there, with the smaller ones before it") {
+    test("select puts the number that sorting would at any place, with smaller ones before it") {
         val random = Random(1)
         for (size in listOf(1, 2, 3, 31, 32, 33, 100, 599, 602, 5000)) {
             for (different in listOf(1, 2, 5, 1_000_000)) {
@@ -27,13 +27,13 @@ class SelectionSpec : FunSpec({
         }
     }
 
-    test("outside the range nothing moves") {
+    test("select moves nothing outside its range") {
         val random = Random(2)
         val numbers = DoubleArray(3000) { random.nextDouble() }
         check(numbers, 1400, 1000, 2000)
     }
 
-    test("numbers in no simple order are found as well") {
+    test("select works for numbers in irregular order") {
         val numbers = DoubleArray(100_000) { if (it % 1000 < 500) it.toDouble() else -it.toDouble() * it % 7919 }
         for (place in listOf(0, 5000, 50_000, 99_999)) check(numbers, place)
     }
@@ -55,7 +55,7 @@ class SelectionSpec : FunSpec({
         error("The weights do not come to the share.")
     }
 
-    test("percentiles are those of the definition, however the values are distributed") {
+    test("percentiles follow their definition for any distribution of values") {
         val random = Random(3)
         val shapes = mapOf<String, (Int) -> Double>(
             "even" to { random.nextDouble() },
@@ -82,7 +82,7 @@ class SelectionSpec : FunSpec({
         }
     }
 
-    test("only as many values count as the caller gives, and without any there is no percentile") {
+    test("only the first values count, and without any there is no percentile") {
         weightedPercentile(doubleArrayOf(1.0, 2.0, 99.0), doubleArrayOf(1.0, 3.0, 99.0), 2, 0.5) shouldBe 2.0
         weightedPercentile(doubleArrayOf(1.0), doubleArrayOf(1.0), 0, 0.5).isNaN() shouldBe true
     }

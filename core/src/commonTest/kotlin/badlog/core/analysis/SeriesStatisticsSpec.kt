@@ -16,7 +16,7 @@ import kotlin.math.sqrt
 import kotlin.random.Random
 
 /** The statistics in a slow and simple way: all pieces over which a value holds, in sorted order. */
-private fun sortedWay(series: Series, from: Double, to: Double, end: Double): SeriesStatistics {
+private fun statisticsBySorting(series: Series, from: Double, to: Double, end: Double): SeriesStatistics {
     val inside = (0 until series.size).filter { series.x[it] in from..to }
     val before = (0 until series.size).lastOrNull { series.x[it] < from }
         ?.takeIf { series.isOrdered && from <= to && (inside.isEmpty() || series.x[inside[0]] != from) }
@@ -70,10 +70,7 @@ private infix fun SeriesStatistics.shouldBeLike(other: SeriesStatistics) {
     }
 }
 
-/**
- * Values as logs have them, and as they should not have them: few different ones, gaps, infinities, both zeros, huge
- * ones.
- */
+/** Usual and unusual values of logs: few different ones, gaps, infinities, both zeros, huge ones.  */
 private val VALUES = Arb.choose(
     6 to Arb.double(-5.0, 5.0),
     3 to Arb.element(-1.0, -0.0, 0.0, 1.0, 2.0),
@@ -86,7 +83,7 @@ class SeriesStatisticsSpec : FunSpec({
         doubleArrayOf(2.0, 4.0, Double.NaN, 4.0, 5.0, 9.0),
     )
 
-    test("every figure is the one calculated by hand") {
+    test("all statistics equal those calculated by hand") {
         val statistics = series.statistics()
         statistics.count shouldBe 5
         statistics.gaps shouldBe 1
@@ -110,7 +107,7 @@ class SeriesStatisticsSpec : FunSpec({
         statistics.median shouldBe 4.5
     }
 
-    test("a value that holds counts where the range has no sample of it") {
+    test("a value that still holds counts in a range without samples") {
         val changes = Series(doubleArrayOf(0.0, 10.0), doubleArrayOf(3.0, 7.0))
         changes.statistics(2.0, 4.0, end = 20.0).run { listOf(count.toDouble(), min, max, mean, first, last, integral) } shouldBe
             listOf(0.0, 3.0, 3.0, 3.0, 3.0, 3.0, 6.0)
@@ -139,12 +136,12 @@ class SeriesStatisticsSpec : FunSpec({
         statistics.integral shouldBe 8.0
     }
 
-    test("samples that are neighbors only because x left the range between them have no area") {
+    test("samples between which x left the range have no area") {
         val there = Series(doubleArrayOf(0.0, 1.0, 2.0, 10.0, 3.0, 4.0), DoubleArray(6) { 1.0 })
         there.statistics(0.0, 5.0).integral shouldBe 3.0
     }
 
-    test("a range without values has no figures, and throws nothing") {
+    test("a range without values has no statistics, and does not throw") {
         for (statistics in listOf(series.statistics(2.5, 2.75), series.statistics(-2.0, -1.0), series.statistics(3.0, 1.0))) {
             statistics.count shouldBe 0
             statistics.min.shouldBeNaN()
@@ -159,19 +156,19 @@ class SeriesStatisticsSpec : FunSpec({
         series.statistics(0.0, 0.0).median shouldBe 2.0
     }
 
-    test("any series has the figures that sorting all its pieces gives, ordered or not") {
+    test("statistics of any series equal those found by sorting its pieces") {
         val positions = Arb.list(Arb.element(List(12) { it * 0.5 }), 0..80)
         val farEnds = listOf(-1e300, 1e300, Double.NEGATIVE_INFINITY, Double.NaN)
         val ends = Arb.element(List(14) { it * 0.5 - 0.25 } + 2.0 + farEnds)
         checkAll(positions, Arb.list(VALUES, 80..80), ends, ends) { x, y, from, to ->
             for (places in listOf(x, x.sorted())) {
                 val series = Series(places.toDoubleArray(), y.take(x.size).toDoubleArray())
-                series.statistics(from, to, end = 6.0) shouldBeLike sortedWay(series, from, to, 6.0)
+                series.statistics(from, to, end = 6.0) shouldBeLike statisticsBySorting(series, from, to, 6.0)
             }
         }
     }
 
-    test("large series have these figures, too, whatever their shape") {
+    test("statistics of large series equal those found by sorting") {
         val random = Random(42)
         val size = 20_000
         val shapes = listOf<(Int) -> Double>(
@@ -188,11 +185,11 @@ class SeriesStatisticsSpec : FunSpec({
         for (shape in shapes) {
             val series = Series(DoubleArray(size) { it * 0.02 }, DoubleArray(size, shape))
             val to = random.nextDouble() * 400
-            series.statistics(to = to) shouldBeLike sortedWay(series, Double.NEGATIVE_INFINITY, to, Double.NaN)
+            series.statistics(to = to) shouldBeLike statisticsBySorting(series, Double.NEGATIVE_INFINITY, to, Double.NaN)
         }
     }
 
-    test("statistics of several parts together count and weigh what is in them, and nothing between them") {
+    test("statistics of several parts ignore everything between them") {
         val series = Series(DoubleArray(10) { it.toDouble() }, DoubleArray(10) { if (it in 3..5) 100.0 else it.toDouble() })
         val together = series.statistics(listOf(Span(0.5, 2.0), Span(6.0, 8.0)))
         together.count shouldBe 5

@@ -8,7 +8,7 @@ class StateRunsSpec : FunSpec({
 
     fun StateRuns.texts() = List(states.size) { "${states[it]}: ${from[it]}..${to[it]}" }
 
-    test("a state goes on until the next one, the last until the end") {
+    test("a state lasts until the next one, and the last until the end") {
         val x = listOf(0.5, 1.5, 2.5, 3.5)
         runs(x, listOf(4.0, 4.0, 2.0, 2.0), 9.5).texts() shouldBe listOf("4: 0.5..2.5", "2: 2.5..9.5")
     }

@@ -46,7 +46,7 @@ class BagFuzzingSpec : FunSpec({
         }
     }
 
-    test("a file cut at any byte keeps every row that was whole before the cut") {
+    test("a file cut at any byte keeps every whole row before the cut") {
         val bytes = VARIED_BAG.encodeToByteArray()
         val rowEnds = VARIED_ROWS.indices.map { row ->
             (VARIED_HEADER + VARIED_ROWS.take(row + 1).joinToString("")).encodeToByteArray().size
@@ -70,7 +70,7 @@ class BagFuzzingSpec : FunSpec({
             }
             val text = "x,y,z\n" + lines.joinToString("\n") + "\n"
             val found = parse(text, 13).topics[0].samples.toSet()
-            // The row right after a NUL is read as what is left of a damaged one when it does not stand alone.
+            // The row right after a NUL counts as the rest of a damaged row unless it is complete by itself.
             for (row in lines.indices) {
                 if (row in damaged || (row - 1 in damaged && '\u0000' in lines[row - 1])) continue
                 if (row.toDouble() !in found) throw AssertionError("row $row is lost in:\n$text")

@@ -13,7 +13,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
 class BagParserSpec : FunSpec({
-    test("a bag's values, topics, numbers, texts and states are read as they stand") {
+    test("a bag's values, topics, numbers, texts and states are read unchanged") {
         val recording = parse(VARIED_BAG)
         recording.format shouldBe RecordingFormat.BAG
         recording.rowCount shouldBe 6
@@ -33,7 +33,7 @@ class BagParserSpec : FunSpec({
         recording.isSalvaged shouldBe false
     }
 
-    test("the size of the pieces a file arrives in makes no difference") {
+    test("the size of the pieces in which a file arrives makes no difference") {
         val whole = describe(parse(VARIED_BAG))
         for (piece in listOf(1, 2, 3, 5, 7, 64, 1000)) describe(parse(VARIED_BAG, piece)) shouldBe whole
     }
@@ -92,24 +92,24 @@ class BagParserSpec : FunSpec({
         recording.rowCount shouldBe 1000
     }
 
-    test("a row that is complete by itself is never swallowed by a stray quote before it") {
+    test("a stray quote never swallows a complete row after it") {
         val recording = parse("a,b\n1,\"oops\n2,x\n3,y\n4,\"z\"\n")
         recording.rowCount shouldBe 4
         recording.topics[0].samples.toList() shouldBe listOf(1.0, 2.0, 3.0, 4.0)
         recording.topics[1].texts[3] shouldBe "z"
     }
 
-    test("a line number is that of the physical line, even after a text with newlines") {
+    test("a problem names the physical line, even after a text with newlines") {
         val recording = parse("a,b\n1,\"x\ny\nz\"\n2\n")
         recording.problems.single { it.kind == ProblemKind.ROW_SHORT }.line shouldBe 5
     }
 
-    test("compressed bytes and a WPILOG are reported as what they are") {
+    test("compressed bytes and a WPILOG are reported with their format") {
         parse(byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0)).isReadable shouldBe false
         parse("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000").problems.first().kind shouldBe ProblemKind.NOT_A_RECORDING
     }
 
-    test("what spreadsheets write instead of CSV is reported, with what to do") {
+    test("spreadsheet files are reported, with advice") {
         parse("a;b\nx;y\n").problems.last().message shouldContain "semicolons"
         parse("a\tb\nx\ty\n").problems.last().message shouldContain "tabs"
         parse(byteArrayOf(-1, -2) + "a,b\n1,2\n".encodeToByteArray().flatMap { listOf(it, 0) })

@@ -30,7 +30,7 @@ private fun written(thousandths: Long, point: Char, between: String): String {
 }
 
 class CsvDialectSpec : FunSpec({
-    test("numbers with decimal commas are read, whatever separates the columns") {
+    test("numbers with decimal commas are read with any column separator") {
         for (separator in listOf(';', '\t')) {
             val rows = (0 until 10).joinToString("") { "0,0$it${separator}1$it,5$separator-1,2${it}\n" }
             val recording = parse("Zeit${separator}Spannung${separator}Strom\n$rows")
@@ -42,12 +42,12 @@ class CsvDialectSpec : FunSpec({
         }
     }
 
-    test("any numbers of any width are read as they were written, in every dialect") {
+    test("numbers of any width are read correctly in every dialect") {
         val dialects = Arb.element(listOf(Triple(';', ',', "."), Triple('\t', ',', ""), Triple(';', '.', ","), Triple(';', ',', " "), Triple('\t', '.', "'")))
         checkAll(dialects, Arb.int(2..6), Arb.int(2..40), Arb.long(0L..99_999_999L), Arb.boolean()) { (separator, point, between), columns, rows, seed, isQuoted ->
             fun value(row: Int, column: Int) = (seed * (row + 1) * (column + 3)) % 99_999_991L
             fun cell(row: Int, column: Int) = written(value(row, column), point, between).let { if (isQuoted) "\"$it\"" else it }
-            // The first row shows beyond doubt what the marks are.
+            // The first row leaves no doubt about the marks.
             val sure = List(columns) { written(1_234_567_891L, point, between) }.joinToString("$separator")
             val text = List(columns) { "c$it" }.joinToString("$separator") + "\n$sure\n" +
                 (0 until rows).joinToString("") { row -> List(columns) { cell(row, it) }.joinToString("$separator") + "\n" }
@@ -63,7 +63,7 @@ class CsvDialectSpec : FunSpec({
         parse("Spannung\n" + (0 until 9).joinToString("") { "12,$it\n" }).topics.single().samples[4] shouldBe 12.4
     }
 
-    test("the line of Excel that names the separator is not the titles") {
+    test("Excel's line that names the separator is not the line of titles") {
         val recording = parse("sep=;\r\na;b\r\n1,5;2\r\n2,5;3\r\n")
         recording.topics.map { it.name } shouldBe listOf("a", "b")
         recording.topic("a").samples.toList() shouldBe listOf(1.5, 2.5)
@@ -76,7 +76,7 @@ class CsvDialectSpec : FunSpec({
         recording.hints().single() shouldContain "commas between thousands"
     }
 
-    test("what does not fit the file's way of writing numbers stays a text, and is reported") {
+    test("a cell that does not fit the file's number notation stays a text, and is reported") {
         val recording = parse("t;v\n" + (0 until 500).joinToString("") { "0,$it;${if (it == 450) "1.2.3" else "$it,5"}\n" })
         recording.topic("v").texts.dictionary shouldBe listOf("1.2.3")
         recording.problems.map { it.kind } shouldContain ProblemKind.TEXT_IN_NUMBERS
@@ -96,7 +96,7 @@ class CsvDialectSpec : FunSpec({
         parse("Zeit;U\ns;V\n0,1;12,5\n0,2;12,4\n").topics.map { it.unit } shouldBe listOf("s", "V")
     }
 
-    test("a first row of texts above texts, or of a number, is a row") {
+    test("a first row of texts above texts, or with a number, is not titles") {
         parse("t,state\n0.0,init\n0.1,run\n0.2,run\n").rowCount shouldBe 3
         parse("mode,state\noff,init\non,run\non,run\n").rowCount shouldBe 3
     }
@@ -134,7 +134,7 @@ class CsvDialectSpec : FunSpec({
         parse("a,b\n9007199254740992,1e300\n10000000000000000000,0.12345678901234567890\n").problems.shouldBeEmpty()
     }
 
-    test("a last line that is not ended is read as one that is, in every dialect and in pieces") {
+    test("a last line without a newline is read in every dialect and in pieces") {
         for (text in listOf("a;b\n1,5;2\n2,5;3", "a\tb\n1,5\t2\n2,5\t3,5", "timestamp,A\n2024-03-16T10:59:58Z,1\n2024-03-16T10:59:59Z,2", "t,v\n1,\"1,234,567\"\n2,\"1,234\"")) {
             val ended = parse("$text\n")
             for (piece in listOf(1, 3, 1000)) {
@@ -153,7 +153,7 @@ class CsvDialectSpec : FunSpec({
         }
     }
 
-    test("a wall clock beside a time is not the x axis, and a date that stays is no time") {
+    test("a wall clock beside a time is not the x axis, and a constant date is not a time") {
         val clock = parse("Time,Volts,Wall Clock\n" + (0 until 9).joinToString("") { "0.0$it,12,2024-03-16T10:59:0$it\n" })
         clock.topics.none { "xaxis" in it.attributes } shouldBe true
         clock.values.shouldBeEmpty()
@@ -168,13 +168,13 @@ class CsvDialectSpec : FunSpec({
         teams.hints().shouldBeEmpty()
     }
 
-    test("a hole of NULs in a file of another dialect loses what it covers, and nothing else") {
+    test("a hole of NULs in a file of another dialect loses only the bytes it covers") {
         val recording = parse("a;b\n1,5;2\n2,5;3\n" + "\u0000".repeat(5000) + "\n4,5;5\n")
         recording.topic("a").samples.filter { it == 4.5 }.size shouldBe 1
         recording.problems.map { it.kind } shouldContain ProblemKind.NUL_HOLE
     }
 
-    test("an ordinary file is read without any of this") {
+    test("an ordinary file is not translated") {
         parse("Timestamp,/path,State\n0.0,\"[1; 2; 3]\",a;b\n0.02,\"[1; 2; 3]\",a;c\n").problems.shouldBeEmpty()
         parse("a,b\n1,2\n3,4\n").problems.shouldBeEmpty()
     }

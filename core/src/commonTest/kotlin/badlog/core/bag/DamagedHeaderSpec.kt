@@ -27,14 +27,14 @@ private val RIGHT = NAMES.withIndex().associate { (index, name) -> name to 100 +
 class DamagedHeaderSpec : FunSpec({
     val titles = NAMES.joinToString(",")
 
-    test("where a comma of the titles is lost, line 1 names the columns") {
+    test("if a comma of the titles is lost, line 1 names the columns") {
         val recording = parse(json() + titles.replace(",Folder 3/Topic 11", "-Folder 3/Topic 11") + "\n" + ROWS)
         recording.firstRow() shouldBe RIGHT
         recording.kinds() shouldContainExactly listOf(ProblemKind.TITLES_DAMAGED)
         recording.isSalvaged shouldBe true
     }
 
-    test("where a hole took a part of the titles, at their beginning, their middle or their end, line 1 names the columns") {
+    test("if a hole destroyed any part of the titles, line 1 names the columns") {
         val line = "$titles\n"
         for (from in listOf(0, 1, 60, line.length - 250, line.length - 251)) {
             val holed = line.take(from) + "\u0000".repeat(250) + line.drop(from + 250)
@@ -45,7 +45,7 @@ class DamagedHeaderSpec : FunSpec({
         }
     }
 
-    test("where a newline or a quote got into the titles, line 1 names the columns and no row is lost") {
+    test("if the titles gained a newline or a quote, line 1 names the columns and no row is lost") {
         for (odd in listOf("\n", "\"", "\"\n", ",", "\u0003\r\n")) {
             val recording = parse(json() + titles.replaceFirst("Topic 9,", odd + "Topic 9,") + "\n" + ROWS)
             recording.firstRow() shouldBe RIGHT
@@ -53,19 +53,19 @@ class DamagedHeaderSpec : FunSpec({
         }
     }
 
-    test("a title that differs from line 1 in a letter has the name of line 1, in doubt") {
+    test("a title that differs in a letter gets its name from line 1, marked as doubtful") {
         val recording = parse(json() + titles.replace("Topic 7,", "Tmpic 7,") + "\n" + ROWS)
         recording.firstRow() shouldBe RIGHT
         recording.doubts() shouldContainExactly listOf("Folder 3/Topic 7")
     }
 
-    test("a title that became another one's does not take its place") {
+    test("a title damaged into another topic's name does not take that topic's column") {
         val recording = parse(json() + titles.replace("Folder 3/Topic 7,", "Folder 0/Topic 8,") + "\n" + ROWS)
         recording.firstRow() shouldBe RIGHT
         recording.doubts() shouldContainExactly listOf("Folder 3/Topic 7")
     }
 
-    test("where line 2 has an order of its own and has lost a comma, every column is in doubt") {
+    test("if line 2 has its own order and lost a comma, every column's name is doubtful") {
         val reversed = NAMES.reversed().joinToString(",")
         val recording = parse(json() + reversed.replace(",Folder 3/Topic 11", "-Folder 3/Topic 11") + "\n" + ROWS)
         recording.doubts().toSet() shouldBe NAMES.toSet()
@@ -73,13 +73,13 @@ class DamagedHeaderSpec : FunSpec({
         recording.firstRow().getValue("Folder 1/Topic 29") shouldBe 100
     }
 
-    test("titles that are lost with their newline cost no row") {
+    test("losing the titles with their newline costs no row") {
         val recording = parse(json() + ROWS)
         recording.firstRow() shouldBe RIGHT
         recording.rowCount shouldBe 20
     }
 
-    test("a damaged byte in the first two lines does not refuse the rows") {
+    test("a damaged byte in the first two lines loses no rows") {
         for (damage in listOf("\u0000ab\u0003", "\u0003", "\u001b\u0001\u0002")) {
             for (at in listOf(0, 700, json().length + 1, json().length + 200)) {
                 val text = json() + titles + "\n" + ROWS
@@ -91,13 +91,13 @@ class DamagedHeaderSpec : FunSpec({
         }
     }
 
-    test("a CSV file with a control character in a title opens, and this title is in doubt") {
+    test("a CSV file with a control character in a title opens, with that title doubtful") {
         val recording = parse("Time,Vo\u0003lts,Amps\n0,12,3\n1,11,4\n")
         recording.rowCount shouldBe 2
         recording.doubts() shouldContainExactly listOf("Vo lts")
     }
 
-    test("in a CSV file whose titles do not fit its rows, every column is in doubt, and rows stay whole") {
+    test("if a CSV file's titles do not fit its rows, every name is doubtful and rows stay whole") {
         val recording = parse("Time-Volts,Mode\n" + (0 until 9).joinToString("") { "$it,12.$it,auto $it\n" })
         recording.rowCount shouldBe 9
         recording.topics.map { it.name } shouldContainExactly listOf("Time-Volts", "Mode", "Column 3")
@@ -111,13 +111,13 @@ class DamagedHeaderSpec : FunSpec({
         recording.problems.single { it.kind == ProblemKind.HEADER_UNREADABLE }.line shouldBe 1
     }
 
-    test("a bag whose first byte is damaged has its titles on line 2") {
+    test("a bag with a damaged first byte has its titles on line 2") {
         val recording = parse("[" + json().drop(1) + titles + "\n" + ROWS)
         recording.firstRow() shouldBe RIGHT
         recording.kinds() shouldContain ProblemKind.HEADER_UNREADABLE
     }
 
-    test("after a newline in the line of JSON, the rest of that line is not taken for titles, however many cells it has") {
+    test("the rest of a line of JSON after a newline is not read as titles") {
         val names = NAMES.take(3)
         val line = json(names)
         val rows = (1..20).joinToString("") { row -> "${row}00,${row}01,${row}02\n" }
@@ -129,7 +129,7 @@ class DamagedHeaderSpec : FunSpec({
         }
     }
 
-    test("a tab in what is left of a line of JSON does not refuse the rows") {
+    test("a tab in the rest of a line of JSON loses no rows") {
         val text = json().take(300) + "\n\tab\t\n" + titles.replace("Topic 1,", "To\tpic 1,") + "\n" + ROWS.replaceFirst("101", "1\t1")
         parse(text).run {
             isReadable shouldBe true
@@ -137,19 +137,19 @@ class DamagedHeaderSpec : FunSpec({
         }
     }
 
-    test("in a CSV file whose titles end in a hole, every column is in doubt") {
+    test("if a CSV file's titles end in a hole, every name is doubtful") {
         val recording = parse("Time,Volts,Am" + "\u0000".repeat(60) + ",7\n" + (0 until 9).joinToString("") { "$it,12.$it,$it\n" })
         recording.rowCount shouldBe 9
         recording.doubts() shouldContainExactly listOf("Time", "Volts", "Am")
     }
 
-    test("bytes without rows of text are refused") {
+    test("bytes without rows of text are not a log") {
         for (bytes in listOf("\u0001\u0002\u0003\n\u0004\n", "PK\u0003\u0004,\u0007\nab,\u0001,\n", "\u007fELF\u0002\n\u0001,2\n")) {
             parse(bytes).kinds() shouldContainExactly listOf(ProblemKind.NOT_A_RECORDING)
         }
     }
 
-    test("a picture among the logs is refused, even if some of its bytes look like rows") {
+    test("a picture is not a log, even if some of its bytes look like rows") {
         for (seed in 0 until 300) {
             val bytes = "\u0000PNG\r\n\u001a\n".encodeToByteArray() + Random(seed).nextBytes(20_000)
             bytes[0] = 0x89.toByte()

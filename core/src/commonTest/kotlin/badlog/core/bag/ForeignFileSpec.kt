@@ -27,7 +27,7 @@ class ForeignFileSpec : FunSpec({
         "RR\u0000\u0001\u0000\u0000" to "a log of Road Runner",
         "\u00fd7zXZ\u0000\u0000" to "compressed",
     ).forEach { (content, name) ->
-        test("a file that is $name is named in one sentence") {
+        test("$name is reported in one sentence") {
             for (piece in listOf(1, 7, 4096)) {
                 val recording = parse(bytes(content), piece)
                 val refusal = recording.refusal.orEmpty()
@@ -38,7 +38,7 @@ class ForeignFileSpec : FunSpec({
         }
     }
 
-    test("titles that look a little like such a file are titles") {
+    test("titles that resemble a foreign file's signature are titles") {
         for (title in listOf("PK,a", "RR,b", "SQLite,c", "<time>,d", "version,e", "#ROSBAG,f")) {
             parse("$title\n1,2\n3,4\n").topics.size shouldBe 2
         }

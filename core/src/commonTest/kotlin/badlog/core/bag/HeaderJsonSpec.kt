@@ -37,7 +37,7 @@ class HeaderJsonSpec : FunSpec({
             listOf(Value("Match", "8"), Value("On", "true"))
     }
 
-    test("what is cut or is not an object is not a header") {
+    test("a cut line, or one that is not an object, is not a header") {
         for (line in listOf("", "{", """{"topics":[{"name":"A"""", "[]", "8", "null", "nonsense", "{} {}", "{\"a\":01}", "{\"a\":V}", "{\"a\":1,}", "{a:1}", "{\"a\":\"\\x\"}")) {
             readHeader(line) shouldBe null
         }
@@ -50,7 +50,7 @@ class HeaderJsonSpec : FunSpec({
         header.unknown shouldBe mapOf("id" to "1e400")
     }
 
-    test("what the JSON library writes is read as the library reads it") {
+    test("JSON from the library is read as the library reads it") {
         checkAll(Arb.string(0..30), Arb.double(), Arb.boolean()) { text, number, truth ->
             val json = buildJsonObject {
                 put("text", text)
@@ -74,7 +74,7 @@ class HeaderJsonSpec : FunSpec({
         }
     }
 
-    test("a header written in the original's way has its order and its escapes, and is read the same") {
+    test("a header in the original's form has its order and escapes, and reads the same") {
         val header = BagHeader(listOf(BagTopic("A/B", "V", listOf("hide"))), listOf(BagValue(Value("a", "\"\\\n\u0001\u0085€°"))))
         val text = headerText(header, asOriginal = true)
         text shouldBe """{"topics":[{"unit":"V","name":"A\/B","attrs":["hide"]}],""" +

@@ -14,11 +14,11 @@ class LossSpec : FunSpec({
         losses("${header}1,2\n34")[ProblemKind.ROW_CUT] shouldBe Loss(rows = 1, cells = 1, bytes = 2)
     }
 
-    test("a last cell that may be cut costs what it held") {
+    test("a last cell that may be cut counts as lost") {
         losses("${header}1,2\n3,45")[ProblemKind.LAST_CELL_CUT] shouldBe Loss(cells = 1, bytes = 2)
     }
 
-    test("a row that is too long costs the cells that are too many") {
+    test("a row that is too long costs its extra cells") {
         losses("${header}1,2,33,4\n")[ProblemKind.ROW_LONG] shouldBe Loss(cells = 2, bytes = 4)
     }
 
@@ -27,15 +27,15 @@ class LossSpec : FunSpec({
             mapOf(ProblemKind.NUL_HOLE to Loss(bytes = 3), ProblemKind.ROW_CUT to Loss(rows = 1, cells = 1, bytes = 1))
     }
 
-    test("a header that is not one costs its bytes") {
+    test("an unreadable header costs its bytes") {
         losses("{\"topics\na,b\n1,2\n")[ProblemKind.HEADER_UNREADABLE] shouldBe Loss(bytes = 8)
     }
 
-    test("what was kept costs nothing") {
+    test("kept data does not count as lost") {
         losses("${header}1,2\n\n3\n")[ProblemKind.ROW_SHORT] shouldBe Loss.NONE
     }
 
-    test("the problem that counts the unlisted ones includes their losses") {
+    test("the problem that counts unlisted ones includes their losses") {
         val problems = parse(header + "1,2,3\n".repeat(15)).problems
         problems.last().count shouldBe 5
         problems.map { it.loss }.reduce(Loss::plus) shouldBe Loss(cells = 15, bytes = 15)

@@ -17,7 +17,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
 class RecordingWriterSpec : FunSpec({
-    /** The one thing that no file can say for sure: a text whose lines look like rows. */
+    /** Returns whether [text] may be read back as rows, which no file can prevent. */
     fun mayLookLikeRows(text: String) = text.any { it in "\r\n" } && text.any { it in ",\"" }
 
     fun shouldComeBack(recording: Recording) {
@@ -54,7 +54,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("whatever was salvaged of damaged files comes back") {
+    test("everything salvaged from damaged files survives writing and reading") {
         val header = "{\"topics\":[{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\",\"attrs\":[\"log\"]}]}\na,b,c\n"
         checkAll(Arb.list(Arb.element(FRAGMENTS), 0..60).map { it.joinToString("") }) { body ->
             for (recording in listOf(parse(header + body), parse("x,y\n$body"))) {
@@ -63,7 +63,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("any numbers come back to the last bit, through a recording") {
+    test("a recording's numbers survive writing and reading to the last bit") {
         val anyBits = Arb.long().map { Double.fromBits(it) }
         checkAll(Arb.list(anyBits, 1..20), Arb.list(Arb.double(-1e4, 1e4), 20..20)) { bits, others ->
             val writer = RowWriter().text("bits").text("other").endRow()
@@ -75,7 +75,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("the recording's own line 1 is kept as it is while it says the same") {
+    test("line 1 is kept unchanged if it still describes the recording") {
         val line = "{ \"values\":[],\"by\":\"us\", \"topics\":[{\"name\":\"a\",\"color\":\"red\"},{\"name\":\"b\"}]}"
         write(parse("$line\na,b\n1,2\n")) shouldBe "$line\na,b\n1,2\n"
         // The line would describe a topic without a column.
@@ -95,7 +95,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("names that are difficult in a line of titles come back from both formats") {
+    test("difficult names survive in both formats") {
         for (name in listOf("a,b", "\"a\"", " a ", "\ta", "\u00A0a", "{a", "WPILOG", "\uFEFFa", "Ω\uD83E\uDD16", "1")) {
             val header = BagHeader(listOf(BagTopic(name), BagTopic("x")))
             val recording = parse(RowWriter().header(header).exact(1.0).exact(2.0).endRow().run { bytes.copyOf(size) })
@@ -104,7 +104,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("a name that no title can hold comes back as similar as possible") {
+    test("a name that no title can hold comes back as a similar one") {
         for (escape in listOf("\\n", "\\u0000", "\\uD800")) {
             // Without a line of titles, the names are those of line 1.
             val recording = parse("{\"topics\":[{\"name\":\"a${escape}b\",\"unit\":\"m\"},{\"name\":\"c\"}]}")
@@ -123,7 +123,7 @@ class RecordingWriterSpec : FunSpec({
         }
     }
 
-    test("NaN stays NaN where no cell was empty, and where the topic's kind depends on it") {
+    test("NaN stays NaN if no cell was empty, or if the topic's kind depends on it") {
         write(parse("a,b\n1,NaN\n2,3\n"), RecordingFormat.CSV) shouldBe "a,b\n1,NaN\n2,3\n"
         write(parse("a,b\n1,NaN\n2,\n3,4\n"), RecordingFormat.CSV) shouldBe "a,b\n1,\n2,\n3,4\n"
         write(parse("a,b\n1,NaN\n2,\n3,true\n"), RecordingFormat.CSV) shouldBe "a,b\n1,NaN\n2,NaN\n3,1\n"
@@ -143,7 +143,7 @@ class RecordingWriterSpec : FunSpec({
         size shouldBe "a,b\n".length + 4 * 40_000
     }
 
-    test("rows that are not there, and samples that were not kept, are refused") {
+    test("missing rows, and samples that were not kept, are errors") {
         val recording = parse(VARIED_BAG)
         for ((from, until) in listOf(-1 to 2, 3 to 2, 0 to 7)) {
             shouldThrow<IllegalArgumentException> { RecordingWriter(recording).write(from, until) { _, _ -> } }

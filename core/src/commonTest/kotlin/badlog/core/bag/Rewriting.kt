@@ -3,7 +3,7 @@ package badlog.core.bag
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 
-/** The file that is written of [recording], as text. */
+/** Writes [recording], and returns the file as text. */
 internal fun write(
     recording: Recording,
     format: RecordingFormat = RecordingFormat.BAG,
@@ -14,7 +14,7 @@ internal fun write(
     return text.decodeToString()
 }
 
-/** All that a file says, whatever its form: [describe] without format, header line and problems, and to the last bit. */
+/** The content of a file, whatever its form: [describe] without format, header line and problems, and to the last bit. */
 internal fun describeContent(recording: Recording): String = buildString {
     appendLine("${recording.rowCount} rows ${recording.values}")
     for (topic in recording.topics) {

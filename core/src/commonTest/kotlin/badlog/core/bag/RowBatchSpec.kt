@@ -33,7 +33,7 @@ class RowBatchSpec : FunSpec({
         taken shouldBeGreaterThan 50 * PropertyTesting.defaultIterationCount
     }
 
-    test("they also do if samples are not kept") {
+    test("batches without samples make the same recording as rows read one after another") {
         val random = Random(2016)
         repeat(PropertyTesting.defaultIterationCount) {
             val bytes = randomBag(random)
@@ -56,7 +56,7 @@ class RowBatchSpec : FunSpec({
         parser.accept(batch).shouldBeTrue()
     }
 
-    test("a batch without numbers is refused if numbers are kept or sent elsewhere, one with numbers if only counts are kept") {
+    test("a batch is refused if it lacks needed numbers, or has numbers that are not kept") {
         val bytes = "1,2\n".encodeToByteArray()
         val (whole, counted) = listOf(true, false).map {
             checkNotNull(RowBatchParser(booleanArrayOf(true, true), it).parse(bytes, 0, bytes.size))
@@ -74,7 +74,7 @@ class RowBatchSpec : FunSpec({
         numbers shouldBe listOf(2.0, 2.0)
     }
 
-    test("no batch is made of bytes with anything odd in them") {
+    test("irregular bytes make no batch") {
         val parser = RowBatchParser(booleanArrayOf(true, false))
         for (odd in listOf("1\n", "1,2,3\n", "1,2", "1,\"2\n", "\n", "1,2\n\u0000", "1,\u0000\n", "\u0000", "1,a\"b\"\"\n1,2\r")) {
             withClue(odd) { parser.parse(odd.encodeToByteArray(), 0, odd.length).shouldBeNull() }

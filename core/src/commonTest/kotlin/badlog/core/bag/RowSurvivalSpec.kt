@@ -12,13 +12,13 @@ private val DAMAGE = listOf(
 )
 
 class RowSurvivalSpec : FunSpec({
-    test("what is left of a row of numbers is not joined to the text of the row before it") {
+    test("the rest of a row of numbers is not joined to the text of the previous row") {
         val recording = parse("Time,a,State\n0.02,1,STOWED\n0.04,1,STOWED\n0.061OWED\n0.08,1,STOWED\n")
         recording.topics[2].texts.dictionary.toSet() shouldBe setOf("STOWED")
         recording.topics[0].samples.filter { it.isFinite() }.toList() shouldBe listOf(0.02, 0.04, 0.08)
     }
 
-    test("damage to one row, newlines and quotes included, takes no other row with it") {
+    test("damage to one row, including newlines and quotes, loses no other row") {
         val random = Random(1014)
         repeat(3 * PropertyTesting.defaultIterationCount) {
             val columns = random.nextInt(1, 5)
@@ -33,7 +33,7 @@ class RowSurvivalSpec : FunSpec({
             val recording = parse(file)
             val found = List(recording.rowCount) { row -> recording.topics.joinToString(",") { cellText(it, row) } }
             for (row in rows.indices) {
-                // What is between a NUL and the next newline is not a whole row.
+                // The bytes between a NUL and the next newline are not a whole row.
                 if (row == damaged || (row == damaged + 1 && '\u0000' in lines[damaged])) continue
                 // A damaged line may be read as a part of the text above it.
                 val isThere = found.any { it == rows[row] || it.startsWith(rows[row] + "\n") }

@@ -36,7 +36,7 @@ class RowWriterSpec : FunSpec({
         recording.topics.map { it.name } shouldBe listOf("a b", "c")
     }
 
-    test("both header lines have the same name, whatever it holds") {
+    test("both header lines have the same name for any topic") {
         for (name in listOf("a\r\nb", "\u0000", "a\u0000b", "\uD83E", "a\uDD16b", "\uD83E\uDD16")) {
             val header = BagHeader(listOf(BagTopic(name, "s"), BagTopic("c", "V")))
             for (asOriginal in listOf(false, true)) {
@@ -53,7 +53,7 @@ class RowWriterSpec : FunSpec({
         writer.number(2.0).endRow().written() shouldBe "2.0000\n"
     }
 
-    test("a dropped row leaves those before it") {
+    test("a dropped row leaves the rows before it") {
         val writer = RowWriter().number(1.0).endRow().number(2.0).number(3.0)
         writer.dropRow()
         writer.number(4.0).endRow().written() shouldBe "1.0000\n4.0000\n"
@@ -112,7 +112,7 @@ class RowWriterSpec : FunSpec({
             .written() shouldBe "0,-7,1234567890123,9223372036854775807,-9223372036854775808,true,false\n"
     }
 
-    test("any text comes back as it was written, in a row of its own") {
+    test("any text survives writing and reading") {
         checkAll(Arb.string(0..40)) { text ->
             val recording = parse(RowWriter().text("n").text("text").endRow().number(1.0).text(text).endRow().written())
             recording.rowCount shouldBe 1
@@ -124,7 +124,7 @@ class RowWriterSpec : FunSpec({
         }
     }
 
-    test("any numbers come back with their five digits") {
+    test("any numbers survive with five digits") {
         checkAll(Arb.list(Arb.double(), 1..20)) { numbers ->
             val writer = RowWriter()
             numbers.forEachIndexed { index, _ -> writer.text("c$index") }

@@ -22,19 +22,19 @@ class DecimalReaderSpec : FunSpec({
         }
     }
 
-    test("what is not exactly a number is not read as one") {
+    test("text that is not exactly a number is not read as one") {
         for (text in listOf("", "-", ".", "1.2.3", "1e", "1e+", "e5", "1 2", "0x10", "1f", "--1", "1,5", "½")) {
             read(text) shouldBe null
         }
     }
 
-    test("any double that is written in full is read back exactly") {
+    test("any double written in full is read back exactly") {
         checkAll(Arb.long().map { Double.fromBits(it) }.filter { it.isFinite() }) { number ->
             read(number.toString()) shouldBe number
         }
     }
 
-    test("decimal digits of any length and exponent are rounded as the platform rounds them") {
+    test("decimals of any length and exponent are rounded like the platform's") {
         checkAll(Arb.long(), Arb.int(-60..60)) { digits, exponent ->
             val text = "${digits}e$exponent"
             read(text) shouldBe text.toDouble()
@@ -43,7 +43,7 @@ class DecimalReaderSpec : FunSpec({
         }
     }
 
-    test("halfway cases, where one digit decides, are rounded as the platform rounds them") {
+    test("halfway cases are rounded like the platform's") {
         for (text in listOf(
             "9007199254740993", "9007199254740992.5", "900719925474099.25", "1.00000000000000011102230246251565",
             "0.500000000000000055", "2.2250738585072011e-308", "4.9e-324", "1e400", "-1e-400", "8.5e17",

@@ -6,7 +6,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 
 class FiveDigitFormatSpec : FunSpec({
-    test("the text is what Java 17 gives") {
+    test("texts equal those of Java 17") {
         val wrong = javaTexts.filter { (value, text) -> textOf(value) != text }
         wrong.map { (value, text) -> "$value gives ${textOf(value)}, in Java $text" }.shouldBeEmpty()
     }
@@ -31,7 +31,7 @@ class FiveDigitFormatSpec : FunSpec({
         }
     }
 
-    test("a text that does not fit throws and leaves the bytes alone") {
+    test("a text that does not fit throws and leaves the bytes unchanged") {
         for ((value, text) in javaTexts) {
             val bytes = ByteArray(2 + text.length - 1) { 0x55 }
             shouldThrow<IndexOutOfBoundsException> { FiveDigitFormat.write(value, bytes, 2) }

@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class PathNameSpec : FunSpec({
-    test("slashes make folders; one at the start or the end names none") {
+    test("slashes make folders, except at the start and the end") {
         val names = mapOf(
             "Drivetrain/Wheels/A Position" to ("Drivetrain/Wheels" to "A Position"),
             "Time" to ("" to "Time"),

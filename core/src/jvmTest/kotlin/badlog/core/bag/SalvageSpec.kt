@@ -50,7 +50,7 @@ private fun sample(name: String, rows: Int): Original {
     return Original("the first $rows rows of $name", all.copyOf(ends[first + rows - 1] + 1))
 }
 
-/** A bag, or a CSV file, whose titles are in an order of their own, with texts that have quotes and commas. */
+/** A bag or a CSV file with titles in their own order, and texts with quotes and commas. */
 private fun generated(columns: Int, isBag: Boolean, isReordered: Boolean, seed: Int): Original {
     val random = Random(seed)
     val names = List(columns) { if (it == 0) "Time" else "Folder ${it % 3}/Topic $it" }
@@ -69,7 +69,7 @@ private fun generated(columns: Int, isBag: Boolean, isReordered: Boolean, seed: 
     return Original("$columns columns, bag $isBag, reordered $isReordered", ((if (isBag) json else "") + titles.joinToString(",") + "\n" + rows.joinToString("") { "$it\n" }).encodeToByteArray())
 }
 
-/** What is wrong with what was read of [mutant]; null if nothing is. */
+/** Returns the first mistake in the recording that was read from [mutant]; null if there is none. */
 private fun fault(original: Original, mutant: Mutant): String? {
     val rows = survivors(original, mutant)
     val recording = parse(mutant.bytes)

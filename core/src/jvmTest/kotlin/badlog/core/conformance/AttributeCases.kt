@@ -12,7 +12,7 @@ import badlog.core.recording.ProblemKind.X_GAPS
 import badlog.core.recording.ProblemKind.X_REPEATS
 import badlog.core.recording.TopicKind.STATE
 
-/** Attributes: kept as they are by a reader, and what is odd about them when they are applied. */
+/** Attributes: a reader keeps them as they are, and reports their problems when they are applied. */
 internal val ATTRIBUTE_CASES = listOf(
     case(
         "all-attributes",

@@ -10,7 +10,7 @@ import badlog.core.recording.TopicKind.BOOLEAN
 import badlog.core.recording.TopicKind.EVENT
 import badlog.core.recording.TopicKind.STATE
 
-/** What a cell may hold, and what kind of topic the cells make. */
+/** The contents of cells, and the kinds of topics that they make. */
 internal val CELL_CASES = listOf(
     case(
         "numbers",

@@ -7,14 +7,14 @@ import badlog.core.recording.TopicKind
 import badlog.core.recording.Value
 
 /**
- * A file, what any reader must read in it, and why. The expectation is written by hand from `docs/bag-format.md`,
- * never copied from what a parser does.
+ * A file, the expected reading, and the reason for it. The expectation is written by hand from `docs/bag-format.md`, never copied from a
+ * parser's output.
  */
 internal class ConformanceCase(val name: String, val why: String, val bytes: ByteArray, val expected: Expectation)
 
 internal fun case(name: String, why: String, file: String, expected: Expectation) = ConformanceCase(name, why, file.encodeToByteArray(), expected)
 
-/** A case whose file is not UTF-8: each character below U+0100 is that byte. */
+/** A case with a file that is not UTF-8: each character below U+0100 is that byte. */
 internal fun bytesCase(name: String, why: String, file: String, expected: Expectation) = ConformanceCase(name, why, file.toByteArray(Charsets.ISO_8859_1), expected)
 
 /** A bag in which these [topics] are read. */

@@ -14,10 +14,10 @@ internal fun conformanceFiles(): Map<String, ByteArray> = CONFORMANCE_CASES.flat
     )
 }.toMap()
 
-/** Whether [name] is that of a file which [conformanceFiles] returns, or once returned. */
+/** Returns whether [name] belongs to a file that [conformanceFiles] returns, or once returned. */
 internal fun isConformanceFile(name: String): Boolean = name.endsWith(".bag") || name.endsWith(".json")
 
-/** Writes the corpus into the folder that is the only argument, and removes the files of cases that no longer exist. */
+/** Writes the corpus into the folder in the only argument. Removes the files of cases that no longer exist. */
 public fun main(arguments: Array<String>) {
     val folder = File(arguments.single())
     val files = conformanceFiles()

@@ -114,7 +114,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for what a robot logs").config(enabledOrReasonIf = { IF_REFERENCE }) {
+    test("equals Java for a robot's usual values").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(5)
         repeat(100 * PropertyTesting.defaultIterationCount) {
             val volts = random.nextDouble(-13.0, 13.0)
@@ -128,7 +128,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for values with a text of their own").config(enabledOrReasonIf = { IF_REFERENCE }) {
+    test("equals Java for NaN, infinities and zeros").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val values = listOf(
             0.0,
             -0.0,
@@ -155,8 +155,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
                 else -> (random.nextInt(100_000) * 10 + 5) / 1.0e4
             }
         }
-        // The JVM itself may allocate on this thread when it compiles, at any time. What the formatting allocates, it would allocate each
-        // time.
+        // The JVM itself may allocate on this thread at any time, when it compiles. The formatting itself would allocate each time.
         List(10) { allocatedByWriting(values, 50_000) }.min() shouldBe 0
     }
 })

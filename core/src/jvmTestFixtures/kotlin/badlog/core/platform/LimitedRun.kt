@@ -3,13 +3,13 @@ package badlog.core.platform
 import java.io.File
 import java.util.concurrent.TimeUnit
 
-/** How a program ended: its exit code, and all that it printed. */
+/** The end of a program: its exit code, and all of its output. */
 internal class LimitedRun(val code: Int, val text: String) {
     internal companion object {
-        /** How long an emulated program may take: one that hangs must not hold up all others. */
+        /** The time limit of an emulated program: one that hangs must not delay all others. */
         const val LIMIT_MINUTES = 2L
 
-        /** Runs [command] in [folder], with [environment] added to this one's and [input] as its standard input; it is ended after [minutes]. */
+        /** Runs [command] in [folder], with [environment] added to this one's, and [input] as standard input. Ends it after [minutes]. */
         fun of(
             command: List<String>,
             environment: Map<String, String> = emptyMap(),
@@ -17,7 +17,7 @@ internal class LimitedRun(val code: Int, val text: String) {
             input: File? = null,
             minutes: Long = LIMIT_MINUTES,
         ): LimitedRun {
-            // Not a pipe: what Wine leaves running would keep it open.
+            // Not a pipe, because processes that Wine leaves running would keep it open.
             val output = File.createTempFile("badlog-output", ".txt")
             try {
                 val builder = ProcessBuilder(command).directory(folder).redirectErrorStream(true).redirectOutput(output)

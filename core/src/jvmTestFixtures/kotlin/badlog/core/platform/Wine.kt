@@ -3,8 +3,8 @@ package badlog.core.platform
 import java.io.File
 
 /**
- * Wine with a drive C: of its own, in the working directory. Nothing of it is left running when it is closed, but the drive stays: it links
- * to this machine's files, so that what removes it must not follow links.
+ * Wine with its own drive C: in the working directory. Closing it ends all of its processes, but leaves the drive. The drive links to this
+ * machine's files, so do not follow links when you remove it.
  */
 internal class Wine : AutoCloseable {
     /** Quietly, without a browser, .NET and a debugger, and with file names in UTF-8. */
@@ -16,7 +16,7 @@ internal class Wine : AutoCloseable {
     )
 
     init {
-        // Its drive is made, with many words, when it is first started.
+        // The first start creates the drive, and prints many lines.
         LimitedRun.of(listOf("wine", "wineboot", "-i"), environment)
     }
 

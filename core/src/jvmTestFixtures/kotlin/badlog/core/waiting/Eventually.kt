@@ -1,10 +1,10 @@
 package badlog.core.waiting
 
 /**
- * Polls until [isSo]; fails after a minute, saying [what] was awaited in vain.
+ * Polls until [isSo]; fails after a minute with a message that names [what].
  *
- * Only for processes, browsers, windows and sockets: whatever is this project's own gets its clock from the test instead. An [isSo] that
- * throws is not so yet; the last error is the cause of the failure.
+ * Only for processes, browsers, windows and sockets: the project's own code gets its clock from the test instead. An [isSo] that throws
+ * counts as false; the last error is the cause of the failure.
  */
 internal fun eventually(what: String, isSo: () -> Boolean) {
     val end = System.nanoTime() + LIMIT_NANOSECONDS

@@ -16,7 +16,7 @@ internal fun parse(bytes: ByteArray, piece: Int = maxOf(1, bytes.size)): Recordi
 
 internal fun parse(text: String, piece: Int = Int.MAX_VALUE): Recording = parse(text.encodeToByteArray(), piece)
 
-/** All that a recording holds, as text, so that two can be compared and a difference can be read. */
+/** The content of a recording as text, so that two can be compared and differences are readable. */
 internal fun describe(recording: Recording): String = buildString {
     appendLine("${recording.format.id} ${recording.rowCount} rows ${recording.headerLine}")
     for (value in recording.values) appendLine("value ${value.name}=${value.text}")

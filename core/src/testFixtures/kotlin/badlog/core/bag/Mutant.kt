@@ -3,11 +3,11 @@ package badlog.core.bag
 import kotlin.random.Random
 
 /**
- * A file after damage, as by a loss of power, a bad disk or a transfer that went wrong.
+ * A file damaged by a loss of power, a bad disk or a failed transfer.
  *
- * @property bytes what the file holds now.
+ * @property bytes the content of the file now.
  * @property origin for each byte its place in the original; -1 for a new byte.
- * @property damage what was done, for messages.
+ * @property damage a description of the damage, for messages.
  */
 internal class Mutant(val bytes: ByteArray, val origin: IntArray, val damage: String) {
     /** Returns whether the bytes of the original from [from] until [until] are still together. */

@@ -34,7 +34,7 @@ internal fun randomBag(random: Random): ByteArray {
     return if ('\u00E9' in text) ByteArray(end) { text[it].code.toByte() } else text.substring(0, end).encodeToByteArray()
 }
 
-/** Returns [describe] with what it leaves out: the bits of numbers, and the order of the dictionaries. */
+/** Returns [describe] with the details that it leaves out: the bits of numbers, and the order of the dictionaries. */
 internal fun describeFully(recording: Recording): String = describe(recording) + recording.topics.joinToString("\n") { topic ->
     "${topic.name} ${topic.texts.dictionary} ${topic.samples.map { it.toRawBits().toString(16) }}"
 }

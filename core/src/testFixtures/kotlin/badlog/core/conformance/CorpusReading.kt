@@ -2,7 +2,7 @@ package badlog.core.conformance
 
 import badlog.core.bag.BagParser
 
-/** What is read in a file of the corpus that arrives in pieces of [piece] bytes, as [comparable] JSON. */
+/** Reads a file of the corpus in pieces of [piece] bytes. Returns the recording as [comparable] JSON. */
 internal fun jsonReadFrom(bytes: ByteArray, piece: Int): String {
     val parser = BagParser(bytes.size.toLong())
     val step = piece.coerceIn(1, maxOf(1, bytes.size))

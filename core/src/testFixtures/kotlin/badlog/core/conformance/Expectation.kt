@@ -7,9 +7,9 @@ import badlog.core.recording.TopicKind
 import badlog.core.recording.Value
 
 /**
- * What any reader must read in one file of the corpus. Order matters everywhere except in the two lists of problems.
+ * The reading of one corpus file that every reader must produce. Order matters everywhere except in the two lists of problems.
  *
- * @property attributeProblems what is odd about the attributes: found when they are applied, not when the file is read.
+ * @property attributeProblems problems of the attributes: found when they are applied, not when the file is read.
  */
 internal class Expectation(
     val format: RecordingFormat,

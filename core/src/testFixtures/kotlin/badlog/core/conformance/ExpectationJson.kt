@@ -2,7 +2,7 @@ package badlog.core.conformance
 
 import kotlin.math.abs
 
-/** The expectation as the corpus holds it: JSON in a canonical form, so that texts can be compared. */
+/** The expectation in the corpus's form: canonical JSON, so that texts can be compared. */
 internal fun expectationJson(description: String, expectation: Expectation): String = buildString {
     append("{\n  \"description\": ").append(quoted(description)).append(",\n")
     append("  \"format\": ").append(quoted(expectation.format.id)).append(",\n")

@@ -6,8 +6,8 @@ import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 
 /**
- * A recording as the corpus would expect it. A topic's samples do not distinguish a gap from a NaN, only its counts do,
- * so both are written as gaps.
+ * A recording in the form of an expectation. A topic's samples do not distinguish a gap from a NaN, only its counts do, so both are written
+ * as gaps.
  */
 internal fun expectationOf(recording: Recording): Expectation = Expectation(
     format = recording.format,

@@ -4,6 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.viewer.choices.board.Board
+import badlog.viewer.state.PlaceAction
 import badlog.window.graph.GraphPane
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Theme
@@ -30,7 +31,7 @@ private fun choiceBlocksIn(window: OffScreenWindow): List<FrameTimes> {
         viewer.current.replace(open)
         viewer.compared.change { with(other.file).withLoaded(other) }
         viewer.board.replace(Board().withGraph(listOf("Topic 0", "Topic 1")).withGraph(listOf("Sum 0")).withGraph(listOf("Sum 4")))
-        viewer.view.show(open.span)
+        viewer.view.send(PlaceAction.Open(open.span))
         viewer.scope.launch { viewer.shown.run() }
     }, isReady)
 

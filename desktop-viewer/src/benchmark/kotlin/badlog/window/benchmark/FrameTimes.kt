@@ -7,6 +7,7 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.viewer.choices.board.Board
+import badlog.viewer.state.PlaceAction
 import badlog.window.graph.GraphPane
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Theme
@@ -49,7 +50,7 @@ internal fun framesOf(
         val recording = OpenRecording(picture.resolveSibling("measured.bag").toAbsolutePath(), view)
         viewer.current.replace(recording)
         viewer.board.replace(boardOf(recording.view))
-        viewer.view.show(recording.span)
+        viewer.view.send(PlaceAction.Open(recording.span))
     }, isReady)
     window.save(picture)
     measure(window, isReady).also { window.save(picture.resolveSibling("zoomed-${picture.fileName}")) }

@@ -2,6 +2,7 @@ package badlog.window.benchmark
 
 import badlog.core.recording.Topic
 import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.state.PlaceAction
 import java.nio.file.Path
 import kotlin.math.sin
 import kotlin.random.Random
@@ -17,15 +18,15 @@ internal fun measureFrames(pictures: Path): List<FrameTimes> =
         fun zoom(): Double = window.measure({
             val visible = viewer.view.viewport.visible
             val isIn = if (visible.width < full.width / 50) false else !viewer.view.viewport.isZoomed || random.nextBoolean()
-            viewer.view.change { scaled(if (isIn) 1 / 1.22 else 1.22, visible.from + visible.width * random.nextDouble()) }
+            viewer.view.send(PlaceAction.Scale(if (isIn) 1 / 1.22 else 1.22, visible.from + visible.width * random.nextDouble()))
         }, isReady)
         fun pan(): Double = window.measure({
             val step = viewer.view.viewport.visible.width / 50
             val isAtEnd = viewer.view.viewport.visible.to > full.to - step
-            viewer.view.change { shifted(if (isAtEnd) -full.width else step) }
+            viewer.view.send(PlaceAction.Shift(if (isAtEnd) -full.width else step))
         }, isReady)
         fun cursor(): Double = window.measure({
-            viewer.view.placeCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() })
+            viewer.view.send(PlaceAction.MoveCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() }))
         }, isReady)
         repeat(WARM_UP) {
             zoom()
@@ -34,7 +35,7 @@ internal fun measureFrames(pictures: Path): List<FrameTimes> =
         }
         listOf(
             FrameTimes("zoom", List(FRAMES) { zoom() }),
-            FrameTimes("pan", viewer.view.change { showing(0.0, full.width / 20) }.let { List(FRAMES) { pan() } }),
+            FrameTimes("pan", viewer.view.send(PlaceAction.Show(0.0, full.width / 20)).let { List(FRAMES) { pan() } }),
             FrameTimes("cursor", List(FRAMES) { cursor() }),
         )
     }

@@ -5,6 +5,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.draw.path.Field
+import badlog.viewer.state.PlaceAction
 import java.nio.file.Path
 import kotlin.math.PI
 import kotlin.math.cos
@@ -29,7 +30,7 @@ internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
             planes[1] = plane.scaled(factor, plane.xAt(random.nextDouble()), plane.yAt(random.nextDouble()))
         }, isReady)
         fun cursor(): Double = window.measure({
-            viewer.view.placeCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() })
+            viewer.view.send(PlaceAction.MoveCursor(viewer.view.viewport.visible.let { it.from + it.width * random.nextDouble() }))
         }, isReady)
         repeat(WARM_UP) {
             zoom()

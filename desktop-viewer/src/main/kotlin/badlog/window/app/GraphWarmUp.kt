@@ -6,7 +6,7 @@ import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
 import badlog.core.bag.RowBatchParser
 import badlog.files.UserFolders
-import badlog.viewer.choices.range.Viewport
+import badlog.viewer.state.PlaceAction
 import badlog.window.log.OpenRecording
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.coroutineScope
@@ -38,14 +38,14 @@ internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     val viewer = Viewer(this, folders)
     viewer.current.replace(recording)
     viewer.board.replace(recording.standardGraphs)
-    viewer.view.show(recording.span)
+    viewer.view.send(PlaceAction.Open(recording.span))
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), coroutineContext) {
         ViewerScreen(viewer)
     }
     try {
         repeat(FRAMES) { frame ->
-            viewer.view.placeCursor(frame / 10.0)
-            viewer.view.change { scaled(0.99, 1.0) }
+            viewer.view.send(PlaceAction.MoveCursor(frame / 10.0))
+            viewer.view.send(PlaceAction.Scale(0.99, 1.0))
             scene.render(System.nanoTime()).close()
             delay(FRAME_MILLIS)
         }

@@ -4,12 +4,16 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.catalog.folder.LogEntry
+import badlog.core.analysis.EnabledSpan
 import badlog.fetch.KnownHosts
 import badlog.fetch.RobotAddress
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.range.Viewport
-import badlog.viewer.draw.mark.EventTimeline
+import badlog.viewer.shown.cursor.CursorSteps
+import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.state.PlaceAction
+import badlog.viewer.state.Shown
+import badlog.viewer.state.Store
 import badlog.window.battery.FolderSeason
 import badlog.window.charts.FolderCharts
 import badlog.window.choice.AxisChoice
@@ -47,6 +51,7 @@ import badlog.window.log.RecordingChoices
 import badlog.window.log.RecordingLoader
 import badlog.window.log.RecordingReader
 import badlog.window.log.RecordingWatcher
+import badlog.window.log.StateVariable
 import badlog.window.menu.Command
 import badlog.window.menu.Keyboard
 import badlog.window.robot.RecordedLog
@@ -101,8 +106,9 @@ internal class Viewer(
     val panels = WindowPanels()
     val library = Library(scope, folders.answers, settings)
     val current = CurrentRecording()
-    val view = AxisView()
-    val board: GraphBoard = GraphBoard(::isDrawn)
+    val store: Store = Store(StateVariable(), shownOfLog()) { requests.perform(it) }
+    val view = AxisView(store)
+    val board: GraphBoard = GraphBoard(store, ::isDrawn)
     private val reader = RecordingReader({ library.state.folder }, ::choicesFor)
     val compared: ComparedRecordings = ComparedRecordings(current, tasks, reader)
     val axis = AxisChoice(current)
@@ -111,15 +117,14 @@ internal class Viewer(
     val formulas: FormulaStore = FormulaStore(current, board, notices)
     val live = LiveView(current, view) { recordedNow() }
     val shown: ShownRecordings =
-        ShownRecordings(current, compared, board, view, live, notices, { placing(it) }, { library.state.folder }) { recording ->
+        ShownRecordings(current, compared, board, view, notices, { placing(it) }, { library.state.folder }) { recording ->
             choicesFor(recording.file).run { copy(overTime = overTime && recording.timeColumn != null) }
         }
     val events = FilteredEvents(current)
     val topics = TopicListing()
     val statistics = SelectedStatistics()
     val player = Player(current, view)
-    val findings: LogFindings =
-        LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn, send = { actions.send(it) })
+    val findings: LogFindings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
     val notes = LogNotes(scope, current, notices, writes)
@@ -203,8 +208,7 @@ internal class Viewer(
     val welcome = WelcomeActions(::openSample, { opener.askForFolder() }, opener::askForLog, ::askForRobot)
     val spoken = SpokenCursor(current, board, view)
     private val findingRequests = FindingRequests(current, findings, board, compared, since, panels, spoken)
-    private val requests = WindowRequests(board, formulas, findingRequests, notes, keptLayouts, panels, video, spoken, todo)
-    val actions: Actions = Actions(current, view, board, findings, live, requests)
+    private val requests: WindowRequests = WindowRequests(board, formulas, findingRequests, notes, keptLayouts, panels, video, spoken, todo)
     val keyboard = Keyboard()
 
     /** All keyboard commands, in the order of the help. */
@@ -214,7 +218,7 @@ internal class Viewer(
             panels,
             opener,
             ::showNewLog,
-        ) + topicCommands(topics, panels) + actionCommands(actions::perform) +
+        ) + topicCommands(topics, panels) + actionCommands(view::press) +
             graphCommands(
                 view,
                 graphs::scroll,
@@ -257,7 +261,7 @@ internal class Viewer(
         compared.share(recording)
         layouts.showGraphs(recording, isGrowing = recording.file == recordedNow())
         places.enter(recording.file)
-        view.show(recording.span)
+        view.send(PlaceAction.Open(recording.span))
         live.opened()
         panels.change { copy(front = FrontPart.GRAPHS) }
         library.select(recording.file)
@@ -344,6 +348,16 @@ internal class Viewer(
 
     /** The log that this window is recording now; null for none. */
     private fun recordedNow(): Path? = recording.state.file
+
+    private fun shownOfLog() = object : Shown {
+        override val isOpen: Boolean get() = current.recording != null
+        override val samples: CursorSteps get() = current.recording?.cursorSteps ?: CursorSteps(emptyList())
+        override val enabled: List<EnabledSpan> get() = current.recording?.enabled.orEmpty()
+        override val found: FoundInLog? get() = findings.state.list
+        override val graphs: Board get() = board.state
+        override val graph: Int? get() = board.current?.id
+        override val newest: Double? get() = live.newest
+    }
 
     private fun isDrawn(line: String): Boolean {
         val open = current.recording ?: return true

@@ -103,7 +103,7 @@ private fun panesOf(viewer: Viewer) = with(viewer) {
         topics = { TopicPane(current, compared, board, view, events, formulas, topics, panels, it) { findings.state.topics } },
         main = { MainPane(viewer, it) },
         details = {
-            InspectorPane(current, compared, board, view, events, findings, since, notes, video, todo, panels, actions::send, it)
+            InspectorPane(current, compared, board, view, events, findings, since, notes, video, todo, panels, store::send, it)
         },
     )
 }

@@ -33,7 +33,7 @@ internal class WindowRequests(
         Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
         Request.Modules -> panels.change { toggled(InspectorTab.MODULES) }
         Request.Pin -> board.togglePin()
-        is Request.Graph -> board.keepInSight(request.id)
+        is Request.Graphs -> board.follow(request)
         is Request.Layout -> layouts.step(request.steps)
         Request.Cursor -> spoken.sayValues()
         Request.Formula -> formulas.write()

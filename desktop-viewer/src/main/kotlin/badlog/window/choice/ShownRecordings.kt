@@ -5,11 +5,11 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.snapshots.Snapshot
+import badlog.viewer.state.PlaceAction
 import badlog.window.compare.ComparedRecordings
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
-import badlog.window.log.LiveView
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.task.Notices
@@ -38,7 +38,6 @@ internal class ShownRecordings(
     private val compared: ComparedRecordings,
     private val board: GraphBoard,
     private val view: AxisView,
-    private val live: LiveView,
     private val notices: Notices,
     private val following: (() -> Unit) -> Unit,
     private val library: () -> Path?,
@@ -86,7 +85,7 @@ internal class ShownRecordings(
         val isOtherAxis = made.isOverTime != before.isOverTime
         val isDefault = (if (isOtherAxis) board.arranged else board.history.now).showsSame(before.standardGraphs)
         current.replace(made)
-        live.staying { if (isOtherAxis) view.show(made.span) else view.change { grown(made.span) } }
+        view.send(PlaceAction.Grow(made.span, isOtherAxis))
         made.field.problem?.takeIf { it != before.field.problem }?.let(notices::complain)
         if (isDefault && !made.standardGraphs.showsSame(before.standardGraphs)) board.replace(made.standardGraphs)
     }

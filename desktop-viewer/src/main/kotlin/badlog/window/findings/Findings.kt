@@ -2,20 +2,17 @@ package badlog.window.findings
 
 import badlog.rules.Finding
 import badlog.viewer.shown.finding.FoundInLog
-import badlog.viewer.state.FindingsState
 
 /**
  * What the window knows about the open recording's findings.
  *
  * @property list the findings; null until the rules have run.
- * @property panel what is searched and unfolded in the panel of findings.
  * @property pointed the one under the pointer, or null.
  * @property pointedPlace where on x the pointer is on it; NaN if it is on its line in a list.
  * @property timesAsked how often a person requested to run the rules again.
  */
 internal data class Findings(
     val list: FoundInLog? = null,
-    val panel: FindingsState = FindingsState(),
     val pointed: Finding? = null,
     val pointedPlace: Double = Double.NaN,
     val timesAsked: Int = 0,
@@ -27,5 +24,5 @@ internal data class Findings(
     fun knowing(list: FoundInLog): Findings = copy(list = list, pointed = pointed?.let(list::like))
 
     /** Returns the findings without a list. */
-    fun unknown(): Findings = Findings(panel = FindingsState(library = panel.library), timesAsked = timesAsked)
+    fun unknown(): Findings = Findings(timesAsked = timesAsked)
 }

@@ -14,8 +14,8 @@ import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.shown.finding.firstStep
-import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -40,7 +40,6 @@ import kotlin.time.TimeSource
  * @param folder returns the folder of logs, whose rules count.
  * @param awaitDrawn returns when the opened recording is visible.
  * @param rest returns when the rules, which took the time `running`, may run again over a log that grows.
- * @param send lets an action change the state.
  * @param find runs the rules over a recording.
  */
 internal class LogFindings(
@@ -49,7 +48,6 @@ internal class LogFindings(
     private val board: GraphBoard,
     private val folder: () -> Path?,
     private val awaitDrawn: suspend () -> Unit,
-    private val send: (Action) -> Unit,
     private val rest: suspend (running: Duration) -> Unit = { delay(restAfter(it)) },
     private val find: (view: LogView, file: Path, library: Path?) -> FoundInLog = ::findingsOf,
 ) : StateHolder<Findings>(Findings()) {
@@ -67,6 +65,7 @@ internal class LogFindings(
         var before: Path? = null
         snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
             change { unknown() }
+            view.send(FindingAction.Forget)
             select(null)
             // A person has opened another log in the meantime.
             if (wanted.file != before && wanted.file != worstWanted) worstWanted = null
@@ -97,7 +96,7 @@ internal class LogFindings(
     private fun goToWorst() {
         worstWanted = null
         val list = state.list ?: return
-        firstStep(list.all, list.incidents)?.let { send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
+        firstStep(list.all, list.incidents)?.let { view.send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
     }
 
     /** Adds the graphs of the first result, unless somebody has arranged others. */
@@ -114,7 +113,7 @@ internal class LogFindings(
     fun assign(signal: String, topic: String) {
         val open = current.recording ?: return
         val refusal = SignalAssignment(open.file, folder()).assign(signal, topic, open.forRules)
-        send(FindingAction.Refuse(refusal))
+        view.send(FindingAction.Refuse(refusal))
         if (refusal == null) runAgain()
     }
 
@@ -123,7 +122,7 @@ internal class LogFindings(
 
     /** Goes to [place], where [finding] was found, see [FindingAction.GoTo]. */
     fun goTo(finding: Finding, place: Double = finding.time) =
-        send(FindingAction.GoTo(placeOf(finding, place), state.list?.incidentOf(finding)))
+        view.send(FindingAction.GoTo(placeOf(finding, place), state.list?.incidentOf(finding)))
 
     /** Shows, above all other graphs, the evidence of [finding] and of its incident. */
     fun showEvidence(finding: Finding) {
@@ -133,7 +132,7 @@ internal class LogFindings(
 
     private fun select(finding: Finding?) {
         if (finding === selected) return
-        view.go { copy(visited = finding?.let { placeOf(it, visited?.span?.from ?: Double.NaN) }) }
+        view.send(PlaceAction.Visit(finding?.let { placeOf(it, view.visited?.span?.from ?: Double.NaN) }))
     }
 
     private fun placeOf(finding: Finding, from: Double) =

@@ -8,6 +8,8 @@ import badlog.signals.namesWith
 import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.formula.nameInExpression
 import badlog.viewer.choices.formula.reasonToKeep
+import badlog.viewer.state.BoardAction
+import badlog.viewer.state.GraphChange
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
@@ -52,14 +54,14 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
     fun add(definition: String, name: String) {
         removed = removed - definition
         definitions = (definitions + definition).distinct()
-        board.change { withGraph(listOf(name)) }
+        board.send(GraphChange.Add(listOf(name)))
     }
 
     /** Replaces [before] by [definition], whose topic is called [name], also in graphs. */
     fun replace(before: String, definition: String, name: String) {
         removed = removed + before
         definitions = definitions.map { if (it == before) definition else it }.distinct()
-        nameIn(before)?.let { board.changeEverywhere { renamed(it, name) } }
+        nameIn(before)?.let { board.send(BoardAction.Rename(it, name)) }
     }
 
     /** Removes [definition], also from the graphs, and returns true; false, with a notice, if other formulas need it. */
@@ -70,7 +72,7 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
         }
         removed = removed + definition
         definitions = definitions - definition
-        nameIn(definition)?.let { board.changeEverywhere { withoutSignal(it) } }
+        nameIn(definition)?.let { board.send(BoardAction.Forget(setOf(it))) }
         return true
     }
 

@@ -12,7 +12,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.state.BoardAction
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Icons
@@ -40,7 +40,7 @@ internal fun NothingRecorded(open: OpenRecording, modifier: Modifier) {
 internal fun NoGraphs(board: GraphBoard, open: OpenRecording, modifier: Modifier) {
     Sentence("No graphs", "Drag topics here, or start with the default graphs.", modifier) {
         ToolButton("Show the default graphs", Icons.Graph, text = "Show the default graphs", isOn = true) {
-            board.changeAll(open.standardGraphs)
+            board.send(BoardAction.ShowAll(open.standardGraphs))
         }
         if (board.canUndo) ToolButton("Show the previous graphs", Icons.Undo, text = "Undo") { board.undo() }
     }

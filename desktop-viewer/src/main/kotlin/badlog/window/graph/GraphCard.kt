@@ -25,6 +25,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.state.GraphChange
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.xy.XyPane
 import badlog.window.menu.ContextArea
@@ -57,11 +58,11 @@ internal fun GraphCard(scene: GraphScene, spec: BoardGraph, height: Int) {
                     spec,
                     maxLines = if (height < ROOMY) 1 else MAX_HEADER_LINES,
                     Modifier.hoverable(header).takesGraph(scene.drag, spec.id)
-                        .receivesSignals(scene) { names -> scene.board.change { withGraph(names, before = spec.id) } },
+                        .receivesSignals(scene) { names -> scene.board.send(GraphChange.Add(names, before = spec.id)) },
                 )
             }
             val plot = Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
-                scene.board.change { names.fold(this) { graphs, name -> graphs.withLine(spec.id, name) } }
+                scene.board.send(GraphChange.AddLines(spec.id, names))
             }
             if (spec.isXy) XyPane(scene, spec, plot) else GraphPlot(scene, spec, plot)
             HorizontalDivider()
@@ -85,19 +86,19 @@ private fun GraphButtons(scene: GraphScene, spec: BoardGraph, hasAll: Boolean, m
                 ToolButton("Keep this graph on the board", Icons.Pin) { scene.board.keep(spec.id) }
             }
             ToolButton("Copy a picture of this graph", Icons.Copy) { scene.copy(listOf(spec)) }
-            ToolButton("Move up", Icons.Up) { scene.board.change { moved(spec.id, -1) } }
-            ToolButton("Move down", Icons.Down) { scene.board.change { moved(spec.id, 1) } }
-            ToolButton("Remove this graph", Icons.Close) { scene.board.change { without(spec.id) } }
+            ToolButton("Move up", Icons.Up) { scene.board.send(GraphChange.Move(spec.id, -1)) }
+            ToolButton("Move down", Icons.Down) { scene.board.send(GraphChange.Move(spec.id, 1)) }
+            ToolButton("Remove this graph", Icons.Close) { scene.board.send(GraphChange.Remove(spec.id)) }
         }
         if (spec.isXy && spec.id in scene.planes) {
             ToolButton("Show all of it", Icons.Reset, isOn = true) { scene.planes.remove(spec.id) }
         }
         if (spec.isYFixed && !spec.isXy) {
-            ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.change { withYRange(spec.id, null) } }
+            ToolButton("Reset Y zoom", Icons.Reset, isOn = true) { scene.board.send(GraphChange.ShowY(spec.id, null)) }
         }
         if (spec.sharesY) {
             ToolButton("Shares its y limits; click to stop sharing", text = "y shared", isOn = true) {
-                scene.board.change { withSharedY(spec.id, false) }
+                scene.board.send(GraphChange.ShareY(spec.id, false))
             }
         }
         menu()

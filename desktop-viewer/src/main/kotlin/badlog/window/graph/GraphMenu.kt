@@ -10,12 +10,12 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.session.GraphOffer
 import badlog.viewer.session.GraphOffers
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import badlog.window.graph.scene.GraphScene
 import badlog.window.log.GraphBoard
 import badlog.window.menu.MenuBox
@@ -31,16 +31,16 @@ internal class GraphAction(val label: String, val isOn: Boolean = false, val run
 internal fun graphActions(scene: GraphScene, spec: BoardGraph): List<List<GraphAction>> {
     val board = scene.board
     val offers = GraphOffers(board.state, spec, scene.current.recording?.paths?.poses.orEmpty())
-    fun List<GraphOffer>.actions() = map { GraphAction(it.label, it.isOn == true) { board.change(it.change) } }
+    fun List<GraphOffer>.actions() = map { GraphAction(it.label, it.isOn == true) { board.send(it.change) } }
     return listOf(
         listOfNotNull(GraphAction("Keep this graph on the board") { board.keep(spec.id) }.takeIf { board.isEvidence(spec.id) }) +
             offers.moves.actions() +
-            GraphAction("Only this graph") { board.change { Board(listOf(spec)) } } +
+            GraphAction("Only this graph") { board.send(GraphChange.ShowOnly(listOf(spec))) } +
             listOf(offers.removal).actions() +
-            GraphAction("Remove all graphs") { board.change { Board() } },
+            GraphAction("Remove all graphs") { board.send(GraphChange.ShowOnly(emptyList())) },
         offers.heights(usual = null).actions() +
-            GraphAction("Height: as the others", spec.height == null) { board.change { resized(spec.id, null) } },
-        offers.limits { shownY(scene, spec) }.actions(),
+            GraphAction("Height: as the others", spec.height == null) { board.send(GraphChange.Resize(spec.id, null)) },
+        offers.limits(shownY(scene, spec)).actions(),
         listOf(GraphAction("Add topics…") { scene.addTopics(spec.id) }) + (offers.planes + listOfNotNull(offers.separation)).actions(),
         offers.origins.actions().let { if (it.isEmpty()) it else it + fieldActions(scene) },
         offers.additions(board.state.graphs.map { shortTitle(board, it) }).actions(),

@@ -13,6 +13,7 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
+import badlog.viewer.state.GraphChange
 import badlog.window.choice.AxisOffer
 import badlog.window.choice.StationOffer
 import badlog.window.graph.mark.FindingStrip
@@ -40,7 +41,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
         Overview(scene)
         Box(
             Modifier.weight(1f).fillMaxWidth().receivesSignals(scene) { names ->
-                scene.board.change { withGraph(names) }
+                scene.board.send(GraphChange.Add(names))
             },
         ) {
             when {

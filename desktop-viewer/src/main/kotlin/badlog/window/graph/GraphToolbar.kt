@@ -14,9 +14,9 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.GraphChange
 import badlog.window.graph.scene.GraphScene
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
@@ -53,17 +53,17 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView, hasLabels: Bo
     val isZoomed by remember(view) { derivedStateOf { view.viewport.isZoomed } }
     val hasHistory by remember(view) { derivedStateOf { view.viewport.canGoBack } }
     Row(verticalAlignment = Alignment.CenterVertically) {
-        ToolButton("Show everything (0)", text = "All", isEnabled = isZoomed) { view.change { reset() } }
+        ToolButton("Show everything (0)", text = "All", isEnabled = isZoomed) { view.press(KeyAction.SHOW_ALL) }
         ToolButton("Previous view (Backspace)", Icons.Back, "Previous".takeIf { hasLabels }, isEnabled = hasHistory) {
-            view.change { back() }
+            view.press(KeyAction.PREVIOUS_VIEW)
         }
         ToolButton("Zoom out (-)", Icons.Remove, "Zoom out".takeIf { hasLabels }, isEnabled = isZoomed) {
-            view.change { zoomed(-1, view.cursor) }
+            view.press(KeyAction.ZOOM_OUT)
         }
-        ToolButton("Zoom in (+)", Icons.Add, "Zoom in".takeIf { hasLabels }) { view.change { zoomed(1, view.cursor) } }
+        ToolButton("Zoom in (+)", Icons.Add, "Zoom in".takeIf { hasLabels }) { view.press(KeyAction.ZOOM_IN) }
         if (current.recording?.enabled.orEmpty().isNotEmpty()) {
             ToolButton("Zoom to the time the robot was enabled (E)", text = "Enabled") {
-                view.change { showingEnabled(current.recording?.enabled.orEmpty()) }
+                view.press(KeyAction.SHOW_ENABLED)
             }
         }
     }
@@ -83,7 +83,9 @@ private fun BoardButtons(board: GraphBoard, hasLabels: Boolean) {
     Row(verticalAlignment = Alignment.CenterVertically) {
         ToolButton("Undo (${KeyAction.UNDO.shortcut})", Icons.Undo, "Undo".takeIf { hasLabels }, isEnabled = board.canUndo) { board.undo() }
         ToolButton("Redo (${KeyAction.REDO.shortcut})", Icons.Redo, "Redo".takeIf { hasLabels }, isEnabled = board.canRedo) { board.redo() }
-        ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) { board.change { Board() } }
+        ToolButton("Remove all graphs", text = "Remove all", isEnabled = board.state.graphs.isNotEmpty()) {
+            board.send(GraphChange.ShowOnly(emptyList()))
+        }
     }
 }
 

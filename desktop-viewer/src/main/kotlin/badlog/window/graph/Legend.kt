@@ -34,6 +34,7 @@ import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.cursor.comparisonText
 import badlog.viewer.shown.statistics.StateTime
 import badlog.viewer.shown.statistics.timesOf
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
 import badlog.viewer.text.unitText
@@ -54,7 +55,7 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
     val isHidden = line.signal.name in spec.hidden
-    val toggle = { scene.board.change { withLineHidden(spec.id, line.signal.name, !isHidden) } }
+    val toggle = { scene.board.send(GraphChange.HideLines(spec.id, listOf(line.signal.name), !isHidden)) }
     val toggled = if (spec.lines.size > 1) {
         Modifier.clickable(role = Role.Button, onClick = toggle)
             .semantics { contentDescription = if (isHidden) "Show ${line.title}" else "Hide ${line.title}" }
@@ -75,7 +76,7 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
                 Icons.Close,
                 "Remove ${line.title}",
                 Modifier.size(12.dp).clickable {
-                    scene.board.change { withoutLine(spec.id, line.signal.name) }
+                    scene.board.send(GraphChange.RemoveLine(spec.id, line.signal.name))
                 },
                 palette.muted,
             )

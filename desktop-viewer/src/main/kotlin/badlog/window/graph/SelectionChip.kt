@@ -13,10 +13,10 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.lengthText
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
-import badlog.window.graph.scene.zoomToSelection
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
@@ -46,8 +46,8 @@ internal fun SelectionChip(scene: GraphScene, width: Dp) {
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Text("Δ ${lengthText(selection.width, axis)}", Modifier.padding(horizontal = 8.dp), fontSize = 12.sp, maxLines = 1)
-        ToolButton("Zoom to the selection (Z)", text = "Zoom") { zoomToSelection(scene.view) }
-        ToolButton("Clear the selection (Escape)", Icons.Close) { scene.view.select(null) }
+        ToolButton("Zoom to the selection (Z)", text = "Zoom") { scene.view.send(PlaceAction.ShowSelection) }
+        ToolButton("Clear the selection (Escape)", Icons.Close) { scene.view.send(PlaceAction.Select(null)) }
     }
 }
 

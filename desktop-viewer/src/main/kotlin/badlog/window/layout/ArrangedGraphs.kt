@@ -3,6 +3,7 @@ package badlog.window.layout
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.identifiedByLines
 import badlog.viewer.choices.board.orAlso
+import badlog.viewer.state.BoardAction
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
@@ -82,8 +83,8 @@ internal class ArrangedGraphs(
 
     /** Shows [graphs] instead, and says which of them [open] lacks; for null, those with which it begins if none are arranged. */
     fun apply(graphs: Board?, open: OpenRecording) {
-        if (graphs == null) return board.changeAll(open.standardGraphs)
-        board.changeAll(Board(graphs.graphs.filter { it.lines.isNotEmpty() }).identifiedByLines())
+        if (graphs == null) return board.send(BoardAction.ShowAll(open.standardGraphs))
+        board.send(BoardAction.ShowAll(Board(graphs.graphs.filter { it.lines.isNotEmpty() }).identifiedByLines()))
         fitted(graphs, open).sentence?.let(notices::say)
     }
 
@@ -99,8 +100,8 @@ internal class ArrangedGraphs(
         val before = read ?: begun ?: open.standardGraphs
         val now = if (stored == read) before else stored ?: open.standardGraphs
         val own = besides.without(before)
-        board.follow(Board(now.graphs + own.without(now).graphs), Board(before.graphs + own.graphs))
-        if (removed.isNotEmpty()) board.changeEverywhere { removed.fold(this, Board::withoutSignal) }
+        board.send(BoardAction.Merge(Board(now.graphs + own.without(now).graphs), Board(before.graphs + own.graphs)))
+        if (removed.isNotEmpty()) board.send(BoardAction.Forget(removed))
         if (!wasPlaced) return board.arranged.orNull(open)
         return board.arranged.without(own).orNull(open).also { placeAgain(open, it) }
     }
@@ -112,7 +113,7 @@ internal class ArrangedGraphs(
 
     private fun placeAgain(open: OpenRecording, arranged: Board? = saved(open)) {
         val now = begin(open, arranged)
-        if (!board.arranged.showsSame(now)) board.replaceKept(now)
+        if (!board.arranged.showsSame(now)) board.send(BoardAction.BeginBelowEvidence(now))
     }
 
     private fun Board.orNull(open: OpenRecording) = takeUnless { it.showsSame(open.standardGraphs) }

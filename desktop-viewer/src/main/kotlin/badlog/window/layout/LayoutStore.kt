@@ -8,6 +8,10 @@ import badlog.core.analysis.Span
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.formula.joined
+import badlog.viewer.input.KeyAction
+import badlog.viewer.state.Action
+import badlog.viewer.state.BoardAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.choice.AxisChoice
 import badlog.window.compare.ComparedRecordings
 import badlog.window.folder.Library
@@ -177,11 +181,11 @@ internal class LayoutStore(
     fun showStartBoard() {
         val open = current.recording ?: return
         val before = board.history.now
-        board.changeAll(open.standardGraphs)
-        view.change { reset() }
+        board.send(BoardAction.ShowAll(open.standardGraphs))
+        view.press(KeyAction.SHOW_ALL)
         val after = board.history.now
         if (before.showsSame(after)) return
-        val undo = NoticeAction("Undo") { board.takeBack(before, after) }
+        val undo = NoticeAction("Undo") { board.send(BoardAction.TakeBack(before, after)) }
         notices.say("The graphs that this log begins with are shown.", undo)
     }
 
@@ -317,8 +321,8 @@ internal class LayoutStore(
         if (current.recording == null) return
         val full = view.viewport.full
         val visible = layout.visible?.let(::spanOf)?.takeIf { it.from < full.to && it.to > full.from }
-        view.change { if (visible == null) reset() else showing(visible.from, visible.to) }
-        view.select(layout.selection?.let(::spanOf))
+        view.send(if (visible == null) Action.Press(KeyAction.SHOW_ALL) else PlaceAction.Show(visible.from, visible.to))
+        view.send(PlaceAction.Select(layout.selection?.let(::spanOf)))
     }
 
     /** Shows what was last visible, if the recording is the same as then. Returns whether one was opened at all. */

@@ -8,71 +8,63 @@ import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Action
+import badlog.viewer.state.FindingsState
 import badlog.viewer.state.Place
+import badlog.viewer.state.PlaceAction
+import badlog.viewer.state.Stay
+import badlog.viewer.state.Store
 
 /**
- * The person's place in the log, see [Place], and the current drag. Use it only on the window's thread.
+ * The person's place in the log, see [Place], as the [store] has it, and the current drag. Use it only on the window's thread.
  */
-internal class AxisView {
-    private var state by mutableStateOf(AxisState())
-
+internal class AxisView(private val store: Store) {
     // Each is read separately, so that moving the cursor redraws only the cursor. Combinations of them for a snapshotFlow
     // need their own equals, as data classes have; otherwise each move of the cursor emits a new value.
 
     /** All of it: for what happens, not for what is drawn, see above. */
-    val place: Place get() = state.place
+    val place: Place get() = store.state.place
 
     /** The visible range of x. */
-    val viewport: Viewport by derivedStateOf { state.place.range }
+    val viewport: Viewport by derivedStateOf { store.state.place.range }
 
     /** The cursors, the same in all graphs. */
-    val cursors: Cursors by derivedStateOf { state.place.cursors }
+    val cursors: Cursors by derivedStateOf { store.state.place.cursors }
 
     /** The x at which values are read; null for none. */
-    val cursor: Double? by derivedStateOf { state.place.cursors.x }
+    val cursor: Double? by derivedStateOf { store.state.place.cursors.x }
 
     /** Whether the cursor stays where it is instead of following the pointer. */
-    val isCursorPinned: Boolean by derivedStateOf { state.place.cursors.isPinned }
+    val isCursorPinned: Boolean by derivedStateOf { store.state.place.cursors.isPinned }
 
     /** The x of the second cursor, which is compared with the first; null for none. */
-    val secondCursor: Double? by derivedStateOf { state.place.cursors.second }
+    val secondCursor: Double? by derivedStateOf { store.state.place.cursors.second }
 
     /** The selected range of x, or null. */
-    val selection: Span? by derivedStateOf { state.place.selection }
+    val selection: Span? by derivedStateOf { store.state.place.selection }
 
     /** The place of the finding that a person went to last; null for none. */
-    val visited: FindingPlace<Finding>? by derivedStateOf { state.place.visited }
+    val visited: FindingPlace<Finding>? by derivedStateOf { store.state.place.visited }
+
+    /** The search and the unfolded parts in the findings. */
+    val findings: FindingsState by derivedStateOf { store.state.findings }
+
+    /** Whether the person stays at the end of a log that grows. */
+    val stay: Stay get() = store.state.stay
 
     /** The current drag over a graph, or null. */
-    val gesture: PlotGesture? by derivedStateOf { state.gesture }
+    var gesture: PlotGesture? by mutableStateOf(null)
 
-    /** Shows all of [full], as for another recording: without cursor, selection and finding. */
-    fun show(full: Span) {
-        state = AxisState(Place(Viewport(full)))
+    /** Lets [action] change the state. A drag over another x axis ends without effect. */
+    fun send(action: Action) {
+        if (action is PlaceAction.Open || (action is PlaceAction.Grow && action.isOtherAxis)) gesture = null
+        store.send(action)
     }
 
-    /** Goes to the result of [step]. */
-    fun go(step: Place.() -> Place) {
-        state = state.copy(place = state.place.step())
-    }
-
-    /** Replaces the visible range by the result of [transition]. */
-    fun change(transition: Viewport.() -> Viewport) = go { copy(range = range.transition()) }
-
-    /** Replaces the cursors by the result of [step]. */
-    fun changeCursors(step: Cursors.() -> Cursors) = go { copy(cursors = cursors.step()) }
-
-    /** Places the cursor at [x]; a pinned cursor stays pinned. */
-    fun placeCursor(x: Double) = changeCursors { if (isPinned) pinnedAt(x) else hovering(x) }
-
-    /** Selects [span]; null selects nothing. */
-    fun select(span: Span?) = go { copy(selection = span) }
-
-    /** Sets the current drag to [gesture]; null when it has ended. */
-    fun drag(gesture: PlotGesture?) {
-        state = state.copy(gesture = gesture)
-    }
+    /** Does what [key] means. */
+    fun press(key: KeyAction) = send(Action.Press(key))
 
     /**
      * Cancels the first of these that exists: drag, selection, second cursor, pinned cursor, cursor.
@@ -80,11 +72,10 @@ internal class AxisView {
      * @return whether there was one.
      */
     fun cancel(): Boolean {
-        val before = state
-        val drag = before.gesture?.drag
-        state = if (drag == null) before.copy(place = before.place.cancelled()) else AxisState(drag.cancelledAt(before.place))
-        return state != before
+        val drag = gesture?.drag
+        val before = place
+        gesture = null
+        if (drag == null) send(PlaceAction.Cancel) else drag.undoing?.let(::send)
+        return drag != null || place != before
     }
-
-    private data class AxisState(val place: Place = Place(Viewport(Span(0.0, 1.0))), val gesture: PlotGesture? = null)
 }

@@ -35,6 +35,7 @@ import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorValues
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.cursorText
 import badlog.viewer.text.exactText
 import badlog.viewer.text.unitText
@@ -92,7 +93,7 @@ internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisVie
             LazyColumn(Modifier.fillMaxSize(), state) {
                 items(rows) { row ->
                     CursorLine(row, isDrawn = row.name in drawn) {
-                        drawn[row.name]?.let(board::goTo) ?: board.change { withGraph(listOf(row.name)) }
+                        drawn[row.name]?.let(board::goTo) ?: board.send(GraphChange.Add(listOf(row.name)))
                     }
                 }
             }

@@ -37,6 +37,7 @@ import badlog.core.analysis.EventLog
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.panel.LogTimes
 import badlog.viewer.shown.comparison.shortLabel
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.countOf
 import badlog.window.log.AxisView
 import badlog.window.log.FilteredEvents
@@ -94,7 +95,7 @@ private fun EventList(view: AxisView, open: OpenRecording, found: EventTimeline,
                 EventLine(found, index, times, isTopicShown = open.eventLogs.size > 1, nearest) {
                     val x = found.x[index]
                     if (x.isFinite()) {
-                        view.go { at(x) }
+                        view.send(PlaceAction.GoTo(x))
                         onGo()
                     }
                 }

@@ -36,11 +36,11 @@ internal fun FindingsPanel(
     val details =
         remember(open, evidence) { FindingDetails(evidence.graphs.isNotEmpty(), evidenceOffers(open.view, open.vocabulary, evidence)) }
     val list = todo.state.list.takeIf { todo.state.folder != null }
-    val parts = remember(open, known.list, known.panel, view.visited, changes, details, list, isComparing) {
+    val parts = remember(open, known.list, view.findings, view.visited, changes, details, list, isComparing) {
         val shown = FindingsShown(
             known.list,
             isRunning = known.list == null,
-            known.panel,
+            view.findings,
             view.visited,
             open.times,
             changes.differences,
@@ -51,5 +51,5 @@ internal fun FindingsPanel(
         )
         findingsPanel(shown)
     }
-    PanelView(parts, listOf(view.visited, known.panel.query), send, modifier)
+    PanelView(parts, listOf(view.visited, view.findings.query), send, modifier)
 }

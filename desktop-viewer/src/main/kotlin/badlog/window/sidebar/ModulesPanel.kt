@@ -37,6 +37,7 @@ import badlog.viewer.shown.swerve.ErrorSize
 import badlog.viewer.shown.swerve.ModuleError
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.viewer.shown.swerve.worstModuleText
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 import badlog.window.log.AxisView
@@ -83,7 +84,7 @@ internal fun ModulesPanel(view: AxisView, open: OpenRecording, showGraphs: () ->
         Note(SwerveDrive.ARROWS)
         shown.sizes.forEachIndexed { i, error ->
             ErrorLine(error, i, { withUnit(placeText(it, open.view.xAxis, view.viewport.visible.width), open.view.xAxis.unit) }) { x ->
-                view.go { at(x) }
+                view.send(PlaceAction.GoTo(x))
                 showGraphs()
             }
         }

@@ -32,6 +32,7 @@ import androidx.compose.ui.unit.dp
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
 import badlog.viewer.panel.LogTimes
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.todo.NoteTask
 import badlog.window.log.AxisView
 import badlog.window.log.LogNotes
@@ -64,7 +65,7 @@ internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open:
             items(notes.all) { note ->
                 val task = NoteTask(open.file.fileName.toString(), note.x + 0.0, note.text)
                 NoteLine(notes, note, times, todo, task) {
-                    view.go { at(note.x) }
+                    view.send(PlaceAction.GoTo(note.x))
                     onGo()
                 }
             }

@@ -2,6 +2,7 @@ package badlog.window.topics
 
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.shown.outline.withCounterparts
+import badlog.viewer.state.GraphChange
 import badlog.window.log.CurrentRecording
 import badlog.window.log.DrawableTopic
 import badlog.window.log.EventFilter
@@ -32,7 +33,7 @@ internal fun toggleIn(
     if (target == null || signal.isEmpty || current.recording?.isEvents(signal) == true) {
         return toggleDrawn(current, board, events, panels, signal)
     }
-    board.change { if (signal.name in target.lines) withoutLine(target.id, signal.name) else withLine(target.id, signal.name) }
+    board.send(GraphChange.ToggleLine(target.id, signal.name))
 }
 
 /**
@@ -59,6 +60,6 @@ internal fun toggleDrawn(
     if (own.isNotEmpty() && seen != null && own.none { it.id in seen }) {
         board.goTo(own[0].id)
     } else {
-        board.change { withOwnToggled(signal.name, names) }
+        board.send(GraphChange.ToggleOwn(signal.name, names))
     }
 }

@@ -12,7 +12,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.board.Board
+import badlog.viewer.state.GraphChange
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
 import badlog.window.theme.Icons
@@ -35,16 +35,16 @@ internal fun SelectedTopics(current: CurrentRecording, board: GraphBoard, topics
         }
         FlowRow {
             ToolButton("New graph of the selected topics", text = "New graph") {
-                draw { board.change { withGraph(it) } }
+                draw { board.send(GraphChange.Add(it)) }
             }
             ToolButton("Show only these topics", text = "Only these") {
-                draw { names -> board.change { if (names.isEmpty()) this else Board().withGraph(names) } }
+                draw { names -> board.send(GraphChange.ShowOnlyLines(names)) }
             }
             ToolButton("A graph for each selected topic", text = "Separate graphs") {
-                draw { names -> board.change { names.fold(this) { list, name -> list.withGraph(listOf(name)) } } }
+                draw { names -> board.send(GraphChange.AddEach(names)) }
             }
             ToolButton("Add these to the last graph", text = "Add to last graph") {
-                draw { board.change { withLinesInLast(it) } }
+                draw { board.send(GraphChange.AddToLast(it)) }
             }
         }
     }

@@ -48,7 +48,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.board.Board
+import badlog.viewer.state.GraphChange
 import badlog.window.formula.FormulaStore
 import badlog.window.formula.formulaMenu
 import badlog.window.graph.quoted
@@ -144,7 +144,7 @@ internal fun SignalLine(
             }
             if (isHovered && !open.isEvents(signal)) {
                 ToolButton("Add ${signal.name} to the last graph", Icons.Add) {
-                    board.change { withLinesInLast(listOf(signal.name)) }
+                    board.send(GraphChange.AddToLast(listOf(signal.name)))
                 }
             } else if (showsValue) {
                 SignalValue(view, open, signal)
@@ -165,16 +165,16 @@ private fun menuOf(board: GraphBoard, formulas: FormulaStore, topics: TopicListi
     val names = namesToTake(topics.state, row.signal.name)
     val these = if (names.size > 1) "these ${names.size}" else "this"
     return listOf(
-        ContextMenuItem("New graph of $these") { board.change { withGraph(names) } },
-        ContextMenuItem("Only a graph of $these") { board.change { Board().withGraph(names) } },
-        ContextMenuItem("Add $these to the last graph") { board.change { withLinesInLast(names) } },
+        ContextMenuItem("New graph of $these") { board.send(GraphChange.Add(names)) },
+        ContextMenuItem("Only a graph of $these") { board.send(GraphChange.ShowOnlyLines(names)) },
+        ContextMenuItem("Add $these to the last graph") { board.send(GraphChange.AddToLast(names)) },
         ContextMenuItem(if (row.signal.name in topics.state.selected) "Unselect" else "Select") {
             topics.change { toggled(row.signal.name) }
         },
         ContextMenuItem("New formula with $these…") { formulas.write(names) },
     ) + board.state.graphs.map { graph ->
         ContextMenuItem("Add $these to ${quoted(board, graph)}") {
-            board.change { names.fold(this) { all, name -> all.withLine(graph.id, name) } }
+            board.send(GraphChange.AddLines(graph.id, names))
         }
     } + row.signal.definition?.let { formulaMenu(formulas, it) }.orEmpty()
 }

@@ -45,9 +45,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.board.Board
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import badlog.window.compare.ComparedRecordings
 import badlog.window.formula.FormulaStore
 import badlog.window.formula.UnmadeFormulas
@@ -103,7 +103,7 @@ internal fun TopicPane(
         val rowsOfKeys = { ofThis()?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
         fun draw(name: String) {
             val offered = rowsOfKeys().firstOrNull { it is GraphRow && it.name == name } as GraphRow?
-            if (offered != null) return board.change { withToggled(offered.graph) }
+            if (offered != null) return board.send(GraphChange.Toggle(offered.graph))
             open?.signal(name)?.let { toggleIn(current, board, events, topics, panels, it) }
         }
         val focus = rememberAskedFocus(list.isSearchAsked) { topics.change { copy(isSearchAsked = false) } }
@@ -195,7 +195,7 @@ private fun Rows(
 
                     is GraphRow -> {
                         val isMarked = row.name == topics.state.marked
-                        GraphLine(row, query, graphs.has(row.graph), isMarked) { board.change { withToggled(row.graph) } }
+                        GraphLine(row, query, graphs.has(row.graph), isMarked) { board.send(GraphChange.Toggle(row.graph)) }
                     }
 
                     is SignalRow -> {
@@ -216,9 +216,9 @@ private fun folderMenu(board: GraphBoard, open: OpenRecording, path: String): Li
     val few = names.take(MAX_LINES)
     val these = if (few.size < names.size) "the first ${few.size} topics of this folder" else "this folder"
     return listOf(
-        ContextMenuItem("New graph of $these") { board.change { withGraph(few) } },
-        ContextMenuItem("Only a graph of $these") { board.change { Board().withGraph(few) } },
-        ContextMenuItem("Separate graphs of $these") { board.change { few.fold(this) { graphs, name -> graphs.withGraph(listOf(name)) } } },
+        ContextMenuItem("New graph of $these") { board.send(GraphChange.Add(few)) },
+        ContextMenuItem("Only a graph of $these") { board.send(GraphChange.ShowOnlyLines(few)) },
+        ContextMenuItem("Separate graphs of $these") { board.send(GraphChange.AddEach(few)) },
     )
 }
 

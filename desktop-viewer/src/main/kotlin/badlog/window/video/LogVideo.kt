@@ -6,6 +6,7 @@ import badlog.viewer.session.video.VideoAlignment
 import badlog.viewer.session.video.VideoNote
 import badlog.viewer.session.video.enabledStart
 import badlog.viewer.session.video.videoNoteOf
+import badlog.viewer.state.PlaceAction
 import badlog.window.files.FileChoice
 import badlog.window.files.sayNoLog
 import badlog.window.log.AxisView
@@ -163,10 +164,10 @@ internal class LogVideo(
     private fun lead(seconds: Double) {
         val x = state.alignment?.xAt(seconds, secondsOfX ?: return) ?: return
         // Not x: a video may be longer than the log.
-        val led = view.place.at(x)
-        place = led.cursors.x
-        view.go { led }
-        cursorBefore = view.cursor
+        view.send(PlaceAction.GoTo(x))
+        // Not view.cursor: when that is calculated, others may hear of the cursor.
+        place = view.place.cursors.x
+        cursorBefore = place
     }
 
     private fun follow() {

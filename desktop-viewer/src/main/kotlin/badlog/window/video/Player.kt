@@ -6,6 +6,7 @@ import androidx.compose.runtime.withFrameNanos
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
+import badlog.viewer.state.PlaceAction
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.state.StateHolder
@@ -22,7 +23,8 @@ internal class Player(private val current: CurrentRecording, private val view: A
         val cursor = view.cursor
         if (!state.isPlaying && (cursor == null || cursor !in range || cursor >= range.to)) {
             val isAnywhere = cursor == null && !state.loops
-            view.placeCursor(if (isAnywhere) view.viewport.visible.from.coerceIn(range.from, range.to) else range.from)
+            val start = if (isAnywhere) view.viewport.visible.from.coerceIn(range.from, range.to) else range.from
+            view.send(PlaceAction.MoveCursor(start))
         }
         change { copy(isPlaying = !isPlaying) }
     }
@@ -36,7 +38,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
         // After sleeping, the machine must not jump to the end.
         val distance = seconds.coerceIn(0.0, MAX_STEP) * state.speed * perSecond(open.view.xAxis, view.viewport.full)
         val step = state.advanced(view.cursor, distance, range)
-        view.placeCursor(step.cursor)
+        view.send(PlaceAction.MoveCursor(step.cursor))
         change { step.playback }
         follow(step.cursor)
     }
@@ -46,7 +48,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
         if (x in visible) return
         // Leaves most of the room for what follows, and does not fill the history with steps.
         val from = x - visible.width * LEAD
-        view.change { moved(from, from + visible.width) }
+        view.send(PlaceAction.Move(from, from + visible.width))
     }
 
     private companion object {

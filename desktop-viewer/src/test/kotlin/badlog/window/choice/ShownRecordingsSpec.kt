@@ -2,6 +2,7 @@ package badlog.window.choice
 
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
+import badlog.viewer.state.PlaceAction
 import badlog.window.bagOf
 import badlog.window.compare.Comparison
 import badlog.window.findings.findingsOf
@@ -75,7 +76,7 @@ class ShownRecordingsSpec : FunSpec({
         val slow = SlowDefinitions(wanted.definitions)
         val viewer = viewerOf(log("a.bag"))
         val choices = RecordingChoices(slow)
-        val shown = with(viewer) { ShownRecordings(current, compared, board, view, live, notices, { it() }, { null }) { choices } }
+        val shown = with(viewer) { ShownRecordings(current, compared, board, view, notices, { it() }, { null }) { choices } }
         onWindow { shown.isWaiting } shouldBe true
         withContext(Dispatchers.Swing) {
             val following = launch { shown.run() }
@@ -121,7 +122,7 @@ class ShownRecordingsSpec : FunSpec({
         val viewer = viewerOf(log("a.bag"))
         val own = Board().withGraph(listOf("Arm/Angle"))
         viewer.board.replace(own)
-        viewer.view.change { showing(2.0, 4.0) }
+        viewer.view.send(PlaceAction.Show(2.0, 4.0))
         choosing(viewer) { viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Angle")) }
         viewer.board.state shouldBe own
         viewer.view.viewport.visible.from shouldBe 2.0
@@ -163,7 +164,7 @@ class ShownRecordingsSpec : FunSpec({
             viewer.layouts.apply(layout.copy(graphs = Board().withGraph(listOf("Time"))))
             viewer.current.replace(other)
             viewer.board.replace(own)
-            viewer.view.show(other.span)
+            viewer.view.send(PlaceAction.Open(other.span))
         }
         viewer.board.state shouldBe own
         viewer.view.viewport.isZoomed shouldBe false
@@ -171,7 +172,7 @@ class ShownRecordingsSpec : FunSpec({
 
     test("a log that has grown is shown as it was chosen, with the range where it was, or all of another axis") {
         val viewer = viewerOf(log("a.bag"))
-        viewer.view.change { showing(2.0, 4.0) }
+        viewer.view.send(PlaceAction.Show(2.0, 4.0))
         viewer.shown.show(log("a.bag"))
         viewer.view.viewport.visible shouldBe Span(2.0, 4.0)
         viewer.shown.show(log("a.bag").with(RecordingChoices(overTime = true)))

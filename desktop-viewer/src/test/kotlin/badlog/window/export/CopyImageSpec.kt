@@ -5,7 +5,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.defaultBoard
-import badlog.viewer.choices.range.Viewport
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.export.figure.copyImage
 import badlog.window.waiting.waitFor
@@ -39,7 +39,7 @@ class CopyImageSpec : FunSpec({
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(100, 100) {
             viewer.current.replace(recording)
-            viewer.view.show(recording.span)
+            viewer.view.send(PlaceAction.Open(recording.span))
             viewer.figures.copy(defaultBoard(recording.view).graphs.take(1)) { clipboard }
             waitFor { viewer.notices.all.isNotEmpty() }
             viewer.notices.all.single().text shouldContain "“Arm/Angle”"

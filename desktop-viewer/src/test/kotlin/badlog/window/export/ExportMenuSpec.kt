@@ -12,8 +12,10 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
+import badlog.window.change
 import badlog.window.compare.Comparison
 import badlog.window.files.ChosenFiles
 import badlog.window.folder.LibraryState
@@ -45,7 +47,7 @@ class ExportMenuSpec : FunSpec({
                 val recording = recordingOf(armBag(500), log)
                 viewer.current.replace(recording)
                 viewer.board.replace(defaultBoard(recording.view))
-                viewer.view.show(recording.span)
+                viewer.view.send(PlaceAction.Open(recording.span))
             }
             setContent { ViewerScreen(viewer) }
             test(viewer, files)
@@ -102,7 +104,7 @@ class ExportMenuSpec : FunSpec({
     test("a figure is saved with what was selected for it, has the values at the pinned cursor, and says where it stands") {
         val file = home.resolve("figure.svg")
         window(file) { viewer, files ->
-            viewer.view.changeCursors { pinnedAt(1.0) }
+            viewer.view.send(PlaceAction.GoTo(1.0))
             choose("Export", "Figure for a report…")
             onNodeWithText("3 of 3 graphs").assertExists()
             onNodeWithContentDescription("In the figure: Arm/Current").performClick()
@@ -132,7 +134,7 @@ class ExportMenuSpec : FunSpec({
     test("the selection is saved rather than the visible range, when there is one, also of the topics of the graphs alone, with their units") {
         val file = home.resolve("part.csv")
         window(file) { viewer, files ->
-            viewer.view.select(Span(1.0, 1.1))
+            viewer.view.send(PlaceAction.Select(Span(1.0, 1.1)))
             choose("Export", "The selection as CSV…")
             waitForNotice(viewer, "Wrote 6 rows to $file")
             Files.readAllLines(file).size shouldBe 7

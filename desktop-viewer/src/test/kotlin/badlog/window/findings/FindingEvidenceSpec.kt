@@ -6,11 +6,13 @@ import androidx.compose.ui.test.onAllNodesWithContentDescription
 import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.window.app.Viewer
+import badlog.window.change
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.sample
 import badlog.window.graph.savePicture
 import badlog.window.graph.viewerOf
 import badlog.window.graph.waitForPictures
+import badlog.window.kept
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.doubles.shouldBeLessThan

@@ -4,6 +4,7 @@ import androidx.compose.runtime.snapshots.Snapshot
 import badlog.core.analysis.LogView
 import badlog.files.UserFolders
 import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.sidebar.MainView
 import io.kotest.assertions.nondeterministic.eventually
@@ -31,7 +32,7 @@ class LogFindingsSpec : FunSpec({
     fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
 
     /** The findings of [viewer], found by [find]. */
-    fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FoundInLog) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, viewer.actions::send, rest = { rest() }, find)
+    fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FoundInLog) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, rest = { rest() }, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
         val scope = CoroutineScope(Dispatchers.Main + Job())
@@ -91,7 +92,7 @@ class LogFindingsSpec : FunSpec({
             change { viewer.findings.showWorst(wanted.file) }
             change { viewer.current.replace(wanted) }
             eventually(60.seconds) { viewer.findings.selected?.rule shouldBe "Error" }
-            change { viewer.view.go { copy(visited = null) } }
+            change { viewer.view.send(PlaceAction.Visit(null)) }
             change { viewer.findings.showWorst(wanted.file) }
             viewer.findings.selected?.rule shouldBe "Error"
 

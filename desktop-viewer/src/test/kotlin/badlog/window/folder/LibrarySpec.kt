@@ -12,6 +12,7 @@ import badlog.exporter.BADLOG_VERSION
 import badlog.files.LogFile
 import badlog.files.UserFolders
 import badlog.viewer.catalog.Content
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.layout.FolderLayouts
 import badlog.window.layout.Layout
@@ -101,7 +102,7 @@ class LibrarySpec : FunSpec({
             eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("1.bag") }
             folder.put("2.bag", bag(values = matchValues(2)))
             eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe folder.resolve("2.bag") }
-            withContext(Dispatchers.Main) { viewer.view.change { showing(1.0, 2.0) } }
+            withContext(Dispatchers.Main) { viewer.view.send(PlaceAction.Show(1.0, 2.0)) }
             folder.put("3.bag", bag(values = matchValues(3)))
             eventually(longest) { viewer.library.state.newest?.fileName shouldBe "3.bag" }
             withContext(Dispatchers.Main) { viewer.newest.update(IndexQueue(), isComplete = true) }

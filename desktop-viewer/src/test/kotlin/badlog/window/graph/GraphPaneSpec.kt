@@ -14,6 +14,7 @@ import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.defaultBoard
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.actionCommands
 import badlog.window.theme.Palette
 import badlog.window.theme.Theme
@@ -74,8 +75,9 @@ class GraphPaneSpec : FunSpec({
     }
 
     test("a recording without samples says so") {
+        val viewer = viewerOf(recordingOf(bagOf(0) { 0.0 }))
         runDesktopComposeUiTest(900, 600) {
-            setContent { TestGraphs(viewerOf(recordingOf(bagOf(0) { 0.0 }))) }
+            setContent { TestGraphs(viewer) }
             onNodeWithText("There is nothing to draw in this log").assertExists()
         }
     }
@@ -104,8 +106,8 @@ class GraphPaneSpec : FunSpec({
         val text = """{"topics":[{"name":"$name","unit":"${"u".repeat(300)}","attrs":[]}],"values":[]}""" + "\n$name\n1\n"
         val viewer = viewerOf(recordingOf(text))
         viewer.formulas.add("Not there = 1", "Not there")
-        viewer.view.placeCursor(0.0)
-        viewer.view.select(Span(-0.2, 0.2))
+        viewer.view.send(PlaceAction.MoveCursor(0.0))
+        viewer.view.send(PlaceAction.Select(Span(-0.2, 0.2)))
         runDesktopComposeUiTest(360, 500) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
@@ -149,13 +151,13 @@ class GraphPaneSpec : FunSpec({
     test("each key has a meaning of its own") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
         val commands =
-            actionCommands(viewer.actions::perform)
+            actionCommands(viewer.view::press)
         commands.map { it.meaning }.distinct().size shouldBe commands.size
         val right = commands.first { it.meaning == "Cursor to the next sample" }
-        viewer.view.placeCursor(5.0)
+        viewer.view.send(PlaceAction.MoveCursor(5.0))
         right.action()
         viewer.view.cursor shouldBe 5.1
-        viewer.view.placeCursor(5.17)
+        viewer.view.send(PlaceAction.MoveCursor(5.17))
         right.action()
         viewer.view.cursor shouldBe 5.2
         commands.first { it.meaning == "Cursor ten samples back" }.action()

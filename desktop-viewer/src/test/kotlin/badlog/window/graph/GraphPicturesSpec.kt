@@ -7,7 +7,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
 import badlog.viewer.choices.board.Board
-import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.PlaceAction
 import badlog.window.theme.Palette
 import badlog.window.theme.Theme
 import io.kotest.core.spec.style.FunSpec
@@ -18,7 +18,7 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 class GraphPicturesSpec : FunSpec({
     test("a match in light colors") {
         val viewer = viewerOf(sample("qualification-42.bag"))
-        viewer.view.placeCursor(93.7)
+        viewer.view.send(PlaceAction.MoveCursor(93.7))
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer) }
             waitForPictures(viewer)
@@ -30,9 +30,11 @@ class GraphPicturesSpec : FunSpec({
         val viewer = viewerOf(sample("qualification-42.bag"))
         val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
         viewer.board.replace(Board().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
-        viewer.view.change { showing(85.0, 102.0) }
-        viewer.view.changeCursors { Cursors(pinned = 93.7, second = 97.0, hover = 100.0) }
-        viewer.view.select(Span(92.0, 97.2))
+        viewer.view.send(PlaceAction.Show(85.0, 102.0))
+        viewer.view.send(PlaceAction.Click(93.7, reach = 0.0, isShifted = false))
+        viewer.view.send(PlaceAction.Click(97.0, reach = 0.0, isShifted = true))
+        viewer.view.send(PlaceAction.Hover(100.0))
+        viewer.view.send(PlaceAction.Select(Span(92.0, 97.2)))
         runDesktopComposeUiTest(1100, 860) {
             setContent { TestGraphs(viewer, Theme.DARK) }
             waitForPictures(viewer)

@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
+import badlog.viewer.state.PlaceAction
 import badlog.window.bagOf
 import badlog.window.compare.DrawnRecording
 import badlog.window.graph.plot.drawnLines
@@ -31,7 +32,7 @@ class LegendSpec : FunSpec({
     test("of eight lines with long names those without room stand behind a number, which lists them with their values") {
         val viewer = viewerOf(long).apply {
             board.replace(Board(listOf(BoardGraph(1, "Azimuths", names))))
-            view.placeCursor(1.0)
+            view.send(PlaceAction.MoveCursor(1.0))
         }
         runDesktopComposeUiTest(700, 600) {
             setContent { TestGraphs(viewer) }

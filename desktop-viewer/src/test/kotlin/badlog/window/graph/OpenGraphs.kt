@@ -13,7 +13,7 @@ import androidx.compose.ui.test.onRoot
 import badlog.core.analysis.LogView
 import badlog.core.bag.BagParser
 import badlog.files.UserFolders
-import badlog.viewer.choices.range.Viewport
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.log.OpenRecording
 import badlog.window.theme.Theme
@@ -40,7 +40,7 @@ internal fun viewerOf(recording: OpenRecording?): Viewer {
         if (recording == null) return@apply
         current.replace(recording)
         board.replace(recording.standardGraphs)
-        view.show(recording.span)
+        view.send(PlaceAction.Open(recording.span))
     }
 }
 

@@ -14,6 +14,8 @@ import androidx.compose.ui.test.performMultiModalInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.core.analysis.Span
+import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.log.OpenRecording
 import io.kotest.core.spec.style.FunSpec
@@ -65,7 +67,7 @@ class PlotGesturesSpec : FunSpec({
 
     test("the wheel sideways moves along, and so does Shift with the wheel") {
         graph { viewer ->
-            viewer.view.change { showing(40.0, 60.0) }
+            viewer.view.send(PlaceAction.Show(40.0, 60.0))
             waitForIdle()
             plot().performMouseInput {
                 moveTo(center)
@@ -137,7 +139,7 @@ class PlotGesturesSpec : FunSpec({
 
     test("the middle button, Shift and the axis move the graphs along") {
         graph { viewer ->
-            viewer.view.change { showing(40.0, 60.0) }
+            viewer.view.send(PlaceAction.Show(40.0, 60.0))
             waitForIdle()
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
@@ -168,13 +170,14 @@ class PlotGesturesSpec : FunSpec({
                 release()
             }
             viewer.view.viewport.visible.from shouldBe (40.0 plusOrMinus 0.1)
-            viewer.view.viewport.back().visible.from shouldBe (45.0 plusOrMinus 0.1)
+            viewer.view.press(KeyAction.PREVIOUS_VIEW)
+            viewer.view.viewport.visible.from shouldBe (45.0 plusOrMinus 0.1)
         }
     }
 
     test("Escape gives up a drag, and then the selection") {
         graph { viewer ->
-            viewer.view.select(Span(1.0, 2.0))
+            viewer.view.send(PlaceAction.Select(Span(1.0, 2.0)))
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
                 press()

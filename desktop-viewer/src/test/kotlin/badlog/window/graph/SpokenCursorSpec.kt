@@ -11,8 +11,10 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.ViewerScreen
 import badlog.window.bagOf
+import badlog.window.change
 import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -38,8 +40,8 @@ class SpokenCursorSpec : FunSpec({
             onNode(region).assertTextEquals("")
 
             runOnIdle {
-                viewer.view.placeCursor(4.0)
-                viewer.actions.perform(KeyAction.NEXT_SAMPLE)
+                viewer.view.send(PlaceAction.MoveCursor(4.0))
+                viewer.view.press(KeyAction.NEXT_SAMPLE)
             }
             onNode(region).assertTextEquals("5.000 V, Voltage 7 V, Current 10 V")
             // A screen reader ignores what takes no room.
@@ -54,15 +56,15 @@ class SpokenCursorSpec : FunSpec({
     test("of two cursors, the one that keys move is said, without the values of hidden lines") {
         val viewer = viewer()
         viewer.board.change { withLineHidden(1, "Voltage", true) }
-        viewer.view.placeCursor(4.0)
-        viewer.actions.perform(KeyAction.SECOND_CURSOR)
-        viewer.actions.perform(KeyAction.NEXT_SAMPLE)
+        viewer.view.send(PlaceAction.MoveCursor(4.0))
+        viewer.view.press(KeyAction.SECOND_CURSOR)
+        viewer.view.press(KeyAction.NEXT_SAMPLE)
         viewer.spoken.state shouldBe "5.000 V, Current 10 V"
     }
 
     test("a finding is said where it is") {
         val viewer = viewer()
-        viewer.view.changeCursors { pinnedAt(3.0) }
+        viewer.view.send(PlaceAction.GoTo(3.0))
         viewer.spoken.sayFinding("Browned out")
         viewer.spoken.state shouldBe "3.000 V: Browned out"
     }

@@ -11,8 +11,8 @@ import badlog.core.analysis.Span
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.defaultBoard
-import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.export.armBag
@@ -65,7 +65,7 @@ class LayoutMenuSpec : FunSpec({
             val viewer = Viewer(MainScope(), UserFolders(home, home), files = files)
             viewer.current.replace(recording)
             viewer.board.replace(Board().withGraph(listOf("Arm/Current")))
-            viewer.view.show(recording.span)
+            viewer.view.send(PlaceAction.Open(recording.span))
             setContent { ViewerScreen(viewer) }
             choose("Save the layout as…")
             waitForNotice(viewer, "Saved the layout to $file")
@@ -90,9 +90,9 @@ class LayoutMenuSpec : FunSpec({
             val open = recordingOf(armBag(500), own)
             viewer.current.replace(open)
             viewer.board.replace(Board())
-            viewer.view.show(open.span)
+            viewer.view.send(PlaceAction.Open(open.span))
             setContent { ViewerScreen(viewer) }
-            viewer.actions.perform(KeyAction.NEXT_LAYOUT)
+            viewer.view.press(KeyAction.NEXT_LAYOUT)
             waitForNotice(viewer, "No layout is kept yet; Ctrl+S saves one beside the logs, such as “Power” or “Drive”.")
             fun keep(name: String, line: String) {
                 files.file = folder.resolve(name + Layout.ENDING)
@@ -103,12 +103,12 @@ class LayoutMenuSpec : FunSpec({
             keep("Power", "Arm/Current")
             keep("Arm", "Arm/Angle")
             runOnIdle {
-                viewer.view.change { showing(1.0, 2.0) }
-                viewer.actions.perform(KeyAction.NEXT_LAYOUT)
+                viewer.view.send(PlaceAction.Show(1.0, 2.0))
+                viewer.view.press(KeyAction.NEXT_LAYOUT)
             }
             waitFor { viewer.board.state.graphs.single().title == "Arm/Current" }
             viewer.view.viewport.visible shouldBe Span(1.0, 2.0)
-            runOnIdle { viewer.actions.perform(KeyAction.NEXT_LAYOUT) }
+            runOnIdle { viewer.view.press(KeyAction.NEXT_LAYOUT) }
             waitFor { viewer.board.state.graphs.single().title == "Arm/Angle" }
             choose("Power")
             waitFor { viewer.board.state.graphs.single().title == "Arm/Current" }

@@ -5,7 +5,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.defaultBoard
-import badlog.viewer.choices.range.Viewport
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.compare.Comparison
 import badlog.window.export.armBag
@@ -34,15 +34,15 @@ class LayoutSpec : FunSpec({
     fun viewerOver(graphs: Board? = null) = Viewer(MainScope(), UserFolders(home, home)).apply {
         library.change { LibraryState(folder) }
         current.replace(arm)
-        view.show(arm.span)
+        view.send(PlaceAction.Open(arm.span))
         board.replace(graphs ?: defaultBoard(arm.view))
     }
 
     test("a window saved and opened again is the same window") {
         val other = Files.writeString(folder.resolve("other.bag"), "")
         val arranged = viewerOver(Board(listOf(chosen)))
-        arranged.view.change { showing(1.0, 2.0) }
-        arranged.view.select(Span(1.2, 1.4))
+        arranged.view.send(PlaceAction.Show(1.0, 2.0))
+        arranged.view.send(PlaceAction.Select(Span(1.2, 1.4)))
         arranged.compared.change { Comparison(checked = listOf(other)) }
         arranged.panels.change { Panels(topics = false, inspector = InspectorTab.EVENTS, main = MainView.STATISTICS) }
         val file = home.resolve("a${Layout.ENDING}")

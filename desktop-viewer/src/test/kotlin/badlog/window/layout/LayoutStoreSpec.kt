@@ -9,12 +9,13 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.defaultBoard
-import badlog.viewer.choices.range.Viewport
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState
 import badlog.window.graph.withFormulas
+import badlog.window.kept
 import badlog.window.log.OpenRecording
 import badlog.window.log.RecordingChoices
 import badlog.window.sidebar.Panels
@@ -40,7 +41,7 @@ class LayoutStoreSpec : FunSpec({
             }
             viewer.library.change { LibraryState(folder) }
             waitFor { viewer.layouts.folder == folder }
-            viewer.view.show(recording.span)
+            viewer.view.send(PlaceAction.Open(recording.span))
             viewer.current.replace(recording)
             viewer.layouts.showGraphs(recording)
             waitFor { viewer.board.state.graphs.isNotEmpty() }
@@ -62,7 +63,7 @@ class LayoutStoreSpec : FunSpec({
         val other = recordingOf(armBag(500), folder.resolve("other.bag"))
         started(home, folder, one) {
             it.board.replace(Board().withGraph(listOf("Arm/Current", "Arm/Mode")))
-            it.view.change { showing(2.0, 3.0) }
+            it.view.send(PlaceAction.Show(2.0, 3.0))
             it.panels.change { Panels(topics = false) }
         }
         hasArranged(home, folder)?.graphs?.graphs?.map { it.lines } shouldBe listOf(listOf("Arm/Current", "Arm/Mode"))
@@ -94,7 +95,7 @@ class LayoutStoreSpec : FunSpec({
     test("the recording that was open is shown where it was left") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(500), home.resolve("one.bag"))
-        started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
+        started(home, home, one) { it.view.send(PlaceAction.Show(2.0, 3.0)) }
         started(home, home, one) { it.view.viewport.visible shouldBe Span(2.0, 3.0) }
     }
 
@@ -216,7 +217,7 @@ class LayoutStoreSpec : FunSpec({
     test("the log that was open over a folder is known at the next start") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
-        started(home, home, one) { it.view.change { showing(2.0, 3.0) } }
+        started(home, home, one) { it.view.send(PlaceAction.Show(2.0, 3.0)) }
         suspend fun last() = Viewer(MainScope(), UserFolders(home, home)).layouts.lastOpenIn(home)
         last() shouldBe null
         Files.createFile(one.file)

@@ -3,6 +3,7 @@ package badlog.window.layout
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.window.app.Viewer
+import badlog.window.change
 import badlog.window.export.armBag
 import badlog.window.export.recordingOf
 import badlog.window.folder.LibraryState

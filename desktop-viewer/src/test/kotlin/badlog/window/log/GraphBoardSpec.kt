@@ -4,17 +4,24 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.input.KeyAction
 import badlog.window.app.Viewer
+import badlog.window.bagOf
+import badlog.window.change
 import badlog.window.findings.findingsIn
 import badlog.window.graph.graphActions
 import badlog.window.graph.sample
 import badlog.window.graph.viewerOf
+import badlog.window.kept
+import badlog.window.recordingOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 
 class GraphBoardSpec : FunSpec({
-    fun abc() = GraphBoard().apply { replace(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))) }
+    val names = "ABCDEFXY".map { "$it" }
+    val log = recordingOf(bagOf(listOf("Time|xaxis") + names, List(2) { row -> (listOf("Time") + names).joinToString(",") { "$row" } }))
+
+    fun abc() = viewerOf(log).board.apply { replace(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))) }
 
     fun lines(board: GraphBoard) = board.state.graphs.map { it.lines }
 

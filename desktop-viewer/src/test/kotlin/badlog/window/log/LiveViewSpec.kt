@@ -1,5 +1,6 @@
 package badlog.window.log
 
+import badlog.viewer.state.PlaceAction
 import badlog.window.bagOf
 import badlog.window.graph.viewerOf
 import badlog.window.recordingOf
@@ -11,7 +12,7 @@ class LiveViewSpec : FunSpec({
 
     fun growing() = viewerOf(log(10)).apply {
         live.grows(current.recording?.file)
-        view.change { showing(5.0, 10.0) }
+        view.send(PlaceAction.Show(5.0, 10.0))
         live.begin()
     }
 

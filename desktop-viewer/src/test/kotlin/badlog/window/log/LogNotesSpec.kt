@@ -9,6 +9,7 @@ import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.exporter.NotesFile
 import badlog.files.UserFolders
 import badlog.viewer.choices.note.Note
+import badlog.viewer.state.PlaceAction
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.sidebar.FrontPart
@@ -37,7 +38,7 @@ class LogNotesSpec : FunSpec({
     fun viewer(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply {
         val open = OpenRecording.read(log)
         current.replace(open)
-        view.show(open.span)
+        view.send(PlaceAction.Open(open.span))
         panels.change { copy(inspector = InspectorTab.NOTES) }
     }
 
@@ -48,7 +49,7 @@ class LogNotesSpec : FunSpec({
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             scope.launch { viewer.notes.run() }
             waitFor { viewer.notes.state.log == log.toAbsolutePath() }
-            viewer.view.placeCursor(42.0)
+            viewer.view.send(PlaceAction.MoveCursor(42.0))
             onNodeWithContentDescription("Write a note at the cursor (M)").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
             onNodeWithContentDescription("Save the note (Enter)").performClick()

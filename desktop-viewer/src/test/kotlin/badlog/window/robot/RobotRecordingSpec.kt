@@ -22,8 +22,10 @@ import badlog.rules.RuleSet
 import badlog.signals.withSignals
 import badlog.viewer.choices.board.Board
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
+import badlog.window.change
 import badlog.window.waiting.waitFor
 import badlog.window.waiting.waitForNotice
 import io.kotest.core.annotation.Tags
@@ -94,16 +96,16 @@ class RobotRecordingSpec : FunSpec({
                 val end = viewer.current.recording!!.span.to
                 waitFor { viewer.current.recording!!.span.to > end + 0.5 && viewer.view.cursors.pinned == viewer.current.recording!!.span.to }
                 waitFor { viewer.notes.state.log == log }
-                runOnUiThread { viewer.actions.perform(KeyAction.MARK) }
+                runOnUiThread { viewer.view.press(KeyAction.MARK) }
                 waitFor { NotesFile.read(log).notes.map { it.text } == listOf("Mark 1") }
 
                 val (begin, here) = viewer.current.recording!!.span.run { from to to }
-                runOnUiThread { viewer.view.go { at((begin + here) / 2) } }
+                runOnUiThread { viewer.view.send(PlaceAction.GoTo((begin + here) / 2)) }
                 waitFor { !viewer.live.isStaying }
                 waitFor { viewer.current.recording!!.span.to > here + 0.5 }
                 viewer.view.cursors.pinned shouldBe (begin + here) / 2
                 // A moment that somebody marks is now, wherever they look.
-                runOnUiThread { viewer.actions.perform(KeyAction.MARK) }
+                runOnUiThread { viewer.view.press(KeyAction.MARK) }
                 waitFor { NotesFile.read(log).notes.any { it.text == "Mark 2" && it.x > here } }
                 onNodeWithContentDescription("Follow the log while it is written (End)").performClick()
                 viewer.live.isStaying shouldBe true

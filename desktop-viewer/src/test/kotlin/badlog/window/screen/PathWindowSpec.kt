@@ -1,6 +1,7 @@
 package badlog.window.screen
 
 import badlog.viewer.draw.path.Field
+import badlog.viewer.state.PlaceAction
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -32,7 +33,7 @@ class PathWindowSpec : FunSpec({
         RealWindow(tempdir().toPath(), log).use { window ->
             window.awaitState("the log") { it.current.recording?.fieldPicture != null }
             window.awaitGraphs()
-            window.look { it.view.go { at(DEPARTED) } }
+            window.look { it.view.send(PlaceAction.GoTo(DEPARTED)) }
             window.awaitGraphs()
             // Nothing else in the window is like it.
             window.awaitLook("the carpet of the field") { picture ->

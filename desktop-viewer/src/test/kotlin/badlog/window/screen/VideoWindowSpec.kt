@@ -1,5 +1,6 @@
 package badlog.window.screen
 
+import badlog.viewer.state.PlaceAction
 import badlog.window.video.CountedVideo
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
@@ -23,7 +24,7 @@ class VideoWindowSpec : FunSpec({
             window.press(KeyEvent.VK_PERIOD)
             window.awaitState("the next frame") { viewer -> viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } == 1 }
             window.look { Math.round((it.view.cursor ?: 0.0) * 1000) } shouldBe 2052L
-            window.look { it.view.go { at(9.5) } }
+            window.look { it.view.send(PlaceAction.GoTo(9.5)) }
             window.awaitState("the frame of the cursor") { viewer ->
                 viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } == 224
             }

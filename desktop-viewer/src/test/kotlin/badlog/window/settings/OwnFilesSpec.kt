@@ -10,6 +10,7 @@ import badlog.catalog.folder.putSamples
 import badlog.files.UserFolders
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
+import badlog.window.change
 import badlog.window.theme.Theme
 import badlog.window.waiting.waitFor
 import io.kotest.core.annotation.Tags

@@ -17,6 +17,7 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import androidx.compose.ui.text.TextLayoutResult
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.word
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
@@ -56,7 +57,7 @@ class FindingsPanelSpec : FunSpec({
     test("a click on a finding takes the cursor and the view there, and the keys go on from it") {
         val recording = counted(folderOf(ruleText("Early", "A < 5", "error"), ruleText("Late", "A > 90"), ruleText("None", "X > 1")))
         val viewer = inspecting(recording)
-        viewer.view.change { showing(40.0, 50.0) }
+        viewer.view.send(PlaceAction.Show(40.0, 50.0))
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             onNodeWithText("1 error, 1 warning").assertExists()
@@ -65,7 +66,7 @@ class FindingsPanelSpec : FunSpec({
                 viewer.view.cursor shouldBe viewer.findings.state.list?.timeline?.places?.last()?.span?.from
                 (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
                 viewer.panels.state.front shouldBe FrontPart.GRAPHS
-                viewer.actions.perform(KeyAction.PREVIOUS_FINDING)
+                viewer.view.press(KeyAction.PREVIOUS_FINDING)
             }
             onNodeWithContentDescription("Finding, error: Early").assertIsSelected()
             onNodeWithText("None").assertDoesNotExist()

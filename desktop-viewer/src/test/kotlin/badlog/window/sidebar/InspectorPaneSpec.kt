@@ -14,6 +14,7 @@ import badlog.core.recording.Severity
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.statistics.Histogram
+import badlog.viewer.state.PlaceAction
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.bagOf
@@ -35,14 +36,14 @@ class InspectorPaneSpec : FunSpec({
 
     fun viewerOf(recording: OpenRecording, tab: InspectorTab) = Viewer(MainScope(), UserFolders(home, home)).apply {
         current.replace(recording)
-        view.show(recording.span)
+        view.send(PlaceAction.Open(recording.span))
         panels.change { copy(inspector = tab) }
     }
 
     test("a click on an event takes the cursor and the view there; the cursor marks the nearest") {
         val rows = List(100_000) { "$it,event $it" }
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), rows)), InspectorTab.EVENTS)
-        viewer.view.change { showing(50_000.0, 50_010.0) }
+        viewer.view.send(PlaceAction.Show(50_000.0, 50_010.0))
         viewer.panels.change { copy(front = FrontPart.DETAILS) }
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
@@ -53,7 +54,7 @@ class InspectorPaneSpec : FunSpec({
                 (3.0 in viewer.view.viewport.visible) shouldBe true
                 viewer.panels.state.front shouldBe FrontPart.GRAPHS
             }
-            viewer.view.placeCursor(77_777.4)
+            viewer.view.send(PlaceAction.MoveCursor(77_777.4))
             waitFor { onAllNodesWithText("event 77777").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithContentDescription("Event at 77777: event 77777").assertIsSelected()
             onNodeWithContentDescription("Search events").performTextInput("event 99999")
@@ -91,7 +92,7 @@ class InspectorPaneSpec : FunSpec({
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitFor { onAllNodesWithText("Visible range").fetchSemanticsNodes().isNotEmpty() }
             onAllNodesWithText("1.5 V").fetchSemanticsNodes().size shouldBe 2
-            viewer.view.select(Span(1.0, 2.0))
+            viewer.view.send(PlaceAction.Select(Span(1.0, 2.0)))
             waitFor { onAllNodesWithText("Selection").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("1.5 V").assertDoesNotExist()
             onAllNodesWithText("4 V").fetchSemanticsNodes().size shouldBe 1
@@ -101,7 +102,7 @@ class InspectorPaneSpec : FunSpec({
     test("the panel of values draws a topic that a search finds, and then leads to its graph") {
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A", "Bus"), listOf("0,1,4", "1,2,5"))), InspectorTab.CURSOR)
         viewer.board.replace(Board().withGraph(listOf("A")))
-        viewer.view.placeCursor(1.0)
+        viewer.view.send(PlaceAction.MoveCursor(1.0))
         runDesktopComposeUiTest(320, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             waitFor { onAllNodesWithContentDescription("Go to the graph of A").fetchSemanticsNodes().isNotEmpty() }

@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
 import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.bagOf
@@ -49,7 +50,7 @@ class ModulesPanelSpec : FunSpec({
 
     fun viewerOf(recording: OpenRecording) = Viewer(MainScope(), UserFolders(home, home)).apply {
         current.replace(recording)
-        view.show(recording.span)
+        view.send(PlaceAction.Open(recording.span))
     }
 
     test("the worst module is named, its largest error takes the cursor there, and the arrows have the modules' colors") {
@@ -64,7 +65,7 @@ class ModulesPanelSpec : FunSpec({
             val pixels = onNodeWithContentDescription("Modules at the cursor").performScrollTo().captureToImage().toPixelMap()
             val ofModule = (0 until pixels.height).sumOf { y -> (0 until pixels.width).count { pixels[it, y] == Palette.LIGHT.line(2) } }
             ofModule shouldBeGreaterThan 50
-            viewer.view.change { showing(3.1, 3.4) }
+            viewer.view.send(PlaceAction.Show(3.1, 3.4))
             waitFor { onAllNodesWithText("15.0° RMS").fetchSemanticsNodes().isNotEmpty() }
             // A log that has grown has the numbers of before until its own are known.
             runOnIdle { viewer.current.replace(drive(hasTargets = true)) }
@@ -88,7 +89,7 @@ class ModulesPanelSpec : FunSpec({
             onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0
         }
         val none = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))))
-        none.actions.perform(KeyAction.MODULES)
+        none.view.press(KeyAction.MODULES)
         runDesktopComposeUiTest(420, 800) {
             setContent { ViewerTheme(Theme.DARK) { TestInspector(none) } }
             onNodeWithText("This log has no swerve modules", substring = true).assertExists()

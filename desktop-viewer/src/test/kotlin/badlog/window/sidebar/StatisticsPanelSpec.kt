@@ -3,7 +3,7 @@ package badlog.window.sidebar
 import badlog.core.analysis.Span
 import badlog.files.UserFolders
 import badlog.viewer.shown.cursor.Cursors
-import badlog.viewer.shown.statistics.Statistic
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.compare.DrawnRecording
 import badlog.window.findings.counted
@@ -24,17 +24,17 @@ class StatisticsPanelSpec : FunSpec({
         viewer.show(counted(home))
         val before = asked()
         for (x in listOf(3.0, 4.0)) {
-            viewer.view.placeCursor(x)
+            viewer.view.send(PlaceAction.MoveCursor(x))
             asked() shouldBe before
         }
-        viewer.view.change { showing(10.0, 20.0) }
+        viewer.view.send(PlaceAction.Show(10.0, 20.0))
         val zoomed = asked()
         zoomed shouldNotBe before
-        viewer.view.select(Span(12.0, 13.0))
+        viewer.view.send(PlaceAction.Select(Span(12.0, 13.0)))
         asked().part shouldBe NamedSpan("Selection", Span(12.0, 13.0))
-        viewer.view.select(null)
+        viewer.view.send(PlaceAction.Select(null))
         asked() shouldBe zoomed
-        viewer.view.changeCursors { pinnedAt(15.0).shiftClicked(12.0, 0.1) }
+        for (x in listOf(15.0, 12.0)) viewer.view.send(PlaceAction.Click(x, reach = 0.1, isShifted = x == 12.0))
         asked().part shouldBe NamedSpan(Cursors.BETWEEN, Span(12.0, 15.0))
     }
 
@@ -43,7 +43,7 @@ class StatisticsPanelSpec : FunSpec({
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         val open = sample("qualification-42.bag")
         viewer.show(open)
-        viewer.view.change { showing(10.0, 20.0) }
+        viewer.view.send(PlaceAction.Show(10.0, 20.0))
         spanOf(StatisticsRange.SHOWN, open, viewer.view) shouldBe NamedSpan("Visible range", Span(10.0, 20.0))
         spanOf(StatisticsRange.ALL, open, viewer.view)?.span shouldBe open.span
         val enabled = spanOf(StatisticsRange.ENABLED, open, viewer.view).shouldNotBeNull().span
@@ -54,9 +54,9 @@ class StatisticsPanelSpec : FunSpec({
         parts.width shouldBeLessThan enabled.width - 1
         val cells = rangeStatistics(listOf(DrawnRecording(open)), listOf("System/Enabled"), parts).signals.single().cells
         cells.map { it.name } shouldBe listOf("first", "last", "samples", "in true")
-        viewer.view.changeCursors { pinnedAt(15.0).shiftClicked(12.0, 0.1) }
+        for (x in listOf(15.0, 12.0)) viewer.view.send(PlaceAction.Click(x, reach = 0.1, isShifted = x == 12.0))
         titleOfShown(viewer.view) shouldBe "A–B"
-        viewer.view.changeCursors { Cursors() }
+        repeat(3) { viewer.view.send(PlaceAction.Cancel) }
         val never = counted(home)
         spanOf(StatisticsRange.ENABLED, never, viewer.view) shouldBe null
         askedFor(viewer.compared, viewer.board, viewer.view, null).part.name shouldBe "Visible range"

@@ -12,6 +12,7 @@ import badlog.formats.wpilog.largeLog
 import badlog.formats.wpilog.parseLog
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.Notebook
+import badlog.viewer.state.PlaceAction
 import badlog.window.TestTopics
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.savePicture
@@ -62,7 +63,7 @@ class LargeLogSpec : FunSpec({
         val viewer = viewerOf(large).apply {
             board.replace(large.standardGraphs)
             notes.change { StoredNotes(notebook = Notebook(listOf(Note(4.0, "hit by 254")))) }
-            view.placeCursor(4.0)
+            view.send(PlaceAction.MoveCursor(4.0))
         }
         runDesktopComposeUiTest(1006, 600) {
             setContent { TestGraphs(viewer) }

@@ -14,6 +14,7 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
+import badlog.viewer.state.PlaceAction
 import badlog.window.TestTopics
 import badlog.window.app.Viewer
 import badlog.window.bagOf
@@ -81,11 +82,11 @@ class TopicPaneSpec : FunSpec({
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitFor { onAllNodesWithText("30 V").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("1 event").assertExists()
-            viewer.view.placeCursor(1.4)
+            viewer.view.send(PlaceAction.MoveCursor(1.4))
             onNodeWithText("20 V").assertExists()
-            viewer.view.placeCursor(0.0)
+            viewer.view.send(PlaceAction.MoveCursor(0.0))
             onNodeWithText("10 V").assertExists()
-            viewer.view.placeCursor(-5.0)
+            viewer.view.send(PlaceAction.MoveCursor(-5.0))
             waitFor { onAllNodesWithText("–").fetchSemanticsNodes().isNotEmpty() }
             onNodeWithText("10 V").assertDoesNotExist()
         }
@@ -143,8 +144,9 @@ class TopicPaneSpec : FunSpec({
             null to "Open a log to see its topics.",
             recordingOf("") to "This log has no topics with samples.",
         )) {
+            val viewer = viewerOf(recording)
             runDesktopComposeUiTest(240, 600) {
-                setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewerOf(recording)) } }
+                setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
                 onNodeWithText(sentence).assertExists()
             }
         }

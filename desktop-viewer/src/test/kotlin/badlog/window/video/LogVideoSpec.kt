@@ -2,6 +2,7 @@ package badlog.window.video
 
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.files.UserFolders
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
 import badlog.window.graph.bagOf
@@ -43,15 +44,15 @@ class LogVideoSpec : FunSpec({
                 source
             }
         }
-        viewer.view.show(checkNotNull(viewer.current.recording).span)
+        viewer.view.send(PlaceAction.Open(checkNotNull(viewer.current.recording).span))
         scope.launch { video.run() }
         video.open(home.resolve("match.mp4"))
         answer(frame(0.0, leads = false))
-        viewer.view.placeCursor(10.0)
+        viewer.view.send(PlaceAction.MoveCursor(10.0))
         video.toggleLink()
         Snapshot.sendApplyNotifications()
         video.step(1)
-        viewer.view.placeCursor(20.0)
+        viewer.view.send(PlaceAction.MoveCursor(20.0))
         answer(frame(1 / 30.0, leads = true))
         viewer.view.cursor shouldBe 20.0
         Snapshot.sendApplyNotifications()

@@ -1,6 +1,8 @@
 package badlog.window.video
 
 import badlog.core.analysis.Span
+import badlog.viewer.input.KeyAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.graph.bagOf
 import badlog.window.graph.recordingOf
 import badlog.window.graph.viewerOf
@@ -47,18 +49,19 @@ class PlaybackSpec : FunSpec({
 
     test("the view follows the cursor when that leaves it, and the way back is not filled with it") {
         val viewer = viewerOf(recordingOf(bagOf(1001) { 0.0 }))
-        viewer.view.change { showing(0.0, 10.0) }
-        viewer.view.placeCursor(9.9)
+        viewer.view.send(PlaceAction.Show(0.0, 10.0))
+        viewer.view.send(PlaceAction.MoveCursor(9.9))
         viewer.player.toggle()
         viewer.player.advance(0.2)
         viewer.view.cursor.shouldNotBeNull() shouldBe (10.1 plusOrMinus 1e-9)
         (viewer.view.cursor.shouldNotBeNull() in viewer.view.viewport.visible) shouldBe true
-        viewer.view.viewport.back().isZoomed shouldBe false
+        viewer.view.press(KeyAction.PREVIOUS_VIEW)
+        viewer.view.viewport.isZoomed shouldBe false
     }
 
     test("play at the end begins again") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        viewer.view.placeCursor(10.0)
+        viewer.view.send(PlaceAction.MoveCursor(10.0))
         viewer.player.toggle()
         viewer.view.cursor shouldBe 0.0
         viewer.player.state.isPlaying shouldBe true
@@ -66,7 +69,7 @@ class PlaybackSpec : FunSpec({
 
     test("a selection is what is played") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
-        viewer.view.select(Span(2.0, 2.1))
+        viewer.view.send(PlaceAction.Select(Span(2.0, 2.1)))
         viewer.player.change { Playback(loops = true) }
         viewer.player.toggle()
         repeat(20) {

@@ -8,6 +8,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.v2.runDesktopComposeUiTest
 import badlog.files.UserFolders
+import badlog.viewer.state.PlaceAction
 import badlog.window.TestInspector
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
@@ -69,7 +70,7 @@ class VideoPanelSpec : FunSpec({
                 viewer.view.cursor shouldBe 12.0
             }
             for (number in listOf(299, 0, 150, 149, 151, 75)) {
-                runOnIdle { viewer.view.placeCursor(10 + (number + 0.5) / CountedVideo.FRAMES_PER_SECOND) }
+                runOnIdle { viewer.view.send(PlaceAction.MoveCursor(10 + (number + 0.5) / CountedVideo.FRAMES_PER_SECOND)) }
                 waitFor { shown(viewer) == number }
             }
             onNodeWithContentDescription("Next frame (.)").performClick()
@@ -91,7 +92,7 @@ class VideoPanelSpec : FunSpec({
             runOnIdle { viewer.video.alignEnabled() }
             for (speed in listOf(0.25, 4.0)) {
                 runOnIdle {
-                    viewer.view.placeCursor(13.0)
+                    viewer.view.send(PlaceAction.MoveCursor(13.0))
                     viewer.player.change { copy(isPlaying = true, speed = speed) }
                     repeat(8) { viewer.player.advance(0.05) }
                 }
@@ -104,7 +105,7 @@ class VideoPanelSpec : FunSpec({
     test("without a link, video and cursor go their own ways; linked again, the frame belongs where the cursor is") {
         inWindow(video) { viewer ->
             open(viewer)
-            runOnIdle { viewer.view.go { at(20.0) } }
+            runOnIdle { viewer.view.send(PlaceAction.GoTo(20.0)) }
             onNodeWithContentDescription("Next frame (.)").performClick()
             waitFor { shown(viewer) == 1 }
             runOnIdle { viewer.view.cursor shouldBe 20.0 }
@@ -113,7 +114,7 @@ class VideoPanelSpec : FunSpec({
             onNodeWithContentDescription("Link video and cursor").performClick()
             runOnIdle {
                 viewer.video.state.alignment shouldBe null
-                viewer.view.go { at(25.0) }
+                viewer.view.send(PlaceAction.GoTo(25.0))
             }
             onNodeWithContentDescription("Next frame (.)").performClick()
             waitFor { shown(viewer) == 2 }

@@ -11,6 +11,7 @@ import badlog.catalog.folder.bag
 import badlog.catalog.folder.put
 import badlog.catalog.folder.samples
 import badlog.files.UserFolders
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
 import badlog.window.files.ChosenFiles
@@ -65,7 +66,7 @@ class WelcomeSpec : FunSpec({
                 onNodeWithContentDescription("Open the sample match").performClick()
                 waitFor { viewer.current.recording != null }
                 onNodeWithContentDescription("Welcome").assertDoesNotExist()
-                viewer.view.change { showing(10.0, 20.0) }
+                viewer.view.send(PlaceAction.Show(10.0, 20.0))
                 onNodeWithContentDescription("Folder").performClick()
                 onNodeWithText("Close log").performClick()
                 onNodeWithContentDescription("Welcome").assertExists()

@@ -13,8 +13,21 @@ private val TABLE = moduleTable(File(ROOT, "docs/architecture.md"))
 
 private val MODULES_OF_PACKAGES = SOURCES.filter { !it.isTest }.groupBy({ it.packageName }, { it.module }).mapValues { it.value.toSet() }
 
-/** What `libraries/season/build.gradle` only compiles with. */
+/** The packages that `libraries/season/build.gradle` needs only for compiling. */
 private val LOADED_BY_PROGRAM = listOf("badlog.charts", "badlog.cli", "badlog.report")
+
+private val FRONT_ENDS = setOf("desktop-viewer", "html-export/page")
+
+/** The files with the state before the first action. */
+private val FIRST_STATES = setOf("StateVariable.kt", "PageStore.kt")
+
+/** What makes or changes a place, a board or the state. */
+private val CHANGES_OF_STATE = listOf(
+    Regex("""(?<![\w.])(ViewerState|Viewport|BoardHistory|FindingsState)\("""),
+    Regex("""\b(state|place|viewport|cursors|findings|stay|history)\.copy\((place|board|findings|stay|range|cursors|selection|visited|visible|full|pinned|second|hover) ="""),
+    Regex("""(?<!fun )\bBoard\(\)\.with|\.(withGraphs?|withLines?|withLinesInLast|withToggled|withOwnToggled|withoutLine|withoutSignal|withXy)\("""),
+    Regex("""\.(withSwappedAxes|withOrigin|withPlane|withYRange|withSharedY|withLineHidden|movedBefore|resized|renamed)\("""),
+)
 
 class ArchitectureSpec : FunSpec({
     test("the sources of robot, page, window and benchmarks are read") {
@@ -41,17 +54,26 @@ class ArchitectureSpec : FunSpec({
         }.shouldBeEmpty()
     }
 
-    test("only the commands of season use the program that loads them: it is not there where Spark runs") {
+    test("only the commands of season use the program that loads them, because Spark runs without it") {
         SOURCES.filter { it.module == "season" && !it.isTest && it.packageName != "badlog.season.command" }
             .flatMap { file -> file.imports.filter { name -> LOADED_BY_PROGRAM.any { name.startsWith("$it.") } }.map { "${file.path}: $it" } }
             .shouldBeEmpty()
+    }
+
+    // The compiler forbids other transitions: these are internal to the viewer.
+    test("page and window read the state of the viewer and send actions; they make and change no part of it") {
+        SOURCES.filter { it.module in FRONT_ENDS && !it.isTest && it.sourceSet != "benchmark" && it.path.substringAfterLast('/') !in FIRST_STATES }
+            .flatMap { file ->
+                File(ROOT, file.path).readLines().filter { line -> !line.startsWith("import ") && CHANGES_OF_STATE.any { it in line } }
+                    .map { "${file.path}: ${it.trim()}" }
+            }.shouldBeEmpty()
     }
 
     test("a package is in one module") {
         MODULES_OF_PACKAGES.filter { it.key.isNotEmpty() && it.value.size > 1 }.keys.shouldBeEmpty()
     }
 
-    // Robots in tests stand where a team's program would.
+    // Robots in tests have the package of a team's program.
     test("the packages of a module begin with the name that docs/architecture.md gives them") {
         SOURCES.filter { !it.isTest }.mapNotNull { file ->
             val name = TABLE.single { it.module == file.module }.packageName

@@ -7,14 +7,14 @@ private val NAME = Regex("`([^`]+)`")
 /**
  * A row of the table of modules in `docs/architecture.md`.
  *
- * @property module its folder; those in `libraries/` go without it.
- * @property packageName what the names of its packages begin with; empty for a module without packages.
+ * @property module its folder, without `libraries/`.
+ * @property packageName the common beginning of its packages' names; empty for a module without packages.
  * @property mayUse the modules that its code may use.
- * @property testsMayUse those that only its tests may use.
+ * @property testsMayUse the modules that only its tests may use.
  */
 internal class ModuleRow(val module: String, val packageName: String, val mayUse: List<String>, val testsMayUse: List<String>)
 
-/** The rows of the one table of [file] whose first heading is “module”. */
+/** Returns the rows of the table in [file] with “module” as its first heading. */
 internal fun moduleTable(file: File): List<ModuleRow> = file.readLines()
     .dropWhile { !it.startsWith("| module |") }
     .drop(2)

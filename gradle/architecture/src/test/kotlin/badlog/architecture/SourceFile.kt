@@ -15,11 +15,11 @@ private val DECLARATION = Regex(
  * A source file of the project.
  *
  * @property path its path, relative to the project's folder.
- * @property module the folder of its module; those in `libraries/` go without it.
+ * @property module the folder of its module, without `libraries/`.
  * @property sourceSet the folder under `src`, as in `jsMain`.
  * @property packageName its package, empty if it has none.
- * @property imports the full names that it imports; those of a star import end before the star.
- * @property declared the full names of what it declares at the top level.
+ * @property imports the full names that it imports; the name of a star import ends before the star.
+ * @property declared the full names of its top-level declarations.
  */
 internal class SourceFile(
     val path: String,
@@ -32,7 +32,7 @@ internal class SourceFile(
     val isTest: Boolean get() = "test" in sourceSet.lowercase()
 }
 
-/** All Kotlin and Java files under [root], except what builds left behind. */
+/** Returns all Kotlin and Java files under [root], except those made by builds. */
 internal fun sourcesUnder(root: File): List<SourceFile> = root.walk()
     .onEnter { it == root || (it.name !in setOf("build", "node_modules") && !it.name.startsWith('.')) }
     .filter { it.extension == "kt" || it.extension == "java" }

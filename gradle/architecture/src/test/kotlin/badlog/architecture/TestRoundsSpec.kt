@@ -5,14 +5,14 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import java.io.File
 
-/** Tests wait for conditions, and say in which round they run. */
+/** Tests that all tests wait for conditions and have the tag of a round. */
 class TestRoundsSpec : FunSpec({
     val tests = sourcesUnder(ROOT).filter { it.isTest }.map { it.path }.filterNot { it.endsWith("TestRoundsSpec.kt") }
 
-    test("no test sleeps or measures time, but for those that still have to be mended") {
+    test("no test sleeps or measures time, except for the listed ones") {
         val timed = tests.filter { TIME.containsMatchIn(File(ROOT, it).readText()) && "/measure/" !in it }.map { it.substringAfterLast('/') }
-        // Whoever mends one of them takes its name from the list.
-        timed.sorted() shouldContainExactly (MAY + STILL_TIMED).sorted()
+        // Remove a file from the list when its test no longer needs time.
+        timed.sorted() shouldContainExactly (MAY_USE_TIME + STILL_USE_TIME).sorted()
     }
 
     test("a tag is the name of a round, so that no spec is in none") {
@@ -25,10 +25,10 @@ private val ROOT = File("../..").canonicalFile
 private val TIME = Regex("""Thread\.sleep|\bdelay\(|nanoTime|currentTimeMillis|measureTime|elapsedNow|markNow""")
 private val TAG = Regex("""@Tags\(([^)]*)\)""")
 
-/** What waits for all others, and a real double click. */
-private val MAY = listOf("Eventually.kt", "RealWindow.kt")
+/** The function that waits for all tests, and a real double click. */
+private val MAY_USE_TIME = listOf("Eventually.kt", "RealWindow.kt")
 
-private val STILL_TIMED = listOf(
+private val STILL_USE_TIME = listOf(
     "KilledWorkerSpec.kt",
     "LocalCluster.kt",
     "VendordepProof.kt",

@@ -5,11 +5,11 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import java.io.File
 
-/** What only Unix has is guarded, so that `check` is green on Windows: where it is missing, a test is skipped and says why. */
+/** Tests that uses of Unix are guarded, so that `check` passes on Windows: a test without its requirements is skipped with a reason. */
 class UnixUsesSpec : FunSpec({
-    test("tests and builds use what only Unix has behind a guard") {
+    test("tests and builds guard their uses of Unix") {
         val tests = sourcesUnder(ROOT).filter { it.isTest || it.path.startsWith("benchmarks/") }.map { it.path }
-        val builds = ROOT.walk().onEnter { it == ROOT || (it.name !in PASSED_OVER && !it.name.startsWith('.')) }
+        val builds = ROOT.walk().onEnter { it == ROOT || (it.name !in SKIPPED_FOLDERS && !it.name.startsWith('.')) }
             .filter { it.extension == "gradle" }.map { it.relativeTo(ROOT).invariantSeparatorsPath }
         (tests + builds).filterNot { it.endsWith("UnixUsesSpec.kt") }
             .flatMap { path -> unguarded(File(ROOT, path).readText()).map { "$path: $it" } }.shouldBeEmpty()
@@ -27,20 +27,20 @@ class UnixUsesSpec : FunSpec({
 })
 
 private val ROOT = File("../..").canonicalFile
-private val PASSED_OVER = setOf("build", "node_modules")
+private val SKIPPED_FOLDERS = setOf("build", "node_modules")
 
-/** Permissions, devices, programs and signals of Unix, and links, which Windows makes for administrators only. */
+/** Permissions, devices, programs and signals of Unix, and links, which on Windows need an administrator. */
 private val USE = Regex(
     """setPosixFilePermissions|/dev/(?:full|null)|["']sh["']|#!/bin/sh|["']unshare["']|["']kill["']|createSymbolicLink|["']mkfifo["']|["']chmod["']""",
 )
 
-/** Whatever asks for the system, or whether a program is there. */
+/** Checks of the operating system or of a program's presence. */
 private val GUARD = Regex("""separatorChar|os\.name|isWindows|canExecute|isExecutable|isInstalled|canRun|IF_LINUX|IF_POSSIBLE|supportedFileAttributeViews|/usr/bin/mkfifo""")
 
-/** Where a test begins, up to its body. */
+/** The beginning of a test, up to its body. */
 private val TEST = Regex("""(?m)^ *(?:test|browserTest)\((?:[^{]|\{ [^{}]*\})*\{$""")
 
-/** Returns the lines of [code] that use something of Unix without a guard. */
+/** Returns the lines of [code] that use features of Unix without a guard. */
 private fun unguarded(code: String): List<String> {
     val heads = TEST.findAll(code).toList()
     return USE.findAll(code).mapNotNull { use ->

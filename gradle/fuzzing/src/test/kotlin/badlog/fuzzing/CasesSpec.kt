@@ -8,10 +8,10 @@ import java.io.File
 /** Gradle runs the tests of a module in the module's folder. */
 private val CORPORA = listOf("../../core/conformance", "../../libraries/formats/conformance").map(::File)
 
-/** Every seed, and all that coverage-guided fuzzing has found, so that it stays mended. */
+/** Reads every seed and every finding of coverage-guided fuzzing, so that fixed defects stay fixed. */
 internal class CasesSpec : FunSpec({
     for (target in FuzzTarget.entries) {
-        test("each case of ${target.folder} is read without an exception, and alike in whatever pieces it arrives") {
+        test("each case of ${target.folder} is read without an exception, with the same result in any pieces") {
             val own = File("cases/${target.folder}").listFiles().orEmpty().toList()
             val corpus = CORPORA.flatMap { it.listFiles().orEmpty().toList() }.filter { it.extension in target.extensions }
             val cases = (own + corpus).sortedBy { it.path }

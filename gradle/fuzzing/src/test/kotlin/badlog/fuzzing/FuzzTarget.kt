@@ -1,10 +1,10 @@
 package badlog.fuzzing
 
 /**
- * What reads bytes that somebody else wrote.
+ * A reader of untrusted bytes, to be fuzzed.
  *
- * @property extensions the names' ends of the files of the conformance corpora that are such bytes.
- * @property read throws if the bytes are not read as they should be; whatever they are, they are never refused with an exception.
+ * @property extensions the extensions of the conformance corpora's files that it reads.
+ * @property read reads the bytes, and throws if the result is wrong. No bytes may cause an exception of the reader itself.
  */
 internal enum class FuzzTarget(val extensions: Set<String>, val read: (ByteArray) -> Unit) {
     BAG(setOf("bag"), ::readBag),
@@ -17,6 +17,6 @@ internal enum class FuzzTarget(val extensions: Set<String>, val read: (ByteArray
     EXPRESSION(emptySet(), ::readExpression),
     ;
 
-    /** The folder of what was found, and of seeds of its own. */
+    /** The folder of its findings and its own seeds. */
     val folder: String get() = name.lowercase()
 }

@@ -15,10 +15,10 @@ import badlog.formats.wpilog.describeLog
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** How the bytes arrive: at once, and in pieces that end inside of most things. */
+/** The sizes of the pieces in which bytes arrive: all at once, and pieces that end inside most structures. */
 private val PIECES = listOf(Int.MAX_VALUE, 7, 61)
 
-private fun arrive(parser: LogParser, bytes: ByteArray, piece: Int): Recording {
+private fun parseInPieces(parser: LogParser, bytes: ByteArray, piece: Int): Recording {
     var at = 0
     while (at < bytes.size) {
         val until = if (piece > bytes.size - at) bytes.size else at + piece
@@ -28,9 +28,9 @@ private fun arrive(parser: LogParser, bytes: ByteArray, piece: Int): Recording {
     return parser.finish()
 }
 
-/** Reads [bytes] in all [PIECES] by a parser of [make], and checks that the pieces make no difference. */
+/** Reads [bytes] in all sizes of [PIECES] by parsers from [make], and checks that the results are the same. */
 private fun readPieces(bytes: ByteArray, make: () -> LogParser, text: (Recording) -> String) {
-    val recordings = PIECES.map { arrive(make(), bytes, it) }
+    val recordings = PIECES.map { parseInPieces(make(), bytes, it) }
     val texts = recordings.map(text)
     for ((piece, other) in PIECES zip texts) check(other == texts[0]) { "In pieces of $piece: $other\nAt once: ${texts[0]}" }
     for (topic in recordings[0].topics) {
@@ -46,18 +46,18 @@ internal fun readWpilog(bytes: ByteArray) = readPieces(bytes, { WpilogFormat.par
 
 internal fun readStationLog(bytes: ByteArray) = readPieces(bytes, { DriverStationFormat.parser(keepSamples = true) }, ::describeLog)
 
-/** Reads a log whose message `p` has the descriptor, and the content, that [bytes] are: the first two are the descriptor's length. */
+/** Reads a log with a message `p`. Its descriptor and its content are in [bytes], after two bytes with the descriptor's length. */
 internal fun readProtobuf(bytes: ByteArray) {
     if (bytes.size < 2) return
     val size = ((bytes[0].toInt() and 0xFF shl 8) or (bytes[1].toInt() and 0xFF)).coerceAtMost(bytes.size - 2)
     val descriptor = bytes.copyOfRange(2, 2 + size)
     val message = bytes.copyOfRange(2 + size, bytes.size)
     val log = TestLog().start(1, "p", "proto:a.M").start(2, "/.schema/proto:a.proto", "proto:FileDescriptorProto")
-    // Half of the message, too, as the last row: the lists of the one before become shorter.
+    // The last row is half of the message, so that its lists are shorter than before.
     readWpilog(log.record(1, 1, message).record(2, 2, descriptor).record(1, 3, message).record(1, 4, message.copyOf(message.size / 2)).bytes)
 }
 
-/** The file that holds what is read as a `.revlog`, which is recognized when a file is opened. */
+/** The file for bytes read as a `.revlog`, a format that is recognized when a file is opened. */
 private val REVLOG: Path by lazy { Files.createTempFile("fuzz", ".revlog").also { it.toFile().deleteOnExit() } }
 
 internal fun readRevlog(bytes: ByteArray) {

@@ -14,7 +14,7 @@ import badlog.rules.RulesException
 import badlog.rules.RulesFile
 import badlog.rules.SignalsFile
 
-/** Reads JSON, and what was read once more: it must be the same. */
+/** Reads JSON, and reads each member again by itself: both results must be the same. */
 internal fun readJson(bytes: ByteArray) {
     val text = bytes.decodeToString()
     val members = JsonReader.readObject(text) ?: return
@@ -30,7 +30,7 @@ private fun shape(value: JsonValue): String = value.text?.let { "text $it" }
     ?: value.members?.joinToString(",", "{", "}") { it.key + ":" + shape(it.value) }
     ?: value.json
 
-/** Reads a file of rules, and one of signals; a mistake in them is a [RulesException]. */
+/** Reads a file of rules and a file of signals; mistakes in them must be reported by a [RulesException]. */
 internal fun readToml(bytes: ByteArray) {
     val text = bytes.decodeToString()
     for (read in listOf<(String) -> Unit>({ RulesFile.parse(it) }, { SignalsFile.parse(it) })) {
@@ -44,7 +44,7 @@ internal fun readToml(bytes: ByteArray) {
 
 private val SIGNALS: Signals by lazy { LogViewSignals(LogView.of(parse(VARIED_BAG))) }
 
-/** Reads an expression, a question and a formula, and evaluates what is one. */
+/** Reads the bytes as an expression, a question and a formula, and evaluates the valid ones. */
 internal fun readExpression(bytes: ByteArray) {
     val text = bytes.decodeToString()
     val vocabulary = SIGNALS.vocabulary

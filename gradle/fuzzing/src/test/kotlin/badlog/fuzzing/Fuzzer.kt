@@ -1,6 +1,6 @@
 package badlog.fuzzing
 
-/** What Jazzer calls: see https://github.com/CodeIntelligenceTesting/jazzer. */
+/** The entry point for Jazzer, see https://github.com/CodeIntelligenceTesting/jazzer. */
 internal object Fuzzer {
     private var target = FuzzTarget.BAG
 

@@ -17,12 +17,12 @@ import java.util.HexFormat
 import java.util.UUID
 
 /**
- * What the downloads of one release contain besides this project's own code.
+ * The third-party content of one release's downloads, as a bill of materials.
  *
- * @param version that of the release.
- * @param seconds when it was committed, in seconds since 1970: the only time in the document, so that the same commit makes the same
- * document.
- * @param java the Java that downloads include: its vendor and its version.
+ * @param version the version of the release.
+ * @param seconds the time of the commit, in s since 1970. It is the only time in the document, so that the same commit makes the same
+ *   document.
+ * @param java the vendor and version of the Java in downloads.
  */
 internal class BillOfMaterials(
     private val version: String,
@@ -31,7 +31,7 @@ internal class BillOfMaterials(
     private val libraries: List<ShippedLibrary>,
     private val licenses: Licenses,
 ) {
-    /** The document, as CycloneDX 1.6 in JSON. */
+    /** Returns the document, as CycloneDX 1.6 in JSON. */
     fun json(): String {
         val bom = Bom()
         bom.metadata = Metadata().apply {
@@ -86,5 +86,5 @@ private fun Component.licensedUnder(names: List<String>) {
     }
 }
 
-/** The SHA-256 of [bytes], in 64 hexadecimal digits. */
+/** Returns the SHA-256 of [bytes], in 64 hexadecimal digits. */
 internal fun sha256Of(bytes: ByteArray): String = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes))

@@ -7,14 +7,14 @@ import javax.xml.XMLConstants
 import javax.xml.parsers.DocumentBuilderFactory
 
 /**
- * The licenses of libraries: what their POMs say, or [known] for those whose POM leaves it to a parent POM, which a build does not have
+ * The licenses of libraries, according to their POMs. [known] has the others: their POMs refer to a parent POM, which a build does not have
  * on the disk.
  *
  * @param known licenses by group, or by group and name with a colon between.
  */
 internal class Licenses(private val known: Map<String, List<String>>) {
     /**
-     * The names of the licenses of [library]; one of several may be chosen.
+     * Returns the names of the licenses of [library]; a user may choose one of several.
      *
      * @throws IllegalArgumentException if neither the POM nor the list names one.
      */
@@ -28,7 +28,7 @@ internal class Licenses(private val known: Map<String, List<String>>) {
     }
 
     companion object {
-        /** With the list that this project keeps. */
+        /** Returns the licenses with this project's own list. */
         fun ofProject(): Licenses {
             val stream = checkNotNull(Licenses::class.java.getResourceAsStream("licenses.txt"))
             val lines = stream.use { it.readBytes().decodeToString().lines() }.filter { it.isNotBlank() && !it.startsWith('#') }

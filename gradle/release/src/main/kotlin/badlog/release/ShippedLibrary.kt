@@ -5,10 +5,10 @@ import java.io.File
 /**
  * A third-party library in the downloads.
  *
- * @property group as on Maven Central, such as `org.slf4j`.
+ * @property group its group on Maven Central, such as `org.slf4j`.
  * @property file its jar.
  * @property description its POM.
- * @property programs the programs that have it.
+ * @property programs the programs that contain it.
  */
 internal data class ShippedLibrary(
     val group: String,
@@ -18,14 +18,14 @@ internal data class ShippedLibrary(
     val description: File,
     val programs: List<String>,
 ) {
-    /** The part between the version and the ending of the jar's name, such as `linux-x86_64`; null if there is none. */
+    /** The part of the jar's name between version and extension, such as `linux-x86_64`; null if there is none. */
     val classifier: String?
         get() = file.name.takeIf { it.startsWith("$name-$version-") }?.removePrefix("$name-$version-")?.removeSuffix(".jar")
 }
 
 /**
- * The libraries that [lines] list, by name: on each line the program, `library` or `description`, group, name, version and path, separated by
- * tabs.
+ * Returns the libraries in [lines], sorted by name. Each line has the program, `library` or `description`, group, name, version and path,
+ * separated by tabs.
  *
  * @throws IllegalArgumentException if a library has no description.
  */

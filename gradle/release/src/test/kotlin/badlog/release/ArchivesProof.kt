@@ -24,7 +24,7 @@ class ArchivesProof : FunSpec({
         for (download in downloads) sums[download.name] shouldBe sha256Of(download.readBytes())
     }
 
-    test("a release has what each kind of user needs, all of one version") {
+    test("a release has the files for each kind of user, all of one version") {
         val names = RELEASE.list().orEmpty().toList()
         names shouldContainAll listOf(
             "badlog-$VERSION.zip",
@@ -57,7 +57,7 @@ class ArchivesProof : FunSpec({
         (wanted - sums.toSet()).shouldBeEmpty()
     }
 
-    test("whoever writes a reader gets every log of the conformance corpus, and what to find in it") {
+    test("the conformance download has every log of the corpus, and its expected content") {
         val root = "badlog-conformance-$VERSION"
         val packed = entriesOf(File(RELEASE, "$root.zip")).map { it.name }.filterNot { it.endsWith("/") }.toSet()
         for ((folder, source) in listOf("bags" to "core/conformance", "logs" to "libraries/formats/conformance")) {
@@ -70,13 +70,13 @@ class ArchivesProof : FunSpec({
         }
     }
 
-    test("the guides come as a site, too") {
+    test("the guides are also a site") {
         val names = entriesOf(File(RELEASE, "badlog-docs-$VERSION.zip")).map { it.name.removePrefix("badlog-docs-$VERSION/") }
         names shouldContainAll listOf("docs/README.md", "samples/practice.bag", "site/index.html", "site/search-index.js", "site/api/index.html")
         names shouldContainAll listOf("site/samples/qualification-42.bag.html", "site/report/index.html")
     }
 
-    test("no archive says when it was made, so that the same commit makes the same bytes") {
+    test("no archive contains the time of its build, so that the same commit makes the same bytes") {
         val commit = Instant.ofEpochSecond(System.getProperty("badlog.commitTime").toLong())
         archives.flatMap { archive ->
             val entries = entriesOf(archive)
@@ -89,19 +89,19 @@ class ArchivesProof : FunSpec({
         val bill = ObjectMapper().readTree(File(RELEASE, "badlog-$VERSION-$PLATFORM.cdx.json"))
         val known = bill["components"].flatMap { it.path("hashes") }.map { it["content"].asText() }.toSet()
         archives.flatMap { archive ->
-            // This jar is a part of Java, which has an entry of its own.
+            // This jar is part of Java, which has an entry of its own.
             val jars = entriesOf(archive) { it.endsWith(".jar") && !it.endsWith("/jrt-fs.jar") }
             jars.filter { it.sha256 != null && !isOwn(it.name) && it.sha256 !in known }.map { "${archive.name}: ${it.name}" }
         }.shouldBeEmpty()
     }
 })
 
-/** Whether not every machine can make the download [name]; `release` says why it did not. */
+/** Returns whether some machines cannot make the download [name]; `release` reports the reason. */
 private fun isOptional(name: String) = name.endsWith(".deb") || (name.startsWith("badlog-cpp-") && PLATFORM in name)
 
 private class Entry(val name: String, val time: Instant, val sha256: String?)
 
-/** The entries of [archive], and the checksums of those whose names are [hashed]. */
+/** Returns the entries of [archive], and the checksums of the entries that are [hashed]. */
 private fun entriesOf(archive: File, hashed: (String) -> Boolean = { false }): List<Entry> = archive.inputStream().buffered().use { stream ->
     if (archive.name.endsWith(".tar.gz")) tarEntries(GZIPInputStream(stream), hashed) else zipEntries(stream, hashed)
 }
@@ -115,7 +115,7 @@ private fun zipEntries(stream: InputStream, hashed: (String) -> Boolean): List<E
     }.toList()
 }
 
-/** The entries of a tar archive: blocks of 512 bytes, a header before each file. */
+/** Returns the entries of a tar archive: blocks of 512 bytes, with a header before each file. */
 private fun tarEntries(stream: InputStream, hashed: (String) -> Boolean): List<Entry> {
     val entries = ArrayList<Entry>()
     var longName: String? = null

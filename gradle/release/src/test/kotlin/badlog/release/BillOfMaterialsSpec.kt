@@ -28,12 +28,12 @@ class BillOfMaterialsSpec : FunSpec({
 
     fun componentIn(bill: String): JsonNode = ObjectMapper().readTree(bill)["components"].first { it["name"].asText() == "thing" }
 
-    test("it is valid CycloneDX") {
+    test("the bill of materials is valid CycloneDX") {
         val file = File(folder, "bill.json").apply { writeText(bill(library("org.example", "MIT"), library("org.parented", null))) }
         JsonParser().validate(file, Version.VERSION_16).map { it.message }.shouldBeEmpty()
     }
 
-    test("a library has its address, its license by the SPDX name, its checksum and the programs that have it") {
+    test("a library has its address, its license by the SPDX name, its checksum and its programs") {
         val component = componentIn(bill(library("org.example", "The Apache Software License, Version 2.0")))
         component["purl"].asText() shouldBe "pkg:maven/org.example/thing@1.0"
         component["licenses"].single()["license"]["id"].asText() shouldBe "Apache-2.0"
@@ -45,7 +45,7 @@ class BillOfMaterialsSpec : FunSpec({
         componentIn(bill(library("org.native", "MIT", "thing-1.0-linux-x86_64.jar")))["purl"].asText() shouldContain "?classifier=linux-x86_64"
     }
 
-    test("a license that a parent POM names is looked up, and an unknown one stops the release") {
+    test("a license from a parent POM is looked up, and an unknown one stops the release") {
         componentIn(bill(library("org.parented", null)))["licenses"].single()["license"]["id"].asText() shouldBe "Apache-2.0"
         shouldThrow<IllegalArgumentException> { bill(library("org.unknown", null)) }.message shouldContain "org.unknown:thing names no license"
     }
@@ -55,7 +55,7 @@ class BillOfMaterialsSpec : FunSpec({
         bill(library) shouldBe bill(library)
     }
 
-    test("a library that two programs have is listed once") {
+    test("a library in two programs is listed once") {
         fun lines(program: String) = listOf("library", "description").map { "$program\t$it\torg.example\tthing\t1.0\t/lib/thing-1.0.jar" }
         shippedLibraries(lines("badlog") + lines("badlog-viewer")).single().programs shouldBe listOf("badlog", "badlog-viewer")
     }

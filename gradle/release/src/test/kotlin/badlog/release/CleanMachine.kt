@@ -6,11 +6,11 @@ import java.io.File
 import java.nio.file.Files
 import java.util.concurrent.TimeUnit
 
-/** How a program ended: its exit code, and all that it printed. */
-internal class Ended(val code: Int, val text: String)
+/** The result of a program: its exit code and all of its output. */
+internal class ProgramResult(val code: Int, val text: String)
 
 /**
- * A machine that has only [programs]: no variable in its environment, a PATH that names nothing else, a home folder of its own, and no network.
+ * A machine with only [programs]: an empty environment, a PATH of its own, a home folder of its own, and no network.
  *
  * @param folder an empty folder for its files.
  */
@@ -23,7 +23,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
     }
 
     /** Runs [command] in [workFolder]; [variables] are added to its environment. */
-    fun run(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): Ended = run(process(command, workFolder, variables))
+    fun run(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): ProgramResult = run(process(command, workFolder, variables))
 
     /** Returns [command] as a process that is not started yet. */
     fun process(command: List<String>, workFolder: File = folder, variables: Map<String, String> = emptyMap()): ProcessBuilder {
@@ -39,7 +39,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
             found("unshare").path, "--user", "--map-root-user", "--net", "--", "/bin/sh", "-c", "/sbin/ip link set lo up; exec \"\$@\"", "sh",
         )
 
-        /** For a test that needs such a machine. */
+        /** Enables a test if such a machine can be made. */
         val IF_POSSIBLE: EnabledOrReasonIf = {
             when {
                 !PLATFORM.startsWith("linux") -> Enabled.disabled("clean machines are made on Linux only")
@@ -52,7 +52,7 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
 }
 
 /** Starts [builder], and waits for its end: 15 minutes at most. */
-internal fun run(builder: ProcessBuilder): Ended {
+internal fun run(builder: ProcessBuilder): ProgramResult {
     val output = File.createTempFile("output", ".txt")
     val process = builder.redirectErrorStream(true).redirectOutput(output).start()
     val hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES)
@@ -60,10 +60,10 @@ internal fun run(builder: ProcessBuilder): Ended {
     val text = output.readText()
     output.delete()
     check(hasEnded) { "${builder.command().joinToString(" ")} has not ended after $MINUTES minutes: $text" }
-    return Ended(process.exitValue(), text)
+    return ProgramResult(process.exitValue(), text)
 }
 
-/** The file of [program], which is a path or on the PATH. */
+/** Returns the file of [program], which is a path or on the PATH. */
 internal fun found(program: String): File = if ('/' in program) {
     File(program)
 } else {

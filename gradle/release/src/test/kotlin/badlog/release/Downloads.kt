@@ -4,21 +4,21 @@ import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
 import java.io.File
 
-/** The folder that `release` makes. */
+/** The folder made by `release`. */
 internal val RELEASE = File(ROOT, "build/release")
 
-/** The machine that builds, as downloads name it. */
+/** The building machine's platform, as in the names of downloads. */
 internal val PLATFORM: String = System.getProperty("badlog.platform")
 
-/** The download [name]; a test of one that not every machine can make asks [ifMade] first. */
+/** Returns the download [name]. If some machines cannot make it, the test must check [ifMade] first. */
 internal fun download(name: String): File = File(RELEASE, name).also { check(it.isFile) { "build/release has no $name." } }
 
-/** For a test of the download [name], which not every machine can make. */
+/** Enables a test of the download [name] if this machine could make it. */
 internal fun ifMade(name: String): EnabledOrReasonIf = {
     if (File(RELEASE, name).isFile) Enabled.enabled else Enabled.disabled("$name was not made here; the release said why")
 }
 
-/** For tests of what Linux runs. */
+/** Enables a test on Linux. */
 internal val IF_LINUX: EnabledOrReasonIf = {
     if (PLATFORM.startsWith("linux")) Enabled.enabled else Enabled.disabled("clean machines are made on Linux only")
 }

@@ -5,7 +5,7 @@ import java.io.File
 /** The project's top folder. */
 internal val ROOT: File = generateSequence(File("").absoluteFile) { it.parentFile }.first { File(it, "settings.gradle.kts").exists() }
 
-/** What gradle.properties says of [name]. */
+/** Returns the value of [name] in gradle.properties. */
 internal fun property(name: String): String = File(ROOT, "gradle.properties").readLines().first { it.startsWith("$name=") }.substringAfter('=')
 
 /** The version of this project. */

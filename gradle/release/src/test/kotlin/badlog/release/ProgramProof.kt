@@ -14,19 +14,19 @@ class ProgramProof : FunSpec({
     val folder = tempFolder()
     val java = System.getProperty("java.home")
 
-    test("badlog needs Java, and says so where there is none").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog without Java reports that it needs Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download("badlog-$VERSION.zip"), File(folder, "zip"))
         val ended = CleanMachine(File(folder, "without-java"), TOOLS).run(listOf("$home/bin/badlog", "--version"))
         ended.code shouldBe 1
         ended.text shouldContain "badlog needs Java 17 or newer, and java is not there"
     }
 
-    test("badlog runs by an installed Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog runs with an installed Java").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download("badlog-$VERSION.zip"), File(folder, "installed"))
         shouldWork(home, CleanMachine(File(folder, "with-java"), TOOLS + "$java/bin/java"))
     }
 
-    test("badlog-html makes a page by an installed Java, in the file or the folder that --out names").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog-html with an installed Java writes a page to the file or folder of --out").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download("badlog-html-$VERSION.zip"), File(folder, "html"))
         val machine = CleanMachine(File(folder, "html-with-java"), TOOLS + "$java/bin/java")
         val sample = File(ROOT, "samples/qualification-42.bag")
@@ -37,31 +37,31 @@ class ProgramProof : FunSpec({
         }
     }
 
-    test("badlog runs by its own Java where no other is").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
+    test("badlog runs with its own Java if no other is installed").config(enabledOrReasonIf = CleanMachine.IF_POSSIBLE) {
         val home = unpacked(download(OWN_JAVA), File(folder, "own"))
         shouldWork(home, CleanMachine(File(folder, "bare"), TOOLS))
     }
 
-    test("its own Java has each module that its libraries use").config(enabledOrReasonIf = IF_LINUX) {
+    test("badlog's own Java has each module that its libraries use").config(enabledOrReasonIf = IF_LINUX) {
         val home = unpacked(download(OWN_JAVA), File(folder, "modules"))
         val has = run(ProcessBuilder("$home/java/bin/java", "--list-modules")).text.lines().map { it.substringBefore('@') }
         unpacked(download("badlog-season-$VERSION.zip"), home.parentFile)
         val jars = File(home, "lib").walk().filter { it.extension == "jar" }.toList()
-        // One call for all: it reads them once.
+        // One call for all jars, which reads them only once.
         val jdeps = listOf("$java/bin/jdeps", "--multi-release", "17", "--ignore-missing-deps", "--class-path", "$home/lib/*:$home/lib/season/*", "-summary")
         val uses = run(ProcessBuilder(jdeps + jars.map { "$it" })).text.lines().map { it.substringAfter("-> ").trim() }.filter { MODULE.matches(it) }.toSet()
         ("java.base" in uses) shouldBe true
         (uses - has.toSet()).shouldBeEmpty()
     }
 
-    test("man reads the page of each command, and completions stand beside them").config(enabledOrReasonIf = IF_LINUX) {
+    test("man finds the page of each command, and completions are beside the pages").config(enabledOrReasonIf = IF_LINUX) {
         val share = File(unpacked(download("badlog-$VERSION.zip"), File(folder, "manual")), "share")
         File(share, "man/man1/badlog-cut.1").readText() shouldContain "--from".replace("-", "\\-")
         File(share, "completions").list().orEmpty().sorted() shouldBe listOf("badlog.bash", "badlog.fish", "badlog.zsh")
     }
 })
 
-/** Finds the low battery of a sample, reports it, and makes a page of it. */
+/** Checks that the program finds a sample's low battery, reports it, and exports a page. */
 private fun shouldWork(home: File, machine: CleanMachine) {
     machine.run(listOf("$home/bin/badlog", "--version")).text shouldBe "badlog $VERSION\n"
     val sample = File(ROOT, "samples/qualification-42.bag")

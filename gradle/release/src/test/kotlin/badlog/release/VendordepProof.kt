@@ -9,7 +9,7 @@ import java.io.File
 class VendordepProof : FunSpec({
     val folder = tempFolder()
 
-    test("a robot project installs the offline vendordep from WPILib's folder or by file://, compiles and logs").config(
+    test("a robot project with the offline vendordep, from WPILib's folder or by file://, compiles and logs").config(
         enabledOrReasonIf = CleanMachine.IF_POSSIBLE,
     ) {
         val season = File(folder, "wpilib/2026")
@@ -46,7 +46,7 @@ class VendordepProof : FunSpec({
 })
 
 /**
- * A robot as docs/robot.md has it, with stand-ins for WPILib, because not every machine reaches the registry of its Gradle
+ * Makes a robot project as in docs/robot.md. It has stand-ins for WPILib, because not every machine reaches the registry of WPILib's Gradle
  * plugin.
  */
 private fun robotProject(folder: File, vendordep: File) {
@@ -82,7 +82,7 @@ private fun robotProject(folder: File, vendordep: File) {
         }
         """.trimIndent(),
     )
-    // What WPILib's plugin does with vendordeps.
+    // Does the same with vendordeps as WPILib's plugin.
     File(folder, "build.gradle").writeText(
         """
         plugins { id 'java' }

@@ -18,7 +18,7 @@ private val PACKAGE = "badlog-viewer-$VERSION-$PLATFORM.deb"
 class ViewerProof : FunSpec({
     val folder = tempFolder()
 
-    test("the unpacked viewer opens a log where nothing is installed").config(enabledOrReasonIf = ifShown(ARCHIVE)) {
+    test("the unpacked viewer opens a log on a machine without other programs").config(enabledOrReasonIf = ifShown(ARCHIVE)) {
         val home = unpacked(download(ARCHIVE), File(folder, "archive"))
         shouldShow(File(home, "bin/badlog"), File(folder, "machine"), "viewer-archive.png")
     }
@@ -32,7 +32,7 @@ class ViewerProof : FunSpec({
     }
 })
 
-/** Starts [launcher] on a sample, waits for graphs on the screen, and keeps a picture of it named [picture]. */
+/** Starts [launcher] on a sample, waits for graphs on the screen, and saves a picture named [picture]. */
 private fun shouldShow(launcher: File, place: File, picture: String) {
     val machine = CleanMachine(place, listOf("sh"))
     val sample = File(place, "qualification-42.bag").also { File(ROOT, "samples/qualification-42.bag").copyTo(it) }
@@ -76,5 +76,5 @@ private fun ifShown(name: String): EnabledOrReasonIf = { test ->
 private const val SCREEN_WIDTH = 1600
 private const val SCREEN_HEIGHT = 1000
 
-/** More colors than a window has that shows only its frame, texts and buttons. */
+/** More colors than in a window with only its frame, texts and buttons. */
 private const val COLORS_OF_GRAPHS = 1_000

@@ -24,11 +24,11 @@ class WorkflowsSpec : FunSpec({
         ended.code shouldBe 0
     }
 
-    test("checks and releases run on Linux, macOS and Windows, and on both kinds of processors") {
+    test("checks and releases run on Linux, macOS and Windows, on x64 and ARM") {
         for (name in listOf("check.yml", "release.yml")) {
             val text = File(WORKFLOWS, name).readText()
             for (system in listOf("ubuntu-latest", "ubuntu-24.04-arm", "macos-latest", "macos-15-intel", "windows-latest")) {
-                // Everything is run in Debian's container on Linux.
+                // On Linux, everything runs in Debian's container.
                 if (name == "release.yml" || system != "ubuntu-latest") text.lines().filterNot { "#" in it }.joinToString() shouldContain system
             }
         }
@@ -39,7 +39,7 @@ class WorkflowsSpec : FunSpec({
         for (part in listOf("actions/attest-build-provenance@", "actions/attest-sbom@", "attestations: write", "id-token: write")) text shouldContain part
     }
 
-    test("workflows that GitHub has never run say so, and so does the guide") {
+    test("workflows that GitHub has never run are marked as such, also in the guide") {
         val isNew = File(ROOT, "docs/releasing.md").readText().contains("have never run")
         for (file in WORKFLOWS.listFiles().orEmpty()) file.readText().contains("# Not yet run:") shouldBe isNew
     }

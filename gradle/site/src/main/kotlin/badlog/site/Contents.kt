@@ -1,6 +1,6 @@
 package badlog.site
 
-/** The sections of the site, as the guides' list of contents has them. */
+/** The sections of the site, according to the guides' list of contents. */
 internal class Contents(val sections: List<Section>) {
     /** A part of the site that answers one need. */
     data class Section(val title: String, val entries: List<Entry>)
@@ -8,12 +8,13 @@ internal class Contents(val sections: List<Section>) {
     /** A page in the contents: its short [title], and the [address] on the site or elsewhere. */
     data class Entry(val title: String, val address: String)
 
-    /** The entry of the page at [address], or null. */
+    /** Returns the entry of the page at [address]; null if there is none. */
     fun entry(address: String): Entry? = sections.firstNotNullOfOrNull { section -> section.entries.find { it.address == address } }
 
     internal companion object {
         /**
-         * The contents that [guide] lists: a section for each heading of the second level, an entry for the first link of each of its list items.
+         * Returns the contents listed in [guide]: a section for each heading of the second level, and an entry for the first link of each
+         * of its list items.
          */
         fun of(guide: Guide): Contents = Contents(
             guide.lists.map { (heading, links) -> Section(heading, links.map { (text, address) -> Entry(text, address) }) },

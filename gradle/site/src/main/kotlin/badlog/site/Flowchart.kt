@@ -10,12 +10,12 @@ internal class Flowchart private constructor(val arrows: List<Arrow>) {
     /** An arrow between two boxes, each known by its text; [label] is written beside it, empty for none. */
     class Arrow(val from: String, val label: String, val to: String)
 
-    /** The chart as a drawing, and below it as a list for those who cannot see it. */
+    /** Returns the chart as a drawing, followed by a list for readers who cannot see it. */
     fun html(): String = drawingOf(this).let {
         "<figure class=\"flowchart\">\n$it\n<details><summary>The same as a list</summary>\n${list()}</details>\n</figure>\n"
     }
 
-    /** A list of the boxes, each with the ends of its arrows. */
+    /** Returns a list of the boxes, each with the ends of its arrows. */
     private fun list(): String = arrows.groupBy {
         it.from
     }.entries.joinToString("\n", "<ul class=\"arrows\">\n", "\n</ul>\n") { (from, arrows) ->

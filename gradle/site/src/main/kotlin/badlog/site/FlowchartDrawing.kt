@@ -8,7 +8,7 @@ import java.util.Locale
 import kotlin.math.atan2
 import kotlin.math.max
 
-/** [chart] as an SVG element, drawn in the colors of the page: its boxes in layers, so that each arrow points down. */
+/** Returns [chart] as an SVG element in the colors of the page. Its boxes are in layers, so that each arrow points down. */
 internal fun drawingOf(chart: Flowchart): String {
     val graph = mxGraph()
     val boxes = LinkedHashMap<String, mxCell>()
@@ -42,7 +42,7 @@ internal fun drawingOf(chart: Flowchart): String {
     }
 }
 
-/** The bends of [line], from the foot of the box where it begins to the top of the box where it ends. */
+/** Returns the bends of [line], from the bottom of its first box to the top of its last one. */
 private fun pointsOf(line: mxCell): List<mxPoint> {
     val from = line.source.geometry
     val to = line.target.geometry
@@ -73,7 +73,7 @@ private fun box(text: String, cell: mxCell): String = with(cell.geometry) {
 
 private fun number(value: Double): String = String.format(Locale.ROOT, "%.1f", value).removeSuffix(".0")
 
-/** The greatest average width of a letter in the drawing, in pixels. */
+/** The maximum average width of a letter in the drawing, in pixels. */
 private const val LETTER = 7.8
 private const val MARGIN = 12.0
 private const val HEIGHT = 32.0

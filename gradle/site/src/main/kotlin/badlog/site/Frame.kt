@@ -1,8 +1,8 @@
 package badlog.site
 
-/** What surrounds each guide: the search, the contents of the site and those of the page. */
+/** The frame of each guide: the search, the contents of the site, and the contents of the page. */
 internal class Frame(private val contents: Contents) {
-    /** The whole page of [guide]. */
+    /** Returns the whole page of [guide]. */
     fun page(guide: Guide): String {
         val here = guide.address
         val title = if (here == "index.html") "badlog: why did the robot do that?" else "${guide.title} · badlog"
@@ -52,7 +52,7 @@ internal class Frame(private val contents: Contents) {
         return "<h2>${escape(section.title)}</h2>\n<ul>\n$entries\n</ul>"
     }
 
-    /** The headings of the page, if there are enough of them to get lost. */
+    /** Returns the headings of the page, if there are enough for an outline. */
     private fun outline(guide: Guide): String {
         val headings = guide.sections.filter { it.level == 2 }
         if (headings.size < 3) return ""
@@ -63,10 +63,10 @@ internal class Frame(private val contents: Contents) {
     private fun link(from: String, to: String): String = relativeAddress(from, to)
 
     private companion object {
-        /** The most characters of a description that search engines show. */
+        /** The maximum length of a description that search engines show. */
         const val SUMMARY = 160
     }
 }
 
-/** [text] for HTML, also inside of quotes. */
+/** Returns [text] escaped for HTML, also inside quotes. */
 internal fun escape(text: String): String = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")

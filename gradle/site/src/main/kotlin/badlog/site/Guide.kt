@@ -3,12 +3,12 @@ package badlog.site
 /**
  * A Markdown file as a page.
  *
- * @property path where it is in the repository.
- * @property address where it is on the site.
+ * @property path its path in the repository.
+ * @property address its address on the site.
  * @property title its first heading.
  * @property summary its first paragraph, as plain text.
  * @property html the content of the page.
- * @property sections what its headings divide it into, in order; the first one begins with the title.
+ * @property sections its sections by headings, in order; the first one begins with the title.
  * @property lists for each heading of the second level, the first link of each list item below it: its text and address.
  * @property copied the files of the repository that it links to, each with its address.
  */
@@ -22,6 +22,6 @@ internal class Guide(
     val lists: List<Pair<String, List<Pair<String, String>>>>,
     val copied: Map<String, String>,
 ) {
-    /** A heading of [level] with the [anchor] that leads to it, and the plain [text] below it, up to the next heading. */
+    /** A heading of [level] with its [anchor], and the plain [text] below it, up to the next heading. */
     data class Section(val level: Int, val anchor: String, val heading: String, val text: String)
 }

@@ -56,8 +56,8 @@ internal class GuideReader(private val root: Path, private val plan: SitePlan) {
         )
     }
 
-    /** The plain text of the page at [path], without its code. */
-    fun prose(path: String): String = plainText(parser.parse(root.resolve(path).readText()), codeToo = false)
+    /** Returns the plain text of the page at [path], without its code. */
+    fun prose(path: String): String = plainText(parser.parse(root.resolve(path).readText()), includesCode = false)
 
     private fun anchorsOf(document: Node): Map<Heading, String> {
         val ids = IdGenerator.builder().defaultId("section").build()
@@ -93,7 +93,7 @@ internal class GuideReader(private val root: Path, private val plan: SitePlan) {
 
 internal fun children(node: Node): List<Node> = generateSequence(node.firstChild) { it.next }.toList()
 
-/** Anchors of headings, and pictures that are loaded when they come into sight. */
+/** Adds anchors to headings, and lets pictures load when they come into sight. */
 private class GuideAttributes(private val anchors: Map<Heading, String>) : AttributeProvider {
     override fun setAttributes(node: Node, tagName: String, attributes: MutableMap<String, String>) {
         if (node is Heading) anchors[node]?.let { attributes["id"] = it }

@@ -8,7 +8,7 @@ import org.commonmark.node.Link
 import org.commonmark.node.Node
 
 /**
- * Rewrites the links and pictures of the page at [path], which is at [address] on the site, to the addresses that [plan] gives their targets. A
+ * Rewrites the links and pictures of the page at [path] to addresses on the site, according to [plan]. The page itself is at [address]. A
  * link to a folder of the repository becomes plain text.
  */
 internal class LinkRewriter(private val path: String, private val address: String, private val plan: SitePlan) : AbstractVisitor() {
@@ -70,7 +70,7 @@ internal class LinkRewriter(private val path: String, private val address: Strin
     }
 }
 
-/** The path of [link], which is in a file of [folder]; both relative to the same root. */
+/** Returns the path of [link] in a file of [folder]; both are relative to the same root. */
 internal fun resolve(folder: String, link: String): String {
     val parts = ArrayDeque(folder.split('/').filter { it.isNotEmpty() })
     for (part in link.split('/')) {
@@ -83,7 +83,7 @@ internal fun resolve(folder: String, link: String): String {
     return parts.joinToString("/")
 }
 
-/** The link that leads from the page at [from] to the one at [to]. */
+/** Returns the link from the page at [from] to the page at [to]. */
 internal fun relativeAddress(from: String, to: String): String {
     val here = from.split('/').dropLast(1)
     val there = to.split('/')

@@ -2,7 +2,7 @@ package badlog.site
 
 import java.nio.file.Path
 
-/** Makes the site: the project's folder, the site's folder, then the finished parts as `folder=path`. */
+/** Makes the site. Arguments: the project's folder, the site's folder, then the finished parts as `folder=path`. */
 internal fun main(args: Array<String>) {
     val (root, target) = args
     val parts = args.drop(2).associate { it.substringBefore('=') to Path.of(it.substringAfter('=')) }

@@ -14,8 +14,8 @@ import org.commonmark.node.Paragraph
 import org.commonmark.node.SoftLineBreak
 import org.commonmark.node.Text
 
-/** The text of [node] without its markup; without its code, too, if [codeToo] is false. */
-internal fun plainText(node: Node, codeToo: Boolean = true): String {
+/** Returns the text of [node] without markup; code is included if [includesCode]. */
+internal fun plainText(node: Node, includesCode: Boolean = true): String {
     val text = StringBuilder()
     node.accept(object : AbstractVisitor() {
         override fun visit(node: Text) {
@@ -57,7 +57,7 @@ internal fun plainText(node: Node, codeToo: Boolean = true): String {
         }
 
         private fun code(literal: String) {
-            text.append(if (codeToo) literal else "…")
+            text.append(if (includesCode) literal else "…")
         }
     })
     return text.toString().trim()

@@ -16,7 +16,7 @@ internal class SearchIndex {
         }
     }
 
-    /** Adds what is at [address]: the page's [title], a [heading] on it, and the [text] below. */
+    /** Adds the entry for [address]: the page's [title], a [heading] on it, and the [text] below. */
     fun add(address: String, title: String, heading: String, text: String) {
         entries += listOf(address, title, heading, text.replace(SPACES, " ")).joinToString(",", "[", "]", transform = ::quote)
     }

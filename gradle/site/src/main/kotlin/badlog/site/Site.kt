@@ -17,7 +17,7 @@ import kotlin.io.path.writeText
  * @property parts finished parts, each by its folder on the site: the pages of the samples, a report, the API.
  */
 internal class Site(private val root: Path, private val parts: Map<String, Path>) {
-    /** Writes it to [target], and nothing else there. */
+    /** Writes the site to [target], and removes all other files there. */
     @OptIn(ExperimentalPathApi::class)
     fun write(target: Path) {
         val plan = SitePlan(root)

@@ -8,7 +8,7 @@ import kotlin.io.path.name
 import kotlin.io.path.walk
 
 /**
- * Which files of the repository become pages of the site, and the address of each.
+ * The files of the repository that become pages of the site, with their addresses.
  *
  * Paths are relative to [root] and addresses to the site's folder; both have `/` between their parts.
  */
@@ -31,7 +31,7 @@ internal class SitePlan(private val root: Path) {
         data object Nowhere : Target
     }
 
-    /** Where a link to [path] leads, a path without `#…`. */
+    /** Returns the target of a link to [path], a path without `#…`. */
     fun target(path: String): Target {
         pages[path]?.let { return Target.OnSite(it, null) }
         val readme = pages["$path/README.md".removePrefix("/")]
@@ -61,7 +61,7 @@ internal class SitePlan(private val root: Path) {
 
         private fun isPicture(path: String): Boolean = path.substringAfterLast('.') in setOf("png", "svg", "gif", "webp")
 
-        /** The name of the page that the exporter makes of the log [name]. */
+        /** Returns the name of the exported page of the log [name]. */
         fun pageName(name: String): String = "$name.html"
 
         private fun pageAddress(path: String): String = when {

@@ -11,7 +11,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.readText
 import kotlin.io.path.walk
 
-/** The site that the build has made. */
+/** The site made by the build. */
 internal object BuiltSite {
     val folder: Path = Path.of(System.getProperty("badlog.site"))
 
@@ -28,7 +28,7 @@ internal object BuiltSite {
     val browser: Enabled =
         if (chromium != null || System.getenv("BADLOG_BROWSER") == "required") Enabled.enabled else Enabled.disabled("Chromium is missing on the PATH")
 
-    /** What a browser shows of [address], opened from disk, once its scripts have run. */
+    /** Returns the document at [address] in a browser, opened from disk, after its scripts have run. */
     fun inBrowser(address: String): Document {
         val profile = Files.createTempDirectory("badlog-site")
         try {

@@ -33,7 +33,7 @@ class GuideReaderSpec : FunSpec({
         read("docs/page.md").html shouldContain """<h2 id="keys--gestures">"""
     }
 
-    test("a file that is linked to is copied, a picture stays beside its guide, a log becomes its page, a folder becomes text") {
+    test("a linked file is copied, a picture stays beside its guide, a log becomes its page, and a folder becomes text") {
         file("docs/look.png", "")
         file("vendordep/Badlog.json", "{}")
         file("samples/a.bag.gz", "")
@@ -46,7 +46,7 @@ class GuideReaderSpec : FunSpec({
         guide.html shouldNotContain "../core"
     }
 
-    test("a link that leads nowhere is reported with its page") {
+    test("a broken link is reported with its page") {
         file("docs/page.md", "# Page\n\n[gone](gone.md#here)")
         shouldThrow<IllegalStateException> { read("docs/page.md") }.message shouldBe
             "docs/page.md links to “gone.md#here”, which does not exist; correct the link."
@@ -66,7 +66,7 @@ class GuideReaderSpec : FunSpec({
         guide.sections[1].text shouldContain "help"
     }
 
-    test("a flowchart is drawn, each box above those that its arrows lead to, and also shown as a list of its arrows") {
+    test("a flowchart is drawn with all arrows pointing down, and also shown as a list of its arrows") {
         file("docs/page.md", "# Page\n\n```mermaid\nflowchart TD\n    robot[jvm-robot] -- writes bags --> core\n    files --> core\n    files --> robot\n```\n")
         val html = read("docs/page.md").html
         html shouldContain "<li><b>jvm-robot</b> → writes bags <b>core</b></li>\n<li><b>files</b> → <b>core</b>, <b>jvm-robot</b></li>"
@@ -77,7 +77,7 @@ class GuideReaderSpec : FunSpec({
         heights.keys.sortedBy { heights[it] } shouldContainExactly listOf("files", "jvm-robot", "core")
     }
 
-    test("code is shown as it is written") {
+    test("code is shown unchanged") {
         file("docs/page.md", "# Page\n\n```console\n$ badlog find 'a < b & c'\n```\n")
         read("docs/page.md").html shouldContain "<code class=\"language-console\">$ badlog find 'a &lt; b &amp; c'\n</code></pre>"
     }

@@ -20,7 +20,7 @@ private val OUTSIDE = Regex("^(https?|mailto|data|blob|javascript):|^//")
 class SiteSpec : FunSpec({
     val plan = SitePlan(ROOT)
 
-    /** The links of [page] at [address] to what does not exist, in words. */
+    /** Returns the broken links of [page] at [address], in words. */
     fun brokenLinks(address: String, page: Document): List<String> {
         val links = page.select("a[href], link[href]").map { it.attr("href") } + page.select("img[src], script[src], iframe[src]").map { it.attr("src") }
         return links.filter { it.isNotBlank() && !OUTSIDE.containsMatchIn(it) }.distinct().mapNotNull { link ->
@@ -30,7 +30,7 @@ class SiteSpec : FunSpec({
             when {
                 !BuiltSite.folder.resolve(target).exists() -> "$address: $link"
 
-                // Exported pages interpret what follows the # themselves.
+                // Exported pages interpret the part after # themselves.
                 anchor.isEmpty() || target.startsWith("samples/") || target.startsWith("report/") || target.startsWith("api/") -> null
 
                 target !in BuiltSite.pages -> null

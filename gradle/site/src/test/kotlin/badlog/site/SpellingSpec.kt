@@ -22,7 +22,7 @@ class SpellingSpec : FunSpec({
     val speller = runCatching { aspell("dump", "dicts").inputStream.reader().readText() }.getOrDefault("").lines().any { it == "en_US" }
     val enabled = if (speller || System.getenv("BADLOG_SPELLING") == "required") Enabled.enabled else Enabled.disabled("aspell and its English words are missing")
 
-    /** The words of [text] that are neither in the dictionary nor in the list of words. */
+    /** Returns the words of [text] that are neither in the dictionary nor in the list of words. */
     fun misspelled(text: String): Set<String> {
         val program = aspell("--ignore=2", "list")
         program.outputStream.writer().use { it.write(text.replace('’', '\'')) }

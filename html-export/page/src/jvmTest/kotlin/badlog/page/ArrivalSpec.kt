@@ -174,6 +174,7 @@ internal class ArrivalSpec : PageSpec({
             await("the list") { elements(".log-table").isNotEmpty() }
             openListed("Q8")
             awaitLog("Qualification 8")
+            await("what is unlike") { elements(".changes li").isNotEmpty() }
             texts(".changes li") shouldContainExactly listOf("Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A).")
             seriousForReaders().shouldBeEmpty()
             keepScreenshot("changes")

@@ -1,8 +1,8 @@
 package badlog.protocol
 
 /**
- * The CRC-32 of gzip and PNG (reflected, 0xEDB88320) of bytes that come in pieces. The exporter writes it beside each line of an embedded
- * file, and the page, which reads hundreds of megabytes, checks it: eight bytes at a time, by eight tables.
+ * The CRC-32 of gzip and PNG (reflected, 0xEDB88320) over bytes in pieces. The exporter writes it beside each line of an embedded file, and
+ * the page checks it. Pages may have hundreds of megabytes, so it handles eight bytes at a time, with eight tables.
  */
 class Crc32 {
     private var state = -1
@@ -35,7 +35,7 @@ class Crc32 {
     private companion object {
         const val POLYNOMIAL = 0xEDB88320.toInt()
 
-        /** What each byte contributes, for a byte that 0 to 7 others follow: eight tables of 256. */
+        /** The contribution of each byte value when 0 to 7 other bytes follow: eight tables of 256. */
         val TABLE = IntArray(8 * 256).also { table ->
             for (byte in 0 until 256) {
                 var crc = byte

@@ -3,7 +3,7 @@ package badlog.protocol
 import badlog.core.json.JsonMember
 import badlog.core.json.JsonValue
 
-/** Thrown for text that the other side of the protocol does not write. */
+/** Thrown for text that the other side of the protocol never writes. */
 internal class MalformedException : Exception()
 
 internal fun malformed(): Nothing = throw MalformedException()
@@ -36,15 +36,15 @@ internal val JsonValue.number: Double get() = json.toDoubleOrNull() ?: malformed
 
 internal val JsonValue.boolean: Boolean get() = json.toBooleanStrictOrNull() ?: malformed()
 
-/** Returns an object of those [members] whose JSON is not null. */
+/** Returns an object of the [members] with JSON that is not null. */
 fun jsonObject(vararg members: Pair<String, String?>): String =
     members.filter { it.second != null }.joinToString(",", "{", "}") { "\"${it.first}\":${it.second}" }
 
 internal fun <T> array(items: List<T>, json: (T) -> String): String = items.joinToString(",", "[", "]", transform = json)
 
 /**
- * Returns [json] in a form that is safe in a script element: without any `<`, it can neither end the element nor begin a comment.
- * Half of a surrogate pair cannot be written as UTF-8, so all surrogates are escaped.
+ * Returns [json] in a form that is safe in a script element: without any `<`, it can neither end the element nor begin a comment. UTF-8
+ * cannot express half of a surrogate pair, so all surrogates are escaped.
  */
 fun inScript(json: String): String {
     if (json.none { it == '<' || it.isSurrogate() }) return json

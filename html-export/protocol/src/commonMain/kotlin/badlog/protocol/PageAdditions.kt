@@ -9,22 +9,22 @@ import badlog.viewer.choices.note.NoteChange
 import badlog.viewer.choices.note.NoteHistory
 
 /**
- * What a page shows besides the recording itself.
+ * The content of a page besides the recording itself.
  *
  * @property virtualTopics formulas: definitions of topics that are calculated from others, such as `Power [W] = Voltage * Current`. The
  *   page evaluates them when it opens, and reports mistakes in them.
- * @property rules what the page looks for in the recording once its graphs are drawn, and the names of signals' topics.
- * @property rulesProblem why these are not the intended rules, as a sentence, with the line of a mistake below it if there is one; null if
- *   all is well.
- * @property findings what was found by other means than [rules], such as a comparison with other logs.
+ * @property rules the rules that the page runs after its graphs are drawn, and the names of signals' topics.
+ * @property rulesProblem the reason why these are not the intended rules, as a sentence, followed by the line with the mistake if there is
+ *   one; null if there is no problem.
+ * @property findings findings that do not come from [rules], such as those of a comparison with other logs.
  * @property hooks the results of programs that examined the recording, one for each program.
- * @property differences how the log differs from the team's other logs, greatest difference first; incidents mention those related to them.
- * @property layout the text of a layout file with whose graphs the page begins; null for none. The page reports mistakes in it.
- * @property notes what people wrote about moments of the recording.
- * @property notesProblem why there are no notes although a file has some, as a sentence; null if all is well.
+ * @property differences the log's differences from the team's other logs, greatest first; incidents mention related ones.
+ * @property layout the text of a layout file with the page's first graphs; null for none. The page reports mistakes in it.
+ * @property notes people's notes about moments of the recording.
+ * @property notesProblem the reason why notes in a file are missing here, as a sentence; null if none are missing.
  * @property field the field on which paths are drawn, including its picture, in the form of `FieldFile`; null for a plain one.
  * @property video the name of a video of the match beside the page, or in a folder there: `match.mp4`, `video/match.mp4`; null for none.
- * @property noteChanges what people changed of [notes], see [NoteHistory].
+ * @property noteChanges the changes of [notes], see [NoteHistory].
  */
 class PageAdditions(
     val virtualTopics: List<String> = emptyList(),
@@ -40,7 +40,7 @@ class PageAdditions(
     val video: String? = null,
     val noteChanges: List<NoteChange> = emptyList(),
 ) {
-    /** Returns the same with [notes], without their authors, and with [problem] if there should be notes but are none. */
+    /** Returns the same with [notes], without their authors; [problem] is set if notes are missing. */
     fun withNotes(notes: NoteHistory, problem: String?): PageAdditions {
         val changes = notes.changes.map { it.copy(author = "") }
         return PageAdditions(
@@ -61,7 +61,7 @@ class PageAdditions(
         )
     }
 
-    /** Returns what of this is not about one log: a page shows it of another log, too. */
+    /** Returns the additions that are not about one log, so that a page also shows them for other logs. */
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
     /** Reads what [toJson] wrote. */
@@ -72,7 +72,7 @@ class PageAdditions(
  * The result of a program that examined a recording. The page shows it in a section that names the program.
  *
  * @property name the program's name for people.
- * @property error why it returned nothing, or not everything; null if it succeeded.
+ * @property error the reason why it returned nothing, or not everything; null if it succeeded.
  * @property values the values it calculated, in its order.
  * @property findings the findings; their [rule][Finding.rule] is usually [name].
  * @property series the lines that it calculated.

@@ -11,12 +11,12 @@ import io.kotest.property.checkAll
 private fun crcOf(vararg pieces: ByteArray): Int = Crc32().apply { for (piece in pieces) update(piece) }.value
 
 class Crc32Spec : FunSpec({
-    test("the checksum of “123456789” is the one that every description of CRC-32 gives") {
+    test("the checksum of “123456789” is the check value of CRC-32") {
         crcOf("123456789".encodeToByteArray()) shouldBe 0xCBF43926.toInt()
         crcOf() shouldBe 0
     }
 
-    test("bytes have the same checksum in whatever pieces they come") {
+    test("bytes have the same checksum in any pieces") {
         checkAll(Arb.byteArray(Arb.int(0, 100), Arb.byte()), Arb.int(0, 100)) { bytes, cut ->
             val at = cut.coerceAtMost(bytes.size)
             crcOf(bytes.copyOf(at), bytes.copyOfRange(at, bytes.size)) shouldBe crcOf(bytes)
@@ -32,7 +32,7 @@ class Crc32Spec : FunSpec({
         }
     }
 
-    test("after a reset, it begins again") {
+    test("after a reset, the checksum starts again") {
         val crc = Crc32().apply { update(byteArrayOf(1, 2, 3)) }
         crc.reset()
         crc.value shouldBe 0

@@ -96,7 +96,7 @@ class ProtocolSpec : FunSpec({
         listOf(name, error, values, findings.map(::partsOf), lines, figures.map { listOf(it.title, it.mediaType, it.base64) })
     }
 
-    test("whatever the exporter puts into a page comes back as it was, and can neither end nor open an element") {
+    test("all content of a page is read back unchanged, and can neither end nor open an element") {
         checkAll(Arb.list(TEXTS, 0..3), RULES, Arb.list(FINDINGS, 0..3), Arb.list(HOOKS, 0..2)) { topics, rules, findings, hooks ->
             val additions = PageAdditions(topics, rules, topics.firstOrNull(), findings, hooks, video = topics.lastOrNull())
             val text = additions.toJson()
@@ -112,7 +112,7 @@ class ProtocolSpec : FunSpec({
         }
     }
 
-    test("notes and what became of them come back as they were") {
+    test("notes and their changes are read back unchanged") {
         checkAll(100, Arb.list(TEXTS, 0..3)) { texts ->
             val notes = texts.filter { it.isNotBlank() }.mapIndexed { i, text -> Note(i + 0.5, text) }
             val time = "2026-03-07T14:05:12.345Z"
@@ -124,7 +124,7 @@ class ProtocolSpec : FunSpec({
         }
     }
 
-    test("what the page's worker finds comes back as it was") {
+    test("findings of the page's worker are read back unchanged") {
         checkAll(100, Arb.list(FINDINGS, 0..3), Arb.list(TEXTS, 0..3), Arb.boolean()) { findings, names, isMistake ->
             val skipped = names.map { SkippedRule(it, 1, "$it.", isMistake) }
             val read = logFindingsOf(LogFindings(findings, skipped).toJson()).shouldNotBeNull()
@@ -134,7 +134,7 @@ class ProtocolSpec : FunSpec({
         }
     }
 
-    test("what was cut or changed on its way is nothing, never half of it") {
+    test("cut or changed text is read as null, never in part") {
         val text = PageAdditions(findings = listOf(Finding("R", Severity.NOTE, null, "t", 1.0, emptyList(), 0, "s"))).toJson()
         for (end in text.indices) PageAdditions.fromJson(text.take(end)) shouldBe null
         PageAdditions.fromJson(text.replace("note", "bad")) shouldBe null

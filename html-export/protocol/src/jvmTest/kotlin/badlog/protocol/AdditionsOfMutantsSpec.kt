@@ -12,7 +12,7 @@ import kotlin.random.Random
 private val MUTANTS = PropertyTesting.defaultIterationCount
 
 class AdditionsOfMutantsSpec : FunSpec({
-    test("damaged additions of a page are none, or additions, and never an exception") {
+    test("damaged additions of a page are read as additions or null, without an exception") {
         val hook = HookPart("hook", null, listOf(Value("a", "1")), emptyList(), emptyList(), emptyList())
         val whole = PageAdditions(virtualTopics = listOf("[ a ] = b + 1"), rules = RuleSet.BUILT_IN, hooks = listOf(hook)).toJson()
         PageAdditions.fromJson(whole)?.virtualTopics?.size shouldBe 1

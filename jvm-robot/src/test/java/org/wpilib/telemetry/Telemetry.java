@@ -3,7 +3,7 @@ package org.wpilib.telemetry;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Stands in for WPILib's class of this name, for the guides' robots: keeps what it was told. */
+/** Stands in for WPILib's class of this name, for the guides' robots: keeps the properties that it gets. */
 public final class Telemetry {
     /** The properties of each name, as JSON texts. */
     public static final Map<String, Map<String, String>> PROPERTIES = new TreeMap<>();

@@ -4,15 +4,15 @@ package badlog.web
  * A part of a file.
  *
  * @property from the first byte.
- * @property length the number of bytes; 0 if the part that was asked for is not in the file.
+ * @property length the number of bytes; 0 if the requested part is not in the file.
  */
 internal class ByteRange(val from: Long, val length: Long) {
     companion object {
         private val RANGE = Regex("""bytes=(\d*)-(\d*)""")
 
         /**
-         * Returns the part of a file of [size] bytes that [header] asks for; null if it asks for all of it, or for something that a server
-         * may ignore, such as several parts.
+         * Returns the part of a file of [size] bytes that [header] requests. Null if it requests all of the file, or something that a
+         * server may ignore, such as several parts.
          */
         fun of(header: String?, size: Long): ByteRange? {
             val (from, to) = RANGE.matchEntire(header ?: return null)?.destructured ?: return null
@@ -25,7 +25,7 @@ internal class ByteRange(val from: Long, val length: Long) {
             return ByteRange(first, (last - first + 1).coerceAtLeast(0))
         }
 
-        // More digits than a number has are more than any file has, too.
+        // A number with too many digits is larger than any file.
         private fun number(digits: String) = digits.toLongOrNull() ?: Long.MAX_VALUE
     }
 }

@@ -2,9 +2,9 @@ package badlog.web
 
 import java.util.concurrent.TimeUnit
 
-/** The time by which downloads wait: this computer's, or what a test makes of it. */
+/** The clock that downloads wait for: the system's, or a test's. */
 internal open class Clock {
-    /** Returns the time in nanoseconds, from any moment. */
+    /** Returns the time in nanoseconds since some moment. */
     open fun nanos(): Long = System.nanoTime()
 
     /** Waits until it is [nanos]. */

@@ -5,16 +5,16 @@ import java.io.OutputStream
 import java.nio.ByteBuffer
 import java.nio.channels.ReadableByteChannel
 
-/** The downloads that may run at the same time: each has a buffer, which is made once and used again. */
+/** The downloads that may run at the same time. Each has a buffer that is created once and reused. */
 internal class Downloads(private val pace: Pace, private val clock: Clock) {
     private val all = List(LIMIT) { Download() }
 
-    /** Returns a download that no one else uses, to be given back by its `close`; null if all are in use. */
+    /** Returns a free download; null if all are in use. Its `close` frees it again. */
     @Synchronized
     fun take(): Download? {
         val free = all.firstOrNull { it.thread == null }
         if (free == null) {
-            // Somebody walked away with a phone: the next one to ask gets the place.
+            // A download stands still, as when a phone leaves the network: the next request gets its place.
             for (download in all) if (clock.nanos() - download.moved > PATIENCE_NANOS) download.thread?.interrupt()
             return null
         }
@@ -23,19 +23,19 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
         return free
     }
 
-    /** One of them. Used by the thread that took it. */
+    /** One download. Only the thread that took it uses it. */
     inner class Download : AutoCloseable {
         private val buffer = ByteBuffer.allocate(BUFFER_BYTES)
         var thread: Thread? = null
 
-        /** When something was last sent. */
+        /** The time when bytes were last sent. */
         @Volatile
         var moved = 0L
 
         /**
-         * Copies [length] bytes from [source] to [target] while [mayGoOn] says so. Nothing is allocated for the parts.
+         * Copies [length] bytes from [source] to [target] while [mayGoOn] returns true. Nothing is allocated for the parts.
          *
-         * @throws IOException if that fails, or if less came than [length].
+         * @throws IOException if that fails, or if [source] ends before [length] bytes.
          */
         fun copy(source: ReadableByteChannel, length: Long, target: OutputStream, mayGoOn: () -> Boolean) {
             var left = length
@@ -57,7 +57,7 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
     private companion object {
         const val LIMIT = 2
 
-        /** A part is sent in 16 ms: often enough for a smooth download, and seldom enough to leave a processor alone. */
+        /** A part of this size takes 16 ms. That is short enough for a smooth download, and long enough to spare the processor. */
         const val BUFFER_BYTES = 16 * 1024
 
         const val PATIENCE_NANOS = 10_000_000_000L

@@ -5,7 +5,7 @@ import java.nio.file.attribute.BasicFileAttributes
 import kotlin.io.path.name
 
 /**
- * What is in a folder, in the form in which WPILib's own web server lists one, with the times of change.
+ * The content of a folder, in the form of WPILib's own web server, with times of modification.
  *
  * @property folders the names of its folders.
  * @property files its logs.
@@ -31,7 +31,7 @@ internal class Listing(private val folders: List<String>, private val files: Lis
         fun StringBuilder.appendQuoted(text: String) = apply {
             append('"')
             for (character in text) {
-                // Names may hold anything, also what ends a string, a script or a line.
+                // Names may contain any character, even one that ends a string, a script or a line.
                 if (character.isPlain()) append(character) else append("\\u").append(character.code.toString(16).padStart(4, '0'))
             }
             append('"')
@@ -45,11 +45,11 @@ internal class Listing(private val folders: List<String>, private val files: Lis
  * A log in a folder.
  *
  * @property size its length in bytes.
- * @property modified when it was last written, in ms since 1970.
+ * @property modified the time of its last write, in ms since 1970.
  */
 internal class ListedFile(val path: Path, val size: Long, val modified: Long) {
     constructor(path: Path, attributes: BasicFileAttributes) : this(path, attributes.size(), attributes.lastModifiedTime().toMillis())
 
-    /** What identifies this state of its bytes. */
+    /** The identifier of this state of its bytes. */
     val tag: String get() = "\"${modified.toString(16)}-${size.toString(16)}\""
 }

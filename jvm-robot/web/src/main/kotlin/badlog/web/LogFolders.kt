@@ -12,25 +12,25 @@ import java.nio.file.attribute.BasicFileAttributes
 import kotlin.io.path.name
 
 /**
- * The logs that may be seen: those in some folders and in the folders below. Links are not followed, hidden names do not exist, and nor
- * does anything that is not called like a log.
+ * The logs that the server shows: those in some folders and in the folders below. Links, hidden names and files without the ending of a log
+ * are not served.
  *
- * @param homes folders that hold other files, too: only the bags directly in them may be seen.
+ * @param homes folders with other files, too: only the bags directly in them are shown.
  */
 internal class LogFolders(private val folders: List<File>, private val homes: List<File> = emptyList()) {
-    /** The name in addresses that each folder got when it was first seen; it keeps it, so that addresses lead to the same logs. */
+    /** The name of each folder in addresses. It stays the same once the folder was seen, so that addresses lead to the same logs. */
     private val names = HashMap<Path, String>()
 
-    /** Returns each folder that there is now by its name: the logs' own may be made later, and sticks come and go. */
+    /** Returns the folders that exist now, by their names. Folders of logs may be created later, and sticks come and go. */
     @Synchronized
     private fun roots(): Map<String, Path> {
         // Two names of one folder, such as a stick's and its link, are one.
         val found = folders.mapNotNull { folder -> if (folder.isDirectory) realPath(folder) else null }.distinct()
-        val withBags = bare().filter { it !in found && hasBag(it) }
-        return (found + withBags).associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
+        val homesWithBags = realHomes().filter { it !in found && hasBag(it) }
+        return (found + homesWithBags).associateBy { folder -> names.getOrPut(folder) { freeName(folder) } }
     }
 
-    private fun bare(): List<Path> = homes.mapNotNull { home -> if (home.isDirectory) realPath(home) else null }.distinct()
+    private fun realHomes(): List<Path> = homes.mapNotNull { home -> if (home.isDirectory) realPath(home) else null }.distinct()
 
     private fun hasBag(home: Path): Boolean {
         var hasBag = false
@@ -46,17 +46,17 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
         return free
     }
 
-    /** Returns what is in the folder that [address] names, which begins and ends with `/`; null if there is no such folder. */
+    /** Returns the content of the folder at [address], which begins and ends with `/`. Null if it does not exist. */
     fun list(address: String): Listing? {
         if (address == "/") return Listing(roots().keys.toList(), emptyList())
         val folder = resolve(address.removeSuffix("/")) ?: return null
         if (attributesOf(folder)?.isDirectory != true) return null
-        val isBare = isBare(folder)
+        val showsOnlyBags = showsOnlyBags(folder)
         val folders = ArrayList<String>()
         val files = ArrayList<ListedFile>()
         forEachIn(folder) { path, attributes ->
             when {
-                isBare -> if (isBag(path, attributes)) files += ListedFile(path, attributes)
+                showsOnlyBags -> if (isBag(path, attributes)) files += ListedFile(path, attributes)
                 attributes.isDirectory -> folders += path.name
                 else -> files += ListedFile(path, attributes)
             }
@@ -64,12 +64,12 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
         return Listing(folders, files)
     }
 
-    /** Returns the log that [address] names; null if there is none. */
+    /** Returns the log at [address]; null if there is none. */
     fun log(address: String): ListedFile? {
         val path = resolve(address) ?: return null
         val attributes = attributesOf(path) ?: return null
-        val isSeen = if (isBare(path.parent)) isBag(path, attributes) else isLog(path, attributes)
-        return if (isSeen) ListedFile(path, attributes) else null
+        val isServed = if (showsOnlyBags(path.parent)) isBag(path, attributes) else isLog(path, attributes)
+        return if (isServed) ListedFile(path, attributes) else null
     }
 
     /** Calls [action] with each log and each folder in [folder]; with none if it cannot be read. */
@@ -81,12 +81,12 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
             }
         }
     } catch (_: IOException) {
-        // It was removed, such as a stick that was pulled out.
+        // The folder is gone, such as on a removed stick.
     } catch (_: DirectoryIteratorException) {
-        // The same, while it was read.
+        // The folder disappeared while it was read.
     }
 
-    /** Returns the path that [address] names, of which only the last part may be something else than a folder. */
+    /** Returns the path that [address] names. All of its parts but the last must be folders. */
     private fun resolve(address: String): Path? {
         val names = address.removePrefix("/").split('/').map { decoded(it) ?: return null }
         if (!names.all(::isVisible)) return null
@@ -98,15 +98,15 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
                 return null
             }
             val attributes = attributesOf(path) ?: return null
-            // A home shows only the bags directly in it, no folder.
-            if (attributes.isDirectory && isBare(path.parent)) return null
+            // A home shows only the bags directly in it, and no folder.
+            if (attributes.isDirectory && showsOnlyBags(path.parent)) return null
             if (i < names.lastIndex && !attributes.isDirectory) return null
         }
         return path
     }
 
-    // A folder of logs in a home is one itself.
-    private fun isBare(folder: Path) = folder in bare() && folders.none { it.isDirectory && realPath(it) == folder }
+    // A home that is itself a folder of logs shows everything.
+    private fun showsOnlyBags(folder: Path) = folder in realHomes() && folders.none { it.isDirectory && realPath(it) == folder }
 
     private companion object {
         val BAG = Regex("""(?is).+\.(bag|badbag)(\.gz)?""")
@@ -116,7 +116,7 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
 
         fun isBag(path: Path, attributes: BasicFileAttributes) = attributes.isRegularFile && BAG.matches(path.name)
 
-        /** Returns whether [name] may be that of a file or a folder, and is not hidden. */
+        /** Returns whether [name] may name a file or a folder, and is not hidden. */
         fun isVisible(name: String) = name.isNotEmpty() && name[0] != '.' && name.none { it in "/\\:" || it < ' ' || it == '\uFFFD' }
 
         fun decoded(name: String): String? = try {
@@ -125,7 +125,7 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
             null
         }
 
-        /** Returns what kind of file is at [path]; null if there is none, or a link, or none of the usual ones. */
+        /** Returns the attributes of the regular file or folder at [path]; null if there is none, or a link. */
         fun attributesOf(path: Path): BasicFileAttributes? = try {
             Files.readAttributes(path, BasicFileAttributes::class.java, NOFOLLOW_LINKS).takeUnless { it.isSymbolicLink || it.isOther }
         } catch (_: IOException) {
@@ -140,9 +140,12 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
     }
 }
 
-/** Where badlog and WPILib log: on a USB stick or its link, in the home of a roboRIO or a Systemcore, and in a simulation. */
+/**
+ * The folders to which badlog and WPILib log. They are on a USB stick or its link, in the home of a roboRIO or a Systemcore, and in a
+ * simulation.
+ */
 internal val USUAL_FOLDERS =
     listOf("/U/logs", "/V/logs", "/u/logs", "/home/lvuser/logs", "/home/systemcore/logs", "/home/lvuser/log", "logs").map(::File)
 
-/** Where programs with the original badlog put their bags, beside other files. */
+/** The folders in which programs with the original badlog put their bags, beside other files. */
 internal val USUAL_HOMES = listOf("/home/lvuser", "/media/sda1").map(::File)

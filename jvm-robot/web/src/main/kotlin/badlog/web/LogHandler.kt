@@ -16,18 +16,18 @@ internal class LogHandler(
     private val page: ServedPage,
     private val downloads: Downloads,
 ) : HttpHandler {
-    private val mayGoOn = { whyClosed() == null }
+    private val mayGoOn = { refusal() == null }
 
-    // On the field, nothing is excepted.
-    private val mayFollow = { whyClosed() != Refusal.FIELD }
+    // On the field, there is no exception.
+    private val mayFollow = { refusal() != Refusal.FIELD }
 
     override fun handle(exchange: HttpExchange) {
         try {
             answer(exchange)
         } catch (_: IOException) {
-            // Whoever asked is gone, or gets less than was announced, which no browser takes for the whole log.
+            // The client is gone, or gets fewer bytes than announced, so that no browser takes them for the whole log.
         } catch (_: InterruptedException) {
-            // The place of a download that stood still was needed.
+            // Another request needed the place of this download, which stood still.
         } finally {
             exchange.close()
         }
@@ -42,24 +42,24 @@ internal class LogHandler(
         }
         val hosts = exchange.requestHeaders["Host"].orEmpty()
         val address = exchange.requestURI.rawPath.orEmpty()
-        val closed = whyClosed()
+        val refusal = refusal()
         when {
             hosts.size != 1 || !isOwnHost(hosts[0]) -> refuse(exchange, Refusal.HOST)
 
             exchange.requestMethod != "GET" -> refuse(exchange, Refusal.METHOD)
 
-            closed == Refusal.FIELD -> refuse(exchange, closed)
+            refusal == Refusal.FIELD -> refuse(exchange, refusal)
 
             address.endsWith("/") && exchange.requestURI.rawQuery == "format=json" ->
-                if (closed == null) list(exchange, address) else refuse(exchange, closed)
+                if (refusal == null) list(exchange, address) else refuse(exchange, refusal)
 
-            address == "/" -> if (closed == null) sendPage(exchange) else refuse(exchange, closed)
+            address == "/" -> if (refusal == null) sendPage(exchange) else refuse(exchange, refusal)
 
-            else -> sendLog(exchange, address, closed)
+            else -> sendLog(exchange, address, refusal)
         }
     }
 
-    private fun whyClosed(): Refusal? = when {
+    private fun refusal(): Refusal? = when {
         options.isAlwaysOpen -> null
         options.isFieldAttached.asBoolean -> Refusal.FIELD
         options.isEnabled.asBoolean -> Refusal.ENABLED
@@ -86,13 +86,13 @@ internal class LogHandler(
         }
     }
 
-    private fun sendLog(exchange: HttpExchange, address: String, closed: Refusal?) {
+    private fun sendLog(exchange: HttpExchange, address: String, refusal: Refusal?) {
         val log = folders.log(address) ?: return refuse(exchange, Refusal.MISSING)
         exchange.responseHeaders["Accept-Ranges"] = "bytes"
         val range = rangeOf(exchange, log)
-        val isFollowed = closed != null && isEnd(log, range)
+        val isFollowed = refusal != null && isEnd(log, range)
         when {
-            closed != null && !isFollowed -> refuse(exchange, if (isRunning(log) && (range?.from ?: 0) > 0) Refusal.BEHIND else closed)
+            refusal != null && !isFollowed -> refuse(exchange, if (isRunning(log) && (range?.from ?: 0) > 0) Refusal.BEHIND else refusal)
 
             range == null && isKnown(exchange, log.tag) -> Unit
 
@@ -129,14 +129,14 @@ internal class LogHandler(
                 exchange.responseHeaders["ETag"] = log.tag
                 exchange.responseHeaders["Content-Type"] = "application/octet-stream"
                 if (range != null) exchange.responseHeaders["Content-Range"] = "bytes $from-${from + length - 1}/${log.size}"
-                // An empty body is announced by -1.
+                // The length -1 announces an empty body.
                 exchange.sendResponseHeaders(if (range == null) OK else PARTIAL, if (length == 0L) NO_BODY else length)
                 download.copy(it, length, exchange.responseBody, mayGoOn)
             }
         }
     }
 
-    /** Answers that nothing has changed if whoever asks has [tag] already. */
+    /** Answers that nothing has changed if the client already has [tag]. */
     private fun isKnown(exchange: HttpExchange, tag: String): Boolean {
         exchange.responseHeaders["ETag"] = tag
         if (exchange.requestHeaders.getFirst("If-None-Match") != tag) return false
@@ -163,10 +163,13 @@ internal class LogHandler(
         const val NOT_MODIFIED = 304
         const val NO_BODY = -1L
 
-        /** How much of a running log's end may be read while the robot is enabled: half a minute of fifty numbers in each loop. */
+        /**
+         * The part of a running log's end that may be read while the robot is enabled. It holds half a minute of fifty numbers in each
+         * loop.
+         */
         const val TAIL_BYTES = 1024 * 1024
 
-        /** A log that was written to less long ago is being written. */
+        /** A log is running if its last write is more recent than this. */
         const val RUNNING_MILLIS = 10_000
     }
 }

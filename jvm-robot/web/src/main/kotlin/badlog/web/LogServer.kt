@@ -8,20 +8,20 @@ import java.util.concurrent.ThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * Shows the robot's logs in any browser in the robot's network: `http://10.TE.AM.2:5806/` lists them, newest first, and opens them, on a
- * phone, too. It only reads, and only logs.
+ * Shows the robot's logs in any browser in the robot's network, even on a phone. `http://10.TE.AM.2:5806/` lists them, newest first, and
+ * opens them. It only reads, and only logs.
  *
- * It is slow on purpose, so that the robot's loop is not: two downloads at a time, and 1 MB/s for all of them together. While the robot is
+ * It is slow on purpose, to keep the robot's loop fast: two downloads at a time, and 1 MB/s for all of them together. While the robot is
  * enabled or connected to the field, it answers with a sentence that says so; only the last megabyte of the log that is being written can
  * be read while the robot is enabled without a field.
  *
- * Whatever goes wrong, it never throws: it says once on standard error what to do.
+ * It never throws: it reports a failure once on standard error, and says what to do.
  */
 public class LogServer private constructor(private val port: Int, private val options: LogServerOptions) : AutoCloseable {
     private var server: HttpServer? = null
     private var isClosed = false
 
-    /** Ends it, and the downloads that are running. */
+    /** Ends the server and its running downloads. */
     @Synchronized
     override fun close() {
         isClosed = true
@@ -31,7 +31,7 @@ public class LogServer private constructor(private val port: Int, private val op
         (open.executor as ThreadPoolExecutor).shutdownNow()
     }
 
-    /** The port that it has opened; null before that, and if it could not. */
+    /** The opened port; null before that, and if opening failed. */
     internal val openPort: Int? @Synchronized get() = server?.address?.port
 
     private fun open() {
@@ -39,18 +39,18 @@ public class LogServer private constructor(private val port: Int, private val op
             Class.forName("com.sun.net.httpserver.HttpServer")
             listen()
         } catch (_: ClassNotFoundException) {
-            say("it needs the module jdk.httpserver, which this Java lacks. Fetch the logs with badlog fetch instead")
+            report("it needs the module jdk.httpserver, which this Java lacks. Fetch the logs with badlog fetch instead")
         } catch (failure: IOException) {
-            say("port $port cannot be opened (${failure.message}). Use another one from 5800 to 5810 that nothing else uses")
+            report("port $port cannot be opened (${failure.message}). Use another one from 5800 to 5810 that nothing else uses")
         } catch (failure: Throwable) {
-            say("$failure. Fetch the logs with badlog fetch instead")
+            report("$failure. Fetch the logs with badlog fetch instead")
         }
     }
 
     @Synchronized
     private fun listen() {
         if (isClosed) return
-        // Whoever sends a request slowly, or never ends it, holds a thread; the server reads these once, when its classes are loaded.
+        // A request that is slow, or never ends, occupies a thread. The server reads these limits once, when its classes are loaded.
         for ((name, value) in LIMITS) if (System.getProperty(name) == null) System.setProperty(name, value)
         val opened = HttpServer.create(InetSocketAddress(port), 0)
         val folders = if (options.folders.isEmpty()) LogFolders(USUAL_FOLDERS, USUAL_HOMES) else LogFolders(options.folders)
@@ -66,7 +66,7 @@ public class LogServer private constructor(private val port: Int, private val op
         server = opened
     }
 
-    private fun say(what: String) = System.err.println("badlog: The logs are not shown in browsers: $what.")
+    private fun report(what: String) = System.err.println("badlog: The logs are not shown in browsers: $what.")
 
     public companion object {
         // Two for downloads, the others for short answers.
@@ -75,8 +75,8 @@ public class LogServer private constructor(private val port: Int, private val op
         private val LIMITS = mapOf("sun.net.httpserver.maxReqTime" to "10", "sun.net.httpserver.maxReqHeaders" to "50")
 
         /**
-         * Starts a server on [port] with the options that suit most robots. Teams may use the ports 5800 to 5810, of which other programs use
-         * some: 5806 is usually free.
+         * Starts a server on [port] with the options that suit most robots. Teams may use the ports 5800 to 5810. Other programs use some
+         * of them; 5806 is usually free.
          */
         @JvmStatic
         public fun start(port: Int): LogServer = start(port, LogServerOptions())

@@ -1,8 +1,8 @@
 package badlog.web
 
 /**
- * Returns whether [header], the `Host` of a request, is a name that only a robot has, or an address. Any other name may belong to a page
- * that made it point here, and would then be allowed to read what is answered (DNS rebinding).
+ * Returns whether [header], the `Host` of a request, is a name that only a robot has, or an address. Any other name may belong to a web
+ * page that points its name here to read the answers (DNS rebinding).
  */
 internal fun isOwnHost(header: String): Boolean = HOST.matches(header)
 

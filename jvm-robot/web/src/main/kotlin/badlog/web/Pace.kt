@@ -2,7 +2,7 @@ package badlog.web
 
 import java.util.concurrent.TimeUnit
 
-/** Holds all downloads together to [bytesPerSecond], so that a robot's loop, its disk and the field's radio have the rest. */
+/** Limits all downloads together to [bytesPerSecond]. The rest is left to the robot's loop, its disk and the field's radio. */
 internal class Pace(private val bytesPerSecond: Long, private val clock: Clock) {
     private var next = clock.nanos()
 
@@ -11,7 +11,7 @@ internal class Pace(private val bytesPerSecond: Long, private val clock: Clock) 
         val start: Long
         synchronized(this) {
             val now = clock.nanos()
-            // Time that nobody used is not made up for.
+            // Unused time is not made up for.
             if (next - now < 0) next = now
             start = next
             next += TimeUnit.SECONDS.toNanos(bytes.toLong()) / bytesPerSecond

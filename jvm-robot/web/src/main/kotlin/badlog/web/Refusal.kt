@@ -1,10 +1,10 @@
 package badlog.web
 
 /**
- * Why a request is not answered.
+ * The reasons to refuse a request.
  *
- * @property status the status of HTTP.
- * @property text a sentence for whoever asked.
+ * @property status the HTTP status.
+ * @property text a sentence for the client.
  */
 internal enum class Refusal(val status: Int, val text: String) {
     HOST(421, "This robot does not go by that name: open it by its address, such as http://10.TE.AM.2:5806/, or as robot.local."),

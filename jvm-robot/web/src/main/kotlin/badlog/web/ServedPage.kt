@@ -8,23 +8,23 @@ internal class ServedPage {
     /** Its length in bytes. */
     val size: Long
 
-    /** What identifies its bytes. */
+    /** The identifier of its bytes. */
     val tag: String
 
     init {
-        val sum = CRC32()
+        val checksum = CRC32()
         var size = 0L
         val buffer = ByteArray(BUFFER_BYTES)
         open().use { stream ->
             while (true) {
                 val count = stream.read(buffer)
                 if (count < 0) break
-                sum.update(buffer, 0, count)
+                checksum.update(buffer, 0, count)
                 size += count
             }
         }
         this.size = size
-        tag = "\"${sum.value.toString(16)}\""
+        tag = "\"${checksum.value.toString(16)}\""
     }
 
     /** Returns its bytes. */

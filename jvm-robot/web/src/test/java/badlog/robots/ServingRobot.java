@@ -5,7 +5,7 @@ import badlog.web.LogServerOptions;
 import java.io.File;
 import java.util.List;
 
-/** Robots that show their logs, as in docs/web.md; and one whose program ends once it serves, or has said why it does not. */
+/** Robots that show their logs, as in docs/web.md. One of them ends once it serves, or has reported why it does not. */
 public final class ServingRobot {
     private ServingRobot() {
     }

@@ -15,7 +15,7 @@ import kotlin.io.path.writeText
 
 @Tags("InCheck")
 class DownloadsSpec : FunSpec({
-    test("sending a log allocates nothing for its parts") {
+    test("sending the parts of a log allocates nothing") {
         val file = Files.createTempFile("badlog", ".bag").apply { writeBytes(ByteArray(4_000_000)) }
         val downloads = Downloads(Pace(Long.MAX_VALUE / 1_000_000_000, Clock()), Clock())
         val nowhere = OutputStream.nullOutputStream()
@@ -35,7 +35,7 @@ class DownloadsSpec : FunSpec({
         file.deleteExisting()
     }
 
-    test("1 MB/s is kept, also by several together") {
+    test("several downloads together keep to 1 MB/s") {
         val clock = TestClock(isRunning = true)
         val pace = Pace(1_000_000, clock)
         List(2) { Thread { repeat(10) { pace.await(16_384) } }.apply { start() } }.forEach { it.join() }
@@ -43,7 +43,7 @@ class DownloadsSpec : FunSpec({
         clock.nanos() shouldBe 19 * 16_384_000L
     }
 
-    test("time that nobody used is not made up for") {
+    test("unused time is not made up for") {
         val clock = TestClock(isRunning = true)
         val pace = Pace(1_000_000, clock)
         pace.await(16_384)
@@ -52,10 +52,10 @@ class DownloadsSpec : FunSpec({
         clock.nanos() shouldBe 60_000_000_000 + 16_384_000
     }
 
-    test("whoever asks gets the place of a download that stood still for ten seconds") {
+    test("a new request gets the place of a download that stood still for ten seconds") {
         val clock = TestClock(isRunning = true)
         withServer(LogServerOptions().also { it.clock = clock }) { server ->
-            // More than the system keeps for somebody who does not read.
+            // More than the system buffers for a client that does not read.
             server.logs.resolve("large.bag").writeBytes(ByteArray(30_000_000))
             server.logs.resolve("small.bag").writeText("small")
             val asleep = List(2) {
@@ -67,7 +67,7 @@ class DownloadsSpec : FunSpec({
             clock.advance(seconds = 9)
             server.get("/logs/small.bag").status shouldBe 503
             awaited("a place") {
-                // What the system keeps may still be filling.
+                // The system's buffer may still be filling.
                 clock.advance(seconds = 11)
                 server.get("/logs/small.bag").takeIf { it.status == 200 }
             }.text shouldBe "small"

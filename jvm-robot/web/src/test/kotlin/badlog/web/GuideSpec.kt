@@ -6,7 +6,7 @@ import io.kotest.matchers.shouldBe
 import java.io.File
 
 class GuideSpec : FunSpec({
-    test("the lines in docs/web.md are those that are compiled here") {
+    test("the lines in docs/web.md equal the compiled ones") {
         val guide = File("../../docs/web.md").readText()
         val examples = guide.split("```java\n").drop(1).map { it.substringBefore("```") }.filter { "LogServer" in it }
         val compiled = File("src/test/java/badlog/robots/ServingRobot.java").readLines().map { it.trim() }

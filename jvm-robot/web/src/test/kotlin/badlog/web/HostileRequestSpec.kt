@@ -22,7 +22,7 @@ private const val SECRET = "secret of the robot"
 
 @Tags("InCheck")
 class HostileRequestSpec : FunSpec({
-    /** A server with one log, and with secrets beside its folder, in hidden files, behind links, and under other names. */
+    /** Starts a server with one log, and with secrets beside its folder, in hidden files, behind links, and under other names. */
     fun withSecrets(test: (TestServer) -> Unit) = withServer { server ->
         val logs = server.logs
         logs.resolve("match.bag").writeText("log")
@@ -39,7 +39,7 @@ class HostileRequestSpec : FunSpec({
         test(server)
     }
 
-    test("nothing outside of the log folders, hidden, behind a link, or not called like a log is answered, however it is asked for") {
+    test("files that are not in log folders, hidden, behind a link, or without a log's ending are never served") {
         withSecrets { server ->
             val above = server.logs.parent
             val attempts = listOf(
@@ -70,7 +70,7 @@ class HostileRequestSpec : FunSpec({
         }
     }
 
-    test("a page of another site that points its name here reads nothing (DNS rebinding)") {
+    test("another site that points its name here reads nothing (DNS rebinding)") {
         withSecrets { server ->
             val foreign = listOf(
                 "evil.example", "evil.example:5806", "robot.local.evil.example", "10.10.14.2.evil.example", "roborio-1014-frc.evil.example", "roborio-evil.example",
@@ -90,7 +90,7 @@ class HostileRequestSpec : FunSpec({
                 "localhost", "LOCALHOST:1", "127.0.0.1:5806", "10.10.14.2", "[::1]:5806", "[fe80::1]", "robot.local:5806", "roboRIO-1014-FRC.local:5806",
                 "roborio-254-frc", "roborio-9999-frc.lan", "roborio-1-frc.frc-field.local",
             )
-            // A place for downloads is free again only a moment after a download has arrived.
+            // A download frees its place only a moment after it has arrived.
             for (host in own) eventually("the log, for $host") { server.sent("GET /logs/match.bag HTTP/1.1\r\nHost: $host\r\n\r\n")?.status == 200 }
         }
     }

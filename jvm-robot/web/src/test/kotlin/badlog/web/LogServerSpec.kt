@@ -28,7 +28,7 @@ private val BYTES = ByteArray(100_000) { (it * 31 + it / 251).toByte() }
 
 @Tags("InCheck")
 class LogServerSpec : FunSpec({
-    test("/ is the page, which may ask this server and no other, and is not sent again to who has it") {
+    test("/ is the page, which may contact only this server, and is not sent twice") {
         withServer { server ->
             val page = server.get("/")
             page.status shouldBe 200
@@ -42,7 +42,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a listing names folders and logs, with sizes and times of change, as WPILib's server does") {
+    test("a listing has folders and logs with sizes and times, in the form of WPILib's server") {
         withServer { server ->
             server.logs.resolve("b.wpilog").writeBytes(BYTES)
             server.logs.resolve("a.bag").writeText("bag")
@@ -65,7 +65,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("two folders of one name have two names, one folder of two names has one, and missing ones are left out").config(
+    test("folders get distinct names, a folder with two paths gets one, and missing ones are skipped").config(
         enabledOrReasonIf = { IF_UNIX },
     ) {
         val above = Files.createTempDirectory("badlog-web")
@@ -79,7 +79,7 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
-    test("of a home, only the bags directly in it are seen, and without any it is no folder") {
+    test("a home shows only the bags directly in it, and is not listed without any") {
         val above = Files.createTempDirectory("badlog-web")
         val home = above.resolve("lvuser")
         val logs = home.resolve("log").createDirectories()
@@ -101,7 +101,7 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
-    test("a folder that is made after the start, or on a stick that is plugged in later, is seen, and the others keep their addresses") {
+    test("a folder that appears after the start is served, and the others keep their addresses") {
         val above = Files.createTempDirectory("badlog-web")
         val stick = above.resolve("stick/logs")
         val own = above.resolve("own/logs")
@@ -118,7 +118,7 @@ class LogServerSpec : FunSpec({
         above.toFile().deleteRecursively()
     }
 
-    test("a part of a log is sent as it was asked for") {
+    test("a requested part of a log is sent") {
         withServer { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
             fun range(value: String) = server.get("/logs/a.bag", "Range: $value")
@@ -132,7 +132,7 @@ class LogServerSpec : FunSpec({
                 val answer = range(beyond)
                 answer.status to answer.headers["content-range"] shouldBe (416 to "bytes */100000")
             }
-            // What a server may ignore gets the whole log, once.
+            // Ranges that a server may ignore get the whole log, once.
             for (ignored in listOf("bytes=0-1,4-5", "bytes=" + (0..900).joinToString(",") { "0-" }, "bytes=5-1", "bytes=-", "lines=0-1", "bytes=a-b", "bytes=--5")) {
                 val answer = range(ignored)
                 answer.status to answer.body.size shouldBe (200 to BYTES.size)
@@ -140,7 +140,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("an unchanged log is not sent again, and a part of a changed one is not added to the old one") {
+    test("an unchanged log is not sent again, and parts of a changed log are not mixed") {
         withServer { server ->
             val log = server.logs.resolve("a.bag").apply { writeText("first") }
             val tag = server.get("/logs/a.bag").headers["etag"]
@@ -159,7 +159,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a log that becomes shorter while it is sent ends the connection, and nobody waits for the rest") {
+    test("a log that becomes shorter while it is sent ends the connection") {
         val clock = TestClock()
         withServer(paced(clock)) { server ->
             val log = server.logs.resolve("a.bag").apply { writeBytes(BYTES) }
@@ -175,7 +175,7 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("two downloads run at a time, at one pace together; a third one is shown that it waits, and gets its turn") {
+    test("two downloads share one pace; a third one is told to wait, and gets its turn") {
         val clock = TestClock()
         withServer(paced(clock)) { server ->
             server.logs.resolve("a.bag").writeBytes(BYTES)
@@ -187,27 +187,27 @@ class LogServerSpec : FunSpec({
             val third = server.get("/logs/a.bag")
             third.status shouldBe 503
             third.text shouldStartWith "Two downloads are running already"
-            // Pages that follow learn that it passes.
+            // Pages that follow the log learn to try again.
             third.headers["retry-after"] shouldBe "1"
             // Short answers need no place.
             server.get("/logs/?format=json").status shouldBe 200
             clock.run()
             for (socket in sockets) socket.getInputStream().readBytes().takeLast(9) shouldBe BYTES.takeLast(9)
-            // Each byte took its time but those of the last part, which are what is left of a log after six parts of 16 KiB.
+            // Each byte took its time, except for those in the last part: the rest of a log after six parts of 16 KiB.
             clock.nanos() shouldBe (200_000 - (100_000 - 6 * 16_384)) * 20_000L
             sockets.forEach { it.close() }
             awaited("a free place") { server.get("/logs/a.bag").takeIf { it.status == 200 } }.body.size shouldBe BYTES.size
         }
     }
 
-    test("on the field nothing is answered; while the robot is enabled elsewhere, only the end of the log that is being written") {
+    test("on the field nothing is served; while enabled elsewhere, only the end of the running log") {
         val options = LogServerOptions()
         withServer(options) { server ->
             val old = server.logs.resolve("old.bag").apply { writeBytes(BYTES) }
             old.setLastModifiedTime(FileTime.fromMillis(1_772_892_000_000))
             val running = server.logs.resolve("running.bag").apply { writeBytes(ByteArray(2_000_000)) }
             running.appendText("end")
-            // In the year 2100: written to until long after this test.
+            // In the year 2100, so that the log counts as running throughout the test.
             running.setLastModifiedTime(FileTime.fromMillis(4_102_444_800_000))
             DriverStation.enabled = true
             try {
@@ -258,44 +258,44 @@ class LogServerSpec : FunSpec({
         }
     }
 
-    test("a port in use is one message that says what to do, and the program goes on") {
+    test("a port in use gives one message with advice, and the program continues") {
         ServerSocket(0).use { taken ->
-            val (exit, said) = saidBy("${taken.localPort}")
+            val (exit, output) = outputOf("${taken.localPort}")
             exit shouldBe 0
-            said.trim().lines().size shouldBe 1
-            said shouldStartWith "badlog: The logs are not shown in browsers: port ${taken.localPort} cannot be opened (Address already in use)."
+            output.trim().lines().size shouldBe 1
+            output shouldStartWith "badlog: The logs are not shown in browsers: port ${taken.localPort} cannot be opened (Address already in use)."
         }
     }
 
-    test("a Java without the server's module is one message that says what to do") {
-        val (exit, said) = saidBy("0", "--limit-modules", "java.base,java.logging")
+    test("a Java without the server's module gives one message with advice") {
+        val (exit, output) = outputOf("0", "--limit-modules", "java.base,java.logging")
         exit shouldBe 0
-        said shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
+        output shouldBe "badlog: The logs are not shown in browsers: it needs the module jdk.httpserver, which this Java lacks. " +
             "Fetch the logs with badlog fetch instead.\n"
     }
 
-    test("it ends with the program") {
-        saidBy("0") shouldBe (0 to "")
+    test("the server ends with the program") {
+        outputOf("0") shouldBe (0 to "")
     }
 
-    test("a robot gets the server, its page and Kotlin's library, and no more") {
+    test("a robot gets only the server, its page and Kotlin's library") {
         val jars = System.getProperty("badlog.shipped").split(File.pathSeparator).map(::File).filter { it.exists() }
         jars.map { it.name.substringBeforeLast('-') } shouldContainExactly listOf("web", "kotlin-stdlib", "annotations")
         jars[0].length() shouldBeLessThan 600_000
     }
 })
 
-/** Options of a server whose downloads get 50,000 bytes in a second of [clock]. */
+/** Options of a server that sends 50,000 bytes of downloads in a second of [clock]. */
 private fun paced(clock: Clock) = LogServerOptions().also {
     it.bytesPerSecond = 50_000
     it.clock = clock
 }
 
-/** Runs a robot's program that serves on [port], and ends once the port is opened or refused; returns its exit code and all that it said. */
-private fun saidBy(port: String, vararg options: String): Pair<Int, String> {
+/** Runs a robot's program that serves on [port], and ends once the port is opened or refused. Returns its exit code and its output. */
+private fun outputOf(port: String, vararg options: String): Pair<Int, String> {
     val java = File(System.getProperty("java.home"), "bin/java").path
     val classpath = System.getProperty("badlog.shipped") + File.pathSeparator + System.getProperty("badlog.robots")
     val process = ProcessBuilder(java, *options, "-cp", classpath, "badlog.robots.ServingRobot", port).redirectErrorStream(true).start()
-    val said = process.inputStream.readBytes().decodeToString()
-    return process.waitFor() to said
+    val output = process.inputStream.readBytes().decodeToString()
+    return process.waitFor() to output
 }

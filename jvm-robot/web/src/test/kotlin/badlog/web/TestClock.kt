@@ -3,13 +3,16 @@ package badlog.web
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** A clock at 0 that stands still, so that whoever waits does, until it [runs][run]; then each wait takes its time at once. */
+/**
+ * A clock that stands still at 0, and keeps its callers waiting, until it [runs][run]. From then on, each wait moves the clock and returns
+ * at once.
+ */
 internal class TestClock(private var isRunning: Boolean = false) : Clock() {
     private val lock = ReentrantLock()
     private val change = lock.newCondition()
     private var now = 0L
 
-    /** How many wait. */
+    /** The number of callers that wait. */
     val waiting: Int get() = lock.withLock { lock.getWaitQueueLength(change) }
 
     override fun nanos(): Long = lock.withLock { now }

@@ -13,10 +13,10 @@ import java.net.SocketException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Windows makes links for administrators only, and forbids names of files that other systems allow. */
+/** Runs tests only on Unix. Windows lets only administrators create links, and forbids file names that other systems allow. */
 internal val IF_UNIX: Enabled = if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows has no such files")
 
-/** Repeats [question] until it is answered; fails after a minute. */
+/** Repeats [question] until its result is not null; fails after a minute. */
 internal fun <T : Any> awaited(what: String, question: () -> T?): T {
     var answer: T? = null
     eventually(what) {
@@ -43,17 +43,17 @@ internal fun withServer(options: LogServerOptions = LogServerOptions(), test: (T
 internal class TestServer(val logs: Path, val port: Int) {
     fun connect() = Socket(InetAddress.getLoopbackAddress(), port).apply { soTimeout = 30_000 }
 
-    /** Sends [head] exactly so, and returns the answer; null if the connection was closed without one. */
+    /** Sends [head] unchanged, and returns the answer; null if the connection was closed without one. */
     fun sent(head: String): Answer? = connect().use { socket ->
         socket.getOutputStream().write(head.toByteArray(Charsets.ISO_8859_1))
         Answer.read(socket.getInputStream())
     }
 
-    /** Asks for [address], with these [headers] besides the host. */
+    /** Requests [address], with these [headers] besides the host. */
     fun get(address: String, vararg headers: String): Answer = checkNotNull(sent((listOf("GET $address HTTP/1.1", "Host: 10.10.14.2:5806") + headers).joinToString("\r\n", postfix = "\r\n\r\n")))
 }
 
-/** An answer of HTTP; [isWhole], whether all of the body that was announced came. */
+/** An HTTP answer; [isWhole] tells whether all of the announced body came. */
 internal class Answer(val status: Int, val headers: Map<String, String>, val body: ByteArray, val isWhole: Boolean) {
     val text: String get() = body.decodeToString()
 

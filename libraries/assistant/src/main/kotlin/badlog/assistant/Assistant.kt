@@ -34,7 +34,7 @@ internal class Assistant : McpService {
         }
         // Graphs are drawn without a screen.
         System.setProperty("java.awt.headless", "true")
-        // The protocol's library prints a greeting, which a person would take for an error.
+        // The protocol's library prints a greeting that looks like an error.
         System.setProperty("kotlin-logging.logStartupMessage", "false")
         val lake = seasonService()?.let { LogLake(logs, cache, it) }
         runBlocking { AssistantServer(toolsOf(logs, cache, lake), logs.root.toString()).serve(input, output) }
@@ -42,14 +42,14 @@ internal class Assistant : McpService {
     }
 }
 
-/** Returns what makes tables of logs; null if that is not installed. */
+/** Returns the service that makes tables of logs; null if it is not installed. */
 internal fun seasonService(): SeasonService? =
     ServiceLoader.load(SeasonService::class.java, Assistant::class.java.classLoader).firstOrNull()
 
 /**
  * Returns all tools for [logs].
  *
- * @param cache where answers are kept; null for nowhere.
+ * @param cache the folder for cached answers; null for none.
  * @param lake the tables of the logs; null if nothing can make them.
  */
 internal fun toolsOf(logs: LogFolder, cache: Path?, lake: LogLake?): List<AssistantTool> {

@@ -31,7 +31,7 @@ import java.util.Base64
 /**
  * Speaks the Model Context Protocol: lists the [tools], and answers one call at a time, since each may need much memory.
  *
- * @param folder where the logs are; no answer reveals it.
+ * @param folder the folder of the logs; no answer reveals it.
  */
 internal class AssistantServer(private val tools: List<AssistantTool>, folder: String) {
     private val texts = AnswerText(folder)
@@ -96,7 +96,7 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     private fun failed(sentence: String) = CallToolResult(listOf(TextContent(texts.of(sentence))), isError = true)
 
     private companion object {
-        /** What JSON-RPC 2.0 prescribes. */
+        /** The answer prescribed by JSON-RPC 2.0. */
         const val PARSE_ERROR = """{"jsonrpc":"2.0","id":null,"error":{"code":-32700,"message":"Parse error: this line is not JSON."}}"""
 
         val INSTRUCTIONS = """

@@ -8,7 +8,7 @@ import java.io.ByteArrayOutputStream
 import java.io.InputStream
 
 /**
- * The lines of [input] that are objects or arrays of JSON. The SDK would drop others without an answer, for which a client may wait.
+ * The lines of [input] that are objects or arrays of JSON. The SDK drops other lines without an answer, for which a client may wait.
  *
  * @param onOther called for each other line that is not empty.
  */
@@ -58,7 +58,7 @@ internal class JsonLines(input: InputStream, private val onOther: () -> Unit) : 
         return bytes.toByteArray()
     }
 
-    // A word alone is taken for a value.
+    // The parser accepts a single word as a value.
     private fun isJson(text: String) = try {
         Json.parseToJsonElement(text).let { it is JsonObject || it is JsonArray }
     } catch (_: SerializationException) {

@@ -19,8 +19,9 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * Runs the examples of `docs/assistant.md`: in each, a tool with its arguments, and below it the data of the answer, in which a line `…`
- * stands for any lines, and `…` in a line for any part of it. With the environment variable `BADLOG_WRITE_GUIDE` those that differ are written anew instead, in full.
+ * Runs the examples of `docs/assistant.md`. An example is a tool with its arguments, followed by the data of the answer. A line `…` matches
+ * any lines, and `…` in a line any part of it. With the environment variable `BADLOG_WRITE_GUIDE`, examples that differ are rewritten in
+ * full instead.
  */
 @Tags("InCheck")
 class AssistantGuideSpec : FunSpec({
@@ -31,7 +32,7 @@ class AssistantGuideSpec : FunSpec({
 
     fun matches(wanted: String, printed: String): Boolean = Regex(wanted.split("\n…\n").joinToString("\n(?:.*\n)*?", transform = ::pattern)).matches(printed)
 
-    test("what the guide shows is what the tools answer about the samples") {
+    test("the tools answer the guide's examples as shown") {
         val text = guide.readText()
         val examples = example.findAll(text).map { it.value }.toList()
         examples.size shouldBeGreaterThan 3
@@ -52,7 +53,7 @@ class AssistantGuideSpec : FunSpec({
         }
     }
 
-    test("the guide lists every tool, and the limits as they are") {
+    test("the guide lists every tool and the current limits") {
         val text = guide.readText()
         asking(SAMPLES) {
             val listed = Regex("""^\| `(\w+)` \|""", RegexOption.MULTILINE).findAll(text).map { it.groupValues[1] }.toList()
@@ -63,7 +64,7 @@ class AssistantGuideSpec : FunSpec({
     }
 })
 
-/** [data] so that a person can read it: a line for each of its parts, and for each entry of a list. */
+/** Returns [data] in readable form: a line for each of its parts, and for each entry of a list. */
 private fun lines(data: JsonObject): String = data.entries.joinToString("\n", postfix = "\n") { (name, value) ->
     val isList = value is JsonArray && value.any { it !is JsonPrimitive }
     if (isList) "$name:\n" + value.joinToString("\n") { "  ${compact(it)}" } else "$name: ${compact(value)}"

@@ -9,7 +9,7 @@ import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.withTimeout
 import kotlin.time.Duration.Companion.minutes
 
-/** A conversation that has ended when the server has just begun to listen. */
+/** A conversation that ends as soon as the server begins to listen. */
 private class ShortConversation : AbstractTransport() {
     var isClosed = false
         private set

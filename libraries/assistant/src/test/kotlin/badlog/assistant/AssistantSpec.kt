@@ -22,7 +22,7 @@ private const val MATCH = "qualification-42.bag"
 
 @Tags("InCheck")
 class AssistantSpec : FunSpec({
-    test("it offers tools that only read, and says what each is for") {
+    test("all tools are read-only and described") {
         asking(SAMPLES) {
             val tools = client.listTools().tools
             tools.map { it.name } shouldContainExactly
@@ -60,7 +60,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("SQL asks all logs at once, and without a query says what there is") {
+    test("SQL queries all logs, and without a query lists the tables") {
         asking(SAMPLES) {
             val lowest = data("sql", "query" to "SELECT log, \"System/Battery Voltage\".min AS lowest FROM match_statistics WHERE log = '$MATCH'")
             lowest.array("columns").map { it.jsonPrimitive.content } shouldContainExactly listOf("log VARCHAR", "lowest DOUBLE")
@@ -71,7 +71,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("findings of a log show what led to the brownout, with evidence and times") {
+    test("findings of a log show the causes of the brownout, with evidence and times") {
         asking(SAMPLES) {
             val found = data("findings", "log" to MATCH)
             val incident = found.array("incidents").first().jsonObject
@@ -83,7 +83,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("questions are answered for one log or for all, and mistakes in them are pointed at") {
+    test("questions are answered for one log or all, and mistakes in them are marked") {
         asking(SAMPLES) {
             val answer = data("find", "question" to "min(battery voltage) < 7", "log" to MATCH).array("answers").single().jsonObject
             answer.text("outcome") shouldBe "holds"
@@ -106,7 +106,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("statistics are those of the range, in units, and states have the time that each lasted") {
+    test("statistics are calculated for the range, with units, and states have their durations") {
         asking(SAMPLES) {
             val whole = data("statistics", "log" to MATCH, "topics" to listOf("battery voltage"))
             whole.array("topics").single().jsonObject.getValue("min").text("value") shouldBe "6.73"
@@ -119,7 +119,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("few samples are given as they are; many are cut into parts that lose no extreme, which is said") {
+    test("few samples are returned unchanged, and many as parts that keep all extremes, with a remark") {
         asking(SAMPLES) {
             val few = data("samples", "log" to MATCH, "topics" to listOf("Battery Voltage"), "from" to 93.6, "to" to 93.8).array("topics").single().jsonObject
             few.getValue("samplesInRange").jsonPrimitive.int shouldBe few.array("points").size
@@ -130,7 +130,7 @@ class AssistantSpec : FunSpec({
         }
     }
 
-    test("events and states are given by their times, and what is left out is reported with where to continue") {
+    test("events and states are returned with their times, and omitted ones are reported with the place to continue") {
         asking(SAMPLES) {
             val first = data("samples", "log" to MATCH, "topics" to listOf("Event Log"), "points" to 3).array("topics").single().jsonObject
             first.array("points").size shouldBe 3

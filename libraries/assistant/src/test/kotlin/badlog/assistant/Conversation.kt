@@ -36,20 +36,20 @@ internal val SAMPLES: Path = Path.of("../../samples")
 
 /** An assistant that talks with the server. */
 internal class Conversation(val client: Client) {
-    /** What the server answers to a call of [tool] with [arguments]. */
+    /** Returns the server's answer to a call of [tool] with [arguments]. */
     suspend fun call(tool: String, vararg arguments: Pair<String, Any?>): CallToolResult = client.callTool(name = tool, arguments = arguments.toMap())
 
-    /** The text of that answer. */
+    /** Returns the text of that answer. */
     suspend fun text(tool: String, vararg arguments: Pair<String, Any?>): String = textOf(call(tool, *arguments))
 
-    /** The data of that answer, which is not a failure. */
+    /** Returns the data of that answer, which must not be a failure. */
     suspend fun data(tool: String, vararg arguments: Pair<String, Any?>): JsonObject {
         val result = call(tool, *arguments)
         withClue(textOf(result)) { (result.isError ?: false) shouldBe false }
         return Json.parseToJsonElement(textOf(result)).jsonObject.getValue("data").jsonObject
     }
 
-    /** The sentence with which the server refuses a call. */
+    /** Returns the sentence with which the server refuses a call. */
     suspend fun refusal(tool: String, vararg arguments: Pair<String, Any?>): String {
         val result = call(tool, *arguments)
         withClue(textOf(result)) { result.isError shouldBe true }
@@ -92,13 +92,13 @@ internal fun asking(folder: Path, talk: suspend Conversation.() -> Unit) {
     caches.toFile().deleteRecursively()
 }
 
-/** A file [name] in this folder, with [content]. */
+/** Writes a file [name] with [content] into this folder. */
 internal fun Path.with(name: String, content: String): Path = resolve(name).apply {
     Files.createDirectories(parent)
     writeText(content)
 }
 
-/** A small bag with the topic [topic], the value [value] and the event [event]. */
+/** Returns a small bag with the topic [topic], the value [value] and the event [event]. */
 internal fun bag(topic: String = "Speed", value: String = "42", event: String = "go"): String {
     fun quoted(text: String) = Json.encodeToString(text)
     return """
@@ -119,5 +119,5 @@ internal fun JsonElement.text(name: String): String = jsonObject.getValue(name).
 
 internal fun JsonArray.texts(name: String): List<String> = map { it.text(name) }
 
-/** A machine that does much else is slow. */
+/** A limit for busy machines, in ms. */
 private const val TIME_LIMIT = 300_000L

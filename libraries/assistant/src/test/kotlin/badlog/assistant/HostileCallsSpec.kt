@@ -44,7 +44,7 @@ class HostileCallsSpec : FunSpec({
         }
     }
 
-    test("no link leads out of the folder, be it to a log, to a folder, to the second file of a log, or to rules").config(enabledOrReasonIf = { IF_LINKS }) {
+    test("no link to a log, a folder, a log's second file or rules leads out of the folder").config(enabledOrReasonIf = { IF_LINKS }) {
         inFolder { outer ->
             val outside = outer.with("outside.bag", bag(topic = SECRET))
             outer.with("more/b.bag", bag(topic = SECRET))
@@ -81,7 +81,7 @@ class HostileCallsSpec : FunSpec({
         }
     }
 
-    test("no answer shows where the folder is") {
+    test("no answer contains the path of the folder") {
         inFolder { folder ->
             folder.with("a.bag", bag())
             folder.with("broken.wpilog", "WPILOG")
@@ -116,7 +116,7 @@ class HostileCallsSpec : FunSpec({
         }
     }
 
-    test("answers about a huge log are bounded, and page by page nothing is missing") {
+    test("answers about a huge log are limited, and all pages together are complete") {
         inFolder { folder ->
             val names = List(900) { "Topic $it ${"long ".repeat(30)}" }
             val header = names.joinToString(",", prefix = "Time,") { "\"$it\"" }
@@ -139,7 +139,7 @@ class HostileCallsSpec : FunSpec({
         }
     }
 
-    test("arguments that make no sense are refused with a sentence that says what would") {
+    test("invalid arguments are refused with a sentence about valid ones") {
         inFolder { folder ->
             folder.with("a.bag", bag())
             asking(folder) {
@@ -161,7 +161,7 @@ class HostileCallsSpec : FunSpec({
         }
     }
 
-    test("a log that came, changed or went is seen as it is now") {
+    test("new, changed and deleted logs are noticed") {
         inFolder { folder ->
             val log = folder.with("a.bag", bag())
             asking(folder) {

@@ -36,7 +36,7 @@ class UnparsableRequestSpec : FunSpec({
         serving.join()
     }
 
-    test("of any lines, those that are JSON pass unchanged, and the others are counted") {
+    test("lines of JSON pass unchanged, and other lines are counted") {
         val texts = Arb.element("{\"a\":1}", "[1,2]", "", "  ", "{", "nonsense here", "{\"ü\":\"\\n\"}", "}{", "{}\r", "nonsense")
         checkAll(Arb.list(texts, 0..20), Arb.int(1, 50)) { lines, size ->
             var others = 0

@@ -16,8 +16,8 @@ import badlog.charts.match.matchesOf
 /**
  * The charts of a folder of logs.
  *
- * @property all those for which there is enough data, the most useful first.
- * @property lacking for each other chart a sentence that says what is lacking.
+ * @property all the charts with enough data, the most useful first.
+ * @property lacking for each other chart, a sentence about the missing data.
  * @property undrawn the names of the other charts.
  */
 class Charts internal constructor(val all: List<Chart>, val lacking: List<String>, val undrawn: List<String>)

@@ -31,14 +31,14 @@ class ChartsSpec : FunSpec({
 
     fun chart(name: String, of: Charts = charts) = of.all.single { it.name == name }
 
-    test("there is a chart for each question that teams ask, and nothing is lacking") {
+    test("with complete data there is a chart for each question") {
         charts.all.map { it.name } shouldContainExactly
             listOf("battery", "loop-times", "loops-per-match", "battery-over-current", "resistance", "packet-loss", "motor-temperatures")
         charts.lacking.shouldBeEmpty()
         charts.all.forAll { it.question.last() shouldBe '?' }
     }
 
-    test("a chart is SVG that scales, names what it shows, and needs no script and no network") {
+    test("a chart is a scalable SVG with a title that needs no script and no network") {
         charts.all.forAll { chart ->
             val svg = chart.svg()
             parsed(svg).documentElement.getAttribute("viewBox") shouldBe "0 0 900 420"
@@ -50,7 +50,7 @@ class ChartsSpec : FunSpec({
         }
     }
 
-    test("a chart is a picture of the asked size") {
+    test("a chart is rendered as a picture of the requested size") {
         charts.all.take(2).forAll { chart ->
             val picture = ImageIO.read(ByteArrayInputStream(chart.png()))
             picture.width to picture.height shouldBe (1800 to 840)
@@ -66,22 +66,22 @@ class ChartsSpec : FunSpec({
         chart("battery").reading shouldNotContain "uncertainty"
     }
 
-    test("matches are in the order in which they were played, not in that of the list") {
+    test("matches are in the order of play, not of the list") {
         val shuffled = chartsOf(listOf(7, 3, 5, 1).map { measuredLog(it) })
         textsIn(chart("battery", shuffled).svg()).filter { it.matches(Regex("Q\\d+")) } shouldContainExactly listOf("Q1", "Q3", "Q5", "Q7")
     }
 
-    test("a match far from the others is named at its point, and a limit near the values is drawn") {
+    test("an outlier has a label at its point, and a limit near the values is drawn") {
         val low = chartsOf((1..12).map { if (it == 8) measuredLog(it, volts = 6.2) else measuredLog(it) })
         textsIn(chart("battery", low).svg()).count { it == "Q8" } shouldBe 2
         chart("battery", low).reading shouldContain "red: brownout, 6.75 V"
         chart("battery").reading shouldNotContain "brownout"
     }
 
-    test("a limit is drawn if a match is on its wrong side, however far") {
+    test("a limit at any distance is drawn if a match is on its bad side") {
         val empty = chartsOf((1..5).map { measuredLog(it, volts = 3.0 + 0.01 * it) })
         chart("battery", empty).reading shouldContain "red: brownout, 6.75 V"
-        // It is on the axis.
+        // The value is on the axis.
         textsIn(chart("battery", empty).svg()).mapNotNull { it.toDoubleOrNull() }.max() shouldBeGreaterThan 6.0
     }
 
@@ -96,7 +96,7 @@ class ChartsSpec : FunSpec({
         of2 shouldContain "4 logs"
     }
 
-    test("the title names an event only if all logs are of it") {
+    test("the title contains the event only if all logs are of the same event") {
         fun title(vararg events: String?): String {
             val logs = events.mapIndexed { i, event -> measuredLog(i, match = MatchOfLog(event, "Qualification", "$i")) }
             return textsIn(chart("battery", chartsOf(logs)).svg()).single { it.startsWith("Battery at its lowest") }
@@ -106,32 +106,32 @@ class ChartsSpec : FunSpec({
         title("Mill Creek", "Mill Creek", "Lake") shouldBe "Battery at its lowest"
     }
 
-    test("matches whose time is not known are in the order of their names") {
+    test("matches without a known time are in the order of their names") {
         val matches = listOf("Final" to "1", "Qualification" to "10", "Elimination" to "3", "Qualification" to "9", "Practice" to "4")
         val unordered = matches.mapIndexed { i, (type, number) -> measuredLog(20 - i, match = MatchOfLog(null, type, number), began = null) }
         val axis = textsIn(chart("battery", chartsOf(unordered)).svg()).filter { it.matches(Regex("[A-Z][a-z]?\\d+")) }
         axis shouldContainExactly listOf("Pr4", "Q9", "Q10", "E3", "F1")
     }
 
-    test("all that boxes show is explained") {
+    test("all parts of boxes are explained") {
         chart("loops-per-match").reading shouldContain "dashed: 20 ms"
     }
 
-    test("a hundred matches have as many names as there is room for") {
+    test("a hundred matches have only as many labels as fit") {
         val many = chartsOf((1..100).map { measuredLog(it) })
         textsIn(chart("battery", many).svg()).count { it.matches(Regex("Q\\d+")) } shouldBeInRange 10..30
         parsed(chart("battery", many).svg()).getElementsByTagName("circle").length shouldBe 100
     }
 
-    test("a log without a number is left out of its chart alone") {
-        val other = ChartedLog(MatchOfLog(number = "99"), "x.bag", 9_999, MadeUp().number("CPU load", Measure.ENABLED, 50.0).numbers())
+    test("a log without a number is left out of that number's chart only") {
+        val other = ChartedLog(MatchOfLog(number = "99"), "x.bag", 9_999, InventedNumbers().number("CPU load", Measure.ENABLED, 50.0).numbers())
         val with = chartsOf((1..4).map { measuredLog(it) } + other)
         parsed(chart("battery", with).svg()).getElementsByTagName("circle").length shouldBe 4
         textsIn(chart("battery", with).svg()).contains("M99") shouldBe true
         chart("battery", with).svg() shouldContain "4 logs"
     }
 
-    test("a chart with too little data is left out, and a sentence says what is lacking") {
+    test("a chart with too little data is replaced by a sentence about the missing data") {
         chartsOf(emptyList()).run { listOf(all.size, lacking.size) } shouldBe listOf(0, 7)
         chartsOf(emptyList()).undrawn shouldContainExactly charts.all.map { it.name }
         chartsOf(listOf(measuredLog(1), measuredLog(2))).lacking.first() shouldBe

@@ -7,19 +7,19 @@ import badlog.rules.number.Measure
 import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 
-/** Numbers that are made up: each is a signal, a topic, a measure, a unit and a value. */
-internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
+/** Invented numbers, each with a signal, a topic, a measure, a unit and a value. */
+internal class InventedNumbers(private val kind: MatchKind = MatchKind.MATCH) {
     private val names = ArrayList<String>()
     private val values = ArrayList<Double>()
     private val distributions = ArrayList<String>()
 
-    fun number(signal: String, measure: Measure, value: Double, topic: String = signal, unit: String = ""): MadeUp = apply {
+    fun number(signal: String, measure: Measure, value: Double, topic: String = signal, unit: String = ""): InventedNumbers = apply {
         names += listOf(signal, topic, measure.ordinal, unit).joinToString("\t")
         values += value
     }
 
-    /** [seconds] are those in bins of 1 ms. */
-    fun distribution(signal: String, quantiles: List<Double>, seconds: List<Double> = emptyList()): MadeUp = apply {
+    /** Adds a distribution; [seconds] is the time in each bin of 1 ms. */
+    fun distribution(signal: String, quantiles: List<Double>, seconds: List<Double> = emptyList()): InventedNumbers = apply {
         distributions += listOf(signal, "", quantiles.joinToString(";"), if (seconds.isEmpty()) 0.0 else 1.0, seconds.joinToString(";")).joinToString("\t")
     }
 
@@ -28,16 +28,16 @@ internal class MadeUp(private val kind: MatchKind = MatchKind.MATCH) {
     )
 }
 
-/** A log of match [number] that has everything that charts show; the lowest voltage of the battery is [volts]. */
+/** Returns a log of match [number] with data for all charts; the lowest voltage of the battery is [volts]. */
 internal fun measuredLog(
     number: Int,
     volts: Double = 9.0 + 0.1 * (number % 7),
     match: MatchOfLog = MatchOfLog("Mill Creek", "Qualification", "$number"),
     kind: MatchKind = MatchKind.MATCH,
     began: Long? = 600L * number,
-    change: MadeUp.() -> Unit = {},
+    change: InventedNumbers.() -> Unit = {},
 ): ChartedLog {
-    val made = MadeUp(kind)
+    val made = InventedNumbers(kind)
         .number("battery", Measure.LOWEST, volts)
         .number("battery resistance", Measure.RESISTANCE, 14.0 + number % 5)
         .number("packet loss", Measure.ENABLED, 0.5 + 0.1 * (number % 3))

@@ -10,7 +10,7 @@ import badlog.samples.fault.Fault
 import badlog.samples.fault.FaultyMatch
 import badlog.signals.match.MatchOfLog
 
-/** What is known of [count] simulated matches of one event; in a few of them, something goes wrong. */
+/** Returns the logs of [count] simulated matches of one event, a few of them with faults. */
 internal fun sampleSeason(count: Int): List<ChartedLog> = (1..count).toList().parallelStream().map { number ->
     val fault = when (number % 12) {
         5 -> Fault.TIRED_BATTERY

@@ -9,7 +9,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * Charts of simulated matches, as the guide shows them; with the environment variable `BADLOG_WRITE_GUIDE`, its pictures are written anew.
+ * Tests of charts of simulated matches, as shown in the guide. With the environment variable `BADLOG_WRITE_GUIDE`, its pictures are
+ * rewritten.
  */
 class SampleSeasonSpec : FunSpec({
     val charts = chartsOf(sampleSeason(24))

@@ -6,11 +6,11 @@ import badlog.core.analysis.Units
 /**
  * The result of an [Expression] for one recording.
  *
- * @property outcome whether it holds.
- * @property spans when it holds, in chronological order: for a condition over time, and for the conditions inside `any`, `count`
- *   and `total`. They do not touch, and are in the order of time, unless the clock was set back; a span is cut there. Something
- *   that happens at a moment has a span without width. Empty for a number for the whole recording.
- * @property times how often it holds: the number of [spans], where one that was cut counts once.
+ * @property outcome whether the expression holds.
+ * @property spans the times at which it holds: of a condition over time, or of the conditions inside `any`, `count` and `total`. They do
+ *   not touch, and are in the order of time, unless the clock was set back; a span is cut there. Something that happens at a moment has a
+ *   span without width. Empty for a number for the whole recording.
+ * @property times how often it holds: the number of [spans], where a cut one counts once.
  * @property quantities the numbers that were compared, in the order of the expression; for one over time, the most significant
  *   one while the expression holds: the smallest for `<`, the largest for `>`, otherwise the first. For an expression that is a
  *   number, the number; for one over time, its smallest and its largest, as `min(…)` and `max(…)`.
@@ -29,19 +29,19 @@ class Answer internal constructor(
     private val firstOver: (List<Span>) -> List<Quantity?> = { spans -> spans.map { null } },
 ) {
     /**
-     * Returns the first of [quantities] for each of [some] of the [spans] alone, in order; null if it does not belong to a condition
-     * over time, and if there is no sample.
+     * Returns the first of [quantities] within each of [some] of the [spans], in order. Null if it does not belong to a condition over
+     * time, or if the span has no sample.
      */
     fun firstQuantityOver(some: List<Span>): List<Quantity?> = firstOver(some)
 
     /** Whether the expression holds. */
     val matches: Boolean get() = outcome == Outcome.HOLDS
 
-    /** Where to look first: the start of the first span, or else where the first quantity was found; NaN if neither exists. */
+    /** The time to look at first: the start of the first span, or otherwise the time of the first quantity. NaN if neither exists. */
     val time: Double
         get() = if (spans.isNotEmpty()) spans[0].from else quantities.firstOrNull { !it.time.isNaN() }?.time ?: Double.NaN
 
-    /** Returns the answer in one line, such as `yes, min(Battery Voltage) = 6.7 V at 93.74 s` or `yes, from 92 s to 97.2 s`. */
+    /** Returns the answer in one line. Examples are `yes, min(Battery Voltage) = 6.7 V at 93.74 s` and `yes, from 92 s to 97.2 s`. */
     override fun toString(): String {
         val parts = ArrayList<String>()
         when (outcome) {
@@ -73,7 +73,7 @@ class Occurrence(val span: Span, val before: List<Pair<String, String>>)
 
 /** The outcome of a question. */
 enum class Outcome {
-    /** Yes: it holds, or does at some time. */
+    /** Yes: it holds, at least at some time. */
     HOLDS,
 
     /** No. */
@@ -82,6 +82,6 @@ enum class Outcome {
     /** Not known, because the necessary samples are missing. */
     UNKNOWN,
 
-    /** The expression was a number rather than a question; see [Answer.quantities]. */
+    /** The expression is a number rather than a question; see [Answer.quantities]. */
     NO_QUESTION,
 }

@@ -25,9 +25,9 @@ internal class Answering(private val text: String, private val root: Node, priva
     private val quantities = ArrayList<Quantity>()
     private val whenTrue = ArrayList<Spans>()
 
-    // Where and how the first quantity was found, to find it again for a part of the time.
+    // The samples of the first quantity, to find it again in a part of the time.
     private var first: SpannedQuantity? = null
-    private val whyUnknown = whyUnknown(root)
+    private val reasonUnknown = reasonUnknown(root)
 
     fun answer(): Answer {
         val value = evaluation.valueOf(root)
@@ -36,13 +36,13 @@ internal class Answering(private val text: String, private val root: Node, priva
             return answer(Outcome.NO_QUESTION, null)
         }
         if (value is Column) {
-            val whether = value.any(signals.range)
+            val holds = value.any(signals.range)
             addQuantities(root, value, false)
             // The answer may be unknown because the mode is unknown.
-            val isDoubtful = whyUnknown != null && whether.value != 1.0 && value.y.any { it.isNaN() }
-            return answer(if (isDoubtful) Outcome.UNKNOWN else outcomeOf(whether), whether.spans)
+            val isDoubtful = reasonUnknown != null && holds.value != 1.0 && value.y.any { it.isNaN() }
+            return answer(if (isDoubtful) Outcome.UNKNOWN else outcomeOf(holds), holds.spans)
         }
-        val outcome = if (whyUnknown == null) outcomeOf(value as Scalar) else Outcome.UNKNOWN
+        val outcome = if (reasonUnknown == null) outcomeOf(value as Scalar) else Outcome.UNKNOWN
         addQuantities(root, null, false)
         // The spans of several conditions may overlap; then only the first condition's count.
         return answer(outcome, if (outcome == Outcome.HOLDS) whenTrue.firstOrNull { it.isNotEmpty() } else null)
@@ -62,20 +62,20 @@ internal class Answering(private val text: String, private val root: Node, priva
         spans?.times ?: 0,
         quantities,
         shownUnit(signals.timeUnit),
-        whyUnknown.takeIf { isOpen(outcome) },
+        reasonUnknown.takeIf { isOpen(outcome) },
         firstOver = { some -> first?.over(some) ?: some.map { null } },
     )
 
     private fun isOpen(outcome: Outcome) =
         outcome == Outcome.UNKNOWN || (outcome == Outcome.NO_QUESTION && quantities.all { it.value.isNaN() })
 
-    /** Returns why an expression that depends on the robot's mode is not known. */
-    private fun whyUnknown(node: Node): String? {
+    /** Returns the reason why an expression that depends on the robot's mode is not known. */
+    private fun reasonUnknown(node: Node): String? {
         if (node is Node.Enabled) {
             if (signals.enabled == null) return "The log does not show when the robot was enabled."
             if (node.mode != Mode.ENABLED && !signals.knowsAutonomous) return "The log does not show when the robot was autonomous."
         }
-        return node.children.firstNotNullOfOrNull(::whyUnknown)
+        return node.children.firstNotNullOfOrNull(::reasonUnknown)
     }
 
     private fun addNumber(value: Value) = when (value) {
@@ -149,7 +149,7 @@ internal class Answering(private val text: String, private val root: Node, priva
         node !is Node.Topic && node !is Node.Enabled && node !is Node.Axis && node.children.all(::isConstant)
 
     private fun addQuantity(node: Node, scalar: Scalar, function: String? = null) {
-        val found = if (!node.type.isOverTime && whyUnknown(node) != null) Scalar(Double.NaN) else scalar
+        val found = if (!node.type.isOverTime && reasonUnknown(node) != null) Scalar(Double.NaN) else scalar
         val unit = shownUnit(unitOf(node, signals.timeUnit))
         val written = text.substring(node.from, node.until)
         quantities += Quantity(if (function == null) written else "$function($written)", found.value, unit, found.time)

@@ -67,7 +67,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
 
         is Node.Truth -> Scalar(if (node.value) 1.0 else 0.0)
 
-        // Only the words of a text count.
+        // Texts are compared by their words, not by a number.
         is Node.Text -> Scalar(Double.NaN)
 
         is Node.Topic -> columnOf(node.signal)
@@ -90,12 +90,12 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
     private fun argumentsOf(call: Node.Call): List<Value> {
         val values = call.arguments.map(::valueOf)
         val first = values.firstOrNull() as? Column
-        if (!call.function.needsSteps || first == null || isOfRows(first)) return values
+        if (!call.function.needsSteps || first == null || hasEachRow(first)) return values
         return listOf(first.refined(STEP * second, first.end(range))) + values.drop(1)
     }
 
     /** Returns whether [column] has a sample in each row of the log. */
-    private fun isOfRows(column: Column): Boolean {
+    private fun hasEachRow(column: Column): Boolean {
         val rows = signals.rows ?: return false
         return column.x === rows || column.x.contentEquals(stretches?.steady(rows) ?: rows)
     }
@@ -123,7 +123,7 @@ internal class Evaluation(private val signals: Signals, nodes: Int) {
             node.operator == Operator.MATCHES && right is Node.Text ->
                 whereText(valueOf(left) as Column) { matches(it, right.text) }
 
-            // Between events, it is known that none holds.
+            // Between events, none holds.
             node.operator.group == Operator.Group.LOGIC ->
                 combined(valueOf(left), valueOf(right), node.operator.operation, absent = 0.0, isEither = node.operator == Operator.OR)
 

@@ -22,10 +22,10 @@ import badlog.expression.syntax.printed
  * A question about a recording, or a formula of its topics, parsed and checked. `docs/expressions.md` describes the
  * language.
  *
- * It can be evaluated for every recording whose vocabulary is equal to [vocabulary], also by several threads at once.
+ * It can be evaluated for every recording with a vocabulary equal to [vocabulary], and by several threads at once.
  *
  * @property text its source text.
- * @property vocabulary the names it was read with.
+ * @property vocabulary the names that it can use.
  */
 class Expression internal constructor(val text: String, val vocabulary: Vocabulary, internal val root: Node) : ParsedExpression {
     /** The type of its result. */
@@ -38,14 +38,14 @@ class Expression internal constructor(val text: String, val vocabulary: Vocabula
     fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
-     * Returns the same as [answer] if the condition holds in the recording of [signals], otherwise null. Of conditions joined by
-     * `and`, the first that never holds decides, so rare and cheap ones should come first.
+     * Returns the [answer] if the condition holds in the recording of [signals], otherwise null. Of conditions joined by `and`, the first
+     * that never holds decides, so rare and cheap ones should come first.
      */
     fun answerIfHolds(signals: Signals): Answer? = Answering(text, root, signals).answerIfHolds()
 
     /**
-     * Returns whether the condition may hold if the samples of each topic are within [bounds], which returns null for a topic about which
-     * nothing is known. If it returns false, there is no need to call [answer].
+     * Returns whether the condition may hold if each topic's samples are within [bounds]. If not, there is no need to call [answer].
+     * [bounds] returns null for a topic with unknown samples.
      */
     fun mayHold(bounds: (topic: String) -> SampleBounds?): Boolean = !type.isCondition || BoundsCheck(bounds).mayHold(root)
 
@@ -78,10 +78,10 @@ class Expression internal constructor(val text: String, val vocabulary: Vocabula
     }
 
     companion object {
-        /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
+        /** Reads [text] with the names of [vocabulary]. Never throws, whatever the text. */
         fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = false)
 
-        /** Reads [text], whose result may also be a text, such as a topic of states. */
+        /** Reads [text], and also accepts an expression of texts, such as a topic of states. */
         internal fun parseAny(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = true)
 
         private fun parse(text: String, vocabulary: Vocabulary, mayBeText: Boolean): ParsedExpression = try {

@@ -3,13 +3,13 @@ package badlog.expression
 import badlog.expression.syntax.ExpressionErrorKind
 
 /**
- * Why a text is not an expression.
+ * The mistake that makes a text an invalid expression.
  *
  * @property text the whole text.
- * @property from where in [text] the mistake begins; at most its length.
- * @property until where it ends; not before [from], and equal to it if something is missing.
- * @property kind what sort of mistake it is.
- * @property message what is wrong, as a sentence.
+ * @property from the index in [text] at which the mistake begins; at most its length.
+ * @property until the index at which it ends; not before [from], and equal to it if something is missing.
+ * @property kind the kind of mistake.
+ * @property message a sentence about the mistake.
  */
 class ExpressionError internal constructor(
     val text: String,

@@ -9,11 +9,10 @@ import kotlin.math.round
 /**
  * A number that belongs to an answer.
  *
- * @property name the part of the expression whose value it is, as written, or reduced to one number, such as
- * `min(…)`.
+ * @property name the part of the expression that has this value, as written, or reduced to one number, such as `min(…)`.
  * @property value the number; NaN when there is none.
  * @property unit its unit if known, otherwise empty.
- * @property time where it was found, in the unit of the recording's x; NaN if it has no place.
+ * @property time its time, in the unit of the recording's x; NaN if it has none.
  */
 data class Quantity(val name: String, val value: Double, val unit: String, val time: Double) {
     /** The number with its unit, in at most six digits: `6.7 V`. */

@@ -16,8 +16,9 @@ import badlog.expression.syntax.Node
 sealed interface ParsedQuestion
 
 /**
- * What a person asks about a log: an [Expression]; one for each of several topics or states, such as `max("PDP/Current *") by
- * topic` and `total by State`; or each occurrence of something with the values just before, such as `each(Browned Out, State)`.
+ * A question about a log. It is an [Expression], an expression for each of several topics or states, or a list of occurrences. Examples of
+ * the last two are `max("PDP/Current *") by topic`, `total by State`, and `each(Browned Out, State)`, which lists each occurrence with the
+ * values just before.
  */
 sealed class Question : ParsedQuestion {
     /** Returns the answer for [signals]. */
@@ -64,7 +65,7 @@ sealed class Question : ParsedQuestion {
     }
 
     companion object {
-        /** Reads [text], in which the names are those of [vocabulary]. Never throws, whatever the text. */
+        /** Reads [text] with the names of [vocabulary]. Never throws, whatever the text. */
         fun parse(text: String, vocabulary: Vocabulary): ParsedQuestion {
             val parsed = Expression.parse(text, vocabulary)
             if (parsed is Expression) return Plain(parsed)
@@ -82,19 +83,19 @@ sealed class Question : ParsedQuestion {
             val keyFrom = by + BY.length
             val key = text.substring(keyFrom).trim()
             if (key.equals("topic", ignoreCase = true)) return byTopic(text, body, keyFrom, vocabulary)
-            val asked = Expression.parse(CHANGED + text.substring(keyFrom) + ")", vocabulary)
-            if (asked is ExpressionError) {
-                fun placed(at: Int) = (at - CHANGED.length + keyFrom).coerceIn(keyFrom, text.length)
-                return ExpressionError(text, placed(asked.from), placed(asked.until), asked.kind, asked.message)
+            val changes = Expression.parse(CHANGED + text.substring(keyFrom) + ")", vocabulary)
+            if (changes is ExpressionError) {
+                fun positionInText(at: Int) = (at - CHANGED.length + keyFrom).coerceIn(keyFrom, text.length)
+                return ExpressionError(text, positionInText(changes.from), positionInText(changes.until), changes.kind, changes.message)
             }
-            val signal = vocabulary.signals.find { it.name == (asked as Expression).topics.firstOrNull() }
+            val signal = vocabulary.signals.find { it.name == (changes as Expression).topics.firstOrNull() }
             // “time” is not a topic, and a number, too.
             if (signal == null || signal.kind == SignalKind.NUMBER) {
                 val message = "“${signal?.name ?: key}” is a number; “by” needs a signal with states, or “topic”."
                 return ExpressionError(text, keyFrom, text.length, ExpressionErrorKind.TYPE, message)
             }
             val whole = body.trim().lowercase()
-            if (whole !in BARE) {
+            if (whole !in FUNCTIONS_OF_STATE) {
                 val parsed = Expression.parse(body, vocabulary)
                 if (parsed is ExpressionError) return ExpressionError(text, parsed.from, parsed.until, parsed.kind, parsed.message)
                 if ((parsed as Expression).type.isOverTime) {
@@ -152,14 +153,14 @@ sealed class Question : ParsedQuestion {
 
         private const val BY = " by "
         private const val CHANGED = "changed("
-        private val BARE = setOf("total", "count")
+        private val FUNCTIONS_OF_STATE = setOf("total", "count")
         private val PATTERN = Regex("\"([^\"]*\\*[^\"]*)\"")
         private const val NO_PATTERN = "“by topic” needs a name with * in double quotes, as in max(\"PDP/Current *\") by topic."
 
         /** Returns [body] restricted to the time when [condition] holds. */
         private fun within(body: String, condition: String, vocabulary: Vocabulary): String {
             val whole = body.trim().lowercase()
-            if (whole in BARE) return "$whole($condition)"
+            if (whole in FUNCTIONS_OF_STATE) return "$whole($condition)"
             val parsed = Expression.parse(body, vocabulary) as Expression
             val places = ArrayList<Node>()
             fun collect(node: Node) {
@@ -177,7 +178,7 @@ sealed class Question : ParsedQuestion {
             }
         }
 
-        /** Returns the answers of [parts] as one: the number of each that has one, or of each that holds. */
+        /** Returns the answers of [parts] as one answer. It has the number of each part that has one, or of each part that holds. */
         private fun grouped(parts: List<Pair<String, Expression>>, signals: Signals): Answer {
             val answers = parts.map { (group, expression) -> group to expression.answer(signals) }
             val outcomes = answers.map { it.second.outcome }

@@ -11,8 +11,8 @@ import badlog.expression.samples.Column
  */
 internal class SpannedQuantity(private val quantity: Quantity, private val samples: Column, private val smallest: Boolean?) {
     /**
-     * Returns the most significant value in each of [spans]; null for those without a sample, and for all if they are not in the order of
-     * time.
+     * Returns the most significant value in each of [spans]. Null for a span without a sample, and for all spans if they are not in the
+     * order of time.
      */
     fun over(spans: List<Span>): List<Quantity?> {
         val best = IntArray(spans.size) { NONE }

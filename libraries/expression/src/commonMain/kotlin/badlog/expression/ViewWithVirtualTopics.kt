@@ -17,48 +17,48 @@ import badlog.expression.signals.Vocabulary
  *
  * @property view the recording with a topic for each of [topics] after its own, with ordinary graphs.
  * @property topics the virtual topics, in the order of their definitions.
- * @property errors why other definitions failed, in order.
+ * @property errors the mistakes in the other definitions, in order.
  */
 class ViewWithVirtualTopics internal constructor(val view: LogView, val topics: List<VirtualTopic>, val errors: List<ExpressionError>)
 
 /**
- * Returns this view with a topic for each of [definitions], see [VirtualTopic.parse]; each may use those before it. Failures are
+ * Returns this view with a topic for each of [definitions], see [VirtualTopic.parse]. A definition may use those before it. Failures are
  * listed, and do not affect the others.
  *
  * The [metadata][badlog.core.recording.Topic.metadata] of the new topics says how they are calculated. In recordings with rows, they
  * share the rows if they have a sample in each.
  *
- * @param names what the definitions may name: the topics of this view, possibly under additional names.
+ * @param names the names that definitions may use: the topics of this view, possibly under additional names.
  */
 fun LogView.withVirtualTopics(definitions: List<String>, names: Signals = LogViewSignals(this)): ViewWithVirtualTopics =
     VirtualTopicsDraft(this, definitions, names).run {
         do {
-            val isMore = step()
-        } while (isMore)
+            val hasMore = step()
+        } while (hasMore)
         extended
     }
 
 /**
- * A [ViewWithVirtualTopics] of [view] in the making, see [withVirtualTopics]. Each [step] calculates one topic, since a log may have a
- * million samples: between steps, a page can respond and a task can be canceled.
+ * Builds a [ViewWithVirtualTopics] of [view] step by step, see [withVirtualTopics]. Each [step] calculates one topic, because a log may
+ * have a million samples: between steps, a page can respond and a task can be canceled.
  */
 class VirtualTopicsDraft(private val view: LogView, definitions: List<String>, names: Signals) {
     private val defined = DefinedTopics(names, definitions)
     private val added = ArrayList<Topic>()
-    private var made = if (defined.topics.isEmpty()) ViewWithVirtualTopics(view, emptyList(), defined.errors) else null
+    private var result = if (defined.topics.isEmpty()) ViewWithVirtualTopics(view, emptyList(), defined.errors) else null
 
-    /** How much of the work is done, from 0 to 1. */
+    /** The finished share of the work, from 0 to 1. */
     val share: Double get() = added.size / (defined.topics.size + 1.0)
 
     /** The view, once [step] has returned false. */
-    val extended: ViewWithVirtualTopics get() = checkNotNull(made)
+    val extended: ViewWithVirtualTopics get() = checkNotNull(result)
 
     /** Does the next part of the work. Returns whether there was one. */
     fun step(): Boolean {
-        if (made != null) return false
+        if (result != null) return false
         val next = defined.topics.getOrNull(added.size)
         if (next == null) {
-            made = ViewWithVirtualTopics(view.withTopics(view.recording.topics + added), defined.topics, defined.errors)
+            result = ViewWithVirtualTopics(view.withTopics(view.recording.topics + added), defined.topics, defined.errors)
         } else {
             added += calculatedTopic(next, defined.signals.series(next.name), view.xAxis, defined.signals.stretches)
         }
@@ -71,7 +71,7 @@ fun LogView.withoutTopics(names: Set<String>): LogView = withTopics(recording.to
 
 private fun LogView.withTopics(topics: List<Topic>): LogView = LogView.of(recording.copy(topics = topics)).identified(title, modes)
 
-/** Returns why some of [definitions] fail with the topics in [names], in order. Calculates nothing, so no samples are needed. */
+/** Returns the mistakes in [definitions] for the topics in [names], in order. Calculates nothing, so no samples are needed. */
 fun undefinedTopics(names: Signals, definitions: List<String>): List<ExpressionError> = DefinedTopics(names, definitions).errors
 
 /** Returns the vocabulary of [names] with the topics of [definitions]. Calculates nothing, so no samples are needed. */
@@ -98,8 +98,8 @@ private class DefinedTopics(names: Signals, definitions: List<String>) {
 }
 
 /**
- * Returns these signals with the virtual [topic], which may have been parsed with this vocabulary or an earlier one that
- * it extends. So virtual topics can use others.
+ * Returns these signals with the virtual [topic], so that other virtual topics can use it. It may have been parsed with this vocabulary or
+ * with an earlier one that this one extends.
  */
 fun Signals.with(topic: VirtualTopic): Signals = SignalsWithVirtual(this, topic)
 
@@ -128,8 +128,8 @@ private class SignalsWithVirtual(private val others: Signals, private val topic:
 }
 
 /**
- * Returns the samples [calculated] of [virtual] as a topic of a recording with [xAxis], whose clock was set back as described by
- * [stretches].
+ * Returns the [calculated] samples of [virtual] as a topic of a recording with [xAxis]. If the recording's clock was set back, [stretches]
+ * describes how.
  */
 internal fun calculatedTopic(virtual: VirtualTopic, calculated: Series, xAxis: XAxis, stretches: Stretches?): Topic {
     // Topics' own times must ascend, so if the clock was set back, only rows preserve the order of samples.

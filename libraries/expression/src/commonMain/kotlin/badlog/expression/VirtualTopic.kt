@@ -33,8 +33,8 @@ class VirtualTopic private constructor(val name: String, val unit: String, val e
 
     companion object {
         /**
-         * Reads a definition: the name, in double quotes if it contains one of `" = [ ]`; an optional unit in brackets; `=`;
-         * and an expression with the names of [vocabulary]. Never throws, whatever the text.
+         * Reads a definition. It has a name, in double quotes if it contains one of `" = [ ]`; an optional unit in brackets; `=`; and an
+         * expression with the names of [vocabulary]. Never throws, whatever the text.
          */
         fun parse(text: String, vocabulary: Vocabulary): ParsedVirtualTopic = try {
             val heading = VirtualTopicHeading(text)

@@ -13,7 +13,7 @@ import kotlin.math.abs
 import kotlin.random.Random
 
 class EvaluationSpec : FunSpec({
-    test("random expressions over random samples give what the slow evaluator gives, at the same times") {
+    test("random expressions give the slow evaluator's results, at the same times") {
         var roundings = 0
         repeat(ROUNDS) { seed ->
             val random = Random(seed)
@@ -27,11 +27,11 @@ class EvaluationSpec : FunSpec({
             if (!isRounding) throw AssertionError("seed $seed: $text is ${shown(fast)}, not ${shown(slow)}")
             roundings++
         }
-        // More could not be explained by rounding.
+        // Rounding does not explain more differences.
         roundings shouldBeLessThanOrEqual MOST_ROUNDINGS
     }
 
-    test("random expressions are written so that they are read back as the same") {
+    test("printed random expressions are read back unchanged") {
         repeat(ROUNDS) { seed ->
             val random = Random(seed)
             val vocabulary = randomSignals(random).vocabulary
@@ -96,7 +96,7 @@ private fun shown(value: Value): String = when (value) {
 
 private fun shown(value: SlowValue): String = value.rows?.indices?.joinToString { "${value.logged(it)}: ${value.rows[it].value}" } ?: "${value.single}"
 
-/** What [node] is made of, without places. */
+/** The structure of [node], without positions in the text. */
 internal fun shape(node: Node): String = when (node) {
     is Node.Number -> "${node.value}"
     is Node.Time -> "${node.seconds}s"

@@ -122,21 +122,21 @@ class FunctionsSpec : FunSpec({
         pairs("v + slow") shouldBe "0:-, 0.5:17, 1:13, 2:11, 2.5:13, 3:-, 4:17"
     }
 
-    test("what holds long enough counts from its start, anything shorter does not count") {
+    test("a condition that holds long enough counts from its start; a shorter one does not count") {
         pairs("on for 1.5 s") shouldBe "0:0, 1:1, 2:1, 3:0, 4:0"
         pairs("i > 0 for 4 s") shouldBe "0:1, 1:1, 2:1, 3:1, 4:1"
         pairs("on for 2 s") shouldBe "0:0, 1:1, 2:1, 3:0, 4:0"
         pairs("on for 2.5 s") shouldBe "0:0, 1:0, 2:0, 3:0, 4:0"
     }
 
-    test("a time that decimals make exact is exact") {
+    test("decimal times are compared exactly") {
         val x = DoubleArray(60) { 9.5 + it * 0.02 }
         val y = DoubleArray(60) { if (it in 1..25) 1.0 else 0.0 }
         val signals = SampleSignals(mapOf(Signal("c", SignalKind.CONDITION) to Series(x, y)))
         parsed("c for 0.5 s", signals.vocabulary).series(signals).y.toList() shouldBe y.toList()
     }
 
-    test("shift moves times") {
+    test("shift moves samples in time") {
         pairs("shift(slow, 0.25 s)") shouldBe "0.75:5, 2.75:7"
         pairs("shift(slow, -0.5 s)") shouldBe "0:5, 2:7"
     }
@@ -148,7 +148,7 @@ class FunctionsSpec : FunSpec({
         parsed("total(log contains 'can' or i > 3)").answer(SIGNALS).quantities.single().value shouldBe 2.0
     }
 
-    test("a text's number is the first in it, or the first behind a mark") {
+    test("a text's number is the first one in it, or the first one after a mark") {
         val texts = listOf("CAN1 timeout after 12.5 ms at -3", "no number here", "voltage 6.9", "v-2 is 7")
         val log = Signal("log", SignalKind.EVENT) to Series(doubleArrayOf(0.0, 1.0, 2.0, 3.0), doubleArrayOf(0.0, 1.0, 2.0, 3.0))
         val signals = SampleSignals(mapOf(log), mapOf("log" to texts), rows = doubleArrayOf(0.0, 1.0, 2.0, 3.0))
@@ -184,23 +184,23 @@ class FunctionsSpec : FunSpec({
         parsed("correlation(up, 3 * up) <= 1 and correlation(up, -3 * up) >= -1", signals.vocabulary).answer(signals).matches shouldBe true
     }
 
-    test("what holds until the end of the log is true there, too") {
+    test("a condition that holds until the end of the log is true at the end") {
         pairs("last(i > 2, 1 s)") shouldBe "0:0, 3:1"
         pairs("first(i > 2, 9 s)") shouldBe "0:0, 2:1"
         parsed("min(i when last(i > 2, 0.5 s))").answer(SIGNALS).quantities.single().value shouldBe 3.0
     }
 
-    test("a condition that is shifted beyond the end of the log no longer becomes false there") {
+    test("a condition shifted beyond the end of the log does not become false there") {
         parsed("count(falls(shift(on, 1.5 s)))").answer(SIGNALS).quantities.single().value shouldBe 0.0
     }
 
-    test("an event that is held is a state") {
+    test("hold turns events into a state") {
         pairs("hold(log) contains 'can'") shouldBe "1:1, 1.5:0, 4:1"
         parsed("hold(log) == 'brownout' for 1 s").answer(SIGNALS).spans shouldBe listOf(Span(1.5, 4.0))
         parsed("total(hold(log) == 'brownout')").answer(SIGNALS).quantities.single().value shouldBe 2.5
     }
 
-    test("where time goes back, samples stay in their order, and what follows comes later") {
+    test("if time goes back, samples stay in order, and later samples have later times") {
         pairs("back + 0") shouldBe "1:10, 0:20, 2:30"
         pairs("previous(back)") shouldBe "1:-, 0:10, 2:20"
         pairs("derivative(back)") shouldBe "1:-, 0:5, 2:0"
@@ -208,19 +208,19 @@ class FunctionsSpec : FunSpec({
         pairs("back > 15 for 1 s") shouldBe "1:0, 0:1, 2:1"
     }
 
-    test("where time goes back, samples of another clock count each time that their time comes") {
+    test("if time goes back, samples of another clock count at each occurrence of their time") {
         pairs("back + v") shouldBe "0:-, 1:18, 0:32, 1:28, 2:36, 3:-, 4:40"
         pairs("back > 0 and during(1, 2)") shouldBe "0:0, 1:1, 0:0, 1:1, 2:0"
     }
 
-    test("what holds while the clock is set back is two spans, but occurred once") {
+    test("a condition that holds while the clock is set back has two spans, but one occurrence") {
         parsed("back > 0").answer(SIGNALS).toString() shouldBe
             "yes, back = 30 at 2 s, at 1 s, in 2 parts since the clock was set back"
     }
 
     test("one number for the whole log is a line through it") { pairs("min(v)") shouldBe "0:6, 4:6" }
 
-    test("times are in the unit of x, whatever unit they are written in") {
+    test("times in any written unit are converted to the unit of x") {
         val signals = SampleSignals(
             mapOf(Signal("c", SignalKind.CONDITION) to Series(doubleArrayOf(0.0, 100.0, 900.0), doubleArrayOf(1.0, 1.0, 0.0))),
             timeUnit = "ms",
@@ -264,7 +264,7 @@ class FunctionsSpec : FunSpec({
         test("the answer to $text is “$answer”") { parsed(text).answer(SIGNALS).toString() shouldBe answer }
     }
 
-    test("where the log does not say when the robot was enabled, the answer is unknown, with the reason") {
+    test("if the log does not show when the robot was enabled, the answer is unknown, with the reason") {
         val silent = SampleSignals(SIGNALS.vocabulary.signals.associateWith { SIGNALS.series(it.name) }, enabled = null)
         fun answer(text: String) = parsed(text, silent.vocabulary).answer(silent)
         for (text in listOf("total(enabled)", "count(i > 1 and enabled)", "max(v when enabled)", "total(enabled) / 60")) {
@@ -279,7 +279,7 @@ class FunctionsSpec : FunSpec({
         answer("max(i)").reason shouldBe null
     }
 
-    test("without samples nothing is known, and nothing breaks") {
+    test("without samples the answer is unknown") {
         val empty = SampleSignals(
             SIGNALS.vocabulary.signals.associateWith { Series(DoubleArray(0), DoubleArray(0)) },
             mapOf("state" to emptyList(), "log" to emptyList()),

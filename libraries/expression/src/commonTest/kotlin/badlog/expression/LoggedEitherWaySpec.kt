@@ -102,7 +102,7 @@ class LoggedEitherWaySpec : FunSpec({
         }
     }
 
-    test("what follows time while a value holds is the same within a row") {
+    test("functions of time while a value holds agree within a row") {
         repeat(60) { seed ->
             val logs = EitherWay(Random(seed))
             for (question in FOLLOWING_TIME + WINDOWS) {
@@ -110,7 +110,7 @@ class LoggedEitherWaySpec : FunSpec({
                 val rows = expression.column(logs.inRows)
                 val changes = expression.column(logs.changes)
                 for (row in 1 until ROWS - 1) {
-                    // What ends between two rows is a gap in one of them.
+                    // A value that ends between two rows is a gap in one of them.
                     val near = (row - 1..row + 1).map { rows.at(it * STEP) }
                     val own = changes.at(row * STEP)
                     val isNear = if (own.isNaN()) near.any { it.isNaN() } else near.any { it.isNaN() } || own in near.min() - 1e-6..near.max() + 1e-6
@@ -120,7 +120,7 @@ class LoggedEitherWaySpec : FunSpec({
         }
     }
 
-    test("a log of changes gives as many changes and as much energy as the rows it was made of") {
+    test("a log of changes has the same changes and energy as its rows") {
         val x = DoubleArray(100) { it * 0.1 }
         val rows = SampleSignals(
             mapOf(
@@ -147,7 +147,7 @@ class LoggedEitherWaySpec : FunSpec({
             "A moment has no duration; count(c) counts moments, and hold(x) keeps the text of an event until the next."
     }
 
-    test("every function is among the questions, but for those that count samples") {
+    test("the questions include every function except those that count samples") {
         val asked = (QUESTIONS + FOLLOWING_TIME + WINDOWS).joinToString()
         val left = Function.entries.map { it.title }.distinct().filter { "$it(" !in asked }
         left shouldBe listOf(

@@ -27,16 +27,16 @@ class NamesByWordsSpec : FunSpec({
         Expression.parse("angle > 1", vocabulary).shouldBeInstanceOf<ExpressionError>()
     }
 
-    test("words that two topics have do not say which") {
+    test("words that match two topics are ambiguous") {
         Expression.parse("current stator > 1", vocabulary).shouldBeInstanceOf<ExpressionError>()
     }
 
-    test("operators that are words end a name") {
+    test("word operators end a name") {
         Expression.parse("battery voltage > 1 and battery < 13", vocabulary).shouldBeInstanceOf<Expression>().topics shouldBe
             setOf("/SystemStats/BatteryVoltage", "battery")
     }
 
-    test("of words that mean nothing, the message names the topic and the signal that come near, whatever joins their words") {
+    test("the message about unknown words names the most similar topic and signal") {
         fun messageFor(text: String) = Expression.parse(text, withSignal).shouldBeInstanceOf<ExpressionError>().run { this.text.substring(from, until) to message }
         for (text in listOf("battery voltge", "Voltge Battery", "BateryVoltage", "battery_voltag")) {
             messageFor("max($text) > 1").first shouldBe text

@@ -3,19 +3,19 @@ package badlog.expression
 import kotlin.random.Random
 
 /**
- * Rounding that might as well have gone the other way: if an answer depends on it, such as whether 0.1 + 0.2 is above 0.3, there
- * is not one right answer to compare with.
+ * Random rounding in the other direction. If an answer depends on it, such as whether 0.1 + 0.2 is above 0.3, no single answer is right,
+ * and none is compared.
  *
- * @property tick how long it takes to set back a clock, in s.
+ * @property tick the time that setting back a clock takes, in s.
  */
 internal class Noise private constructor(private val random: Random?, val tick: Double) {
-    /** [value] as another order of calculation might give it; one that is exact in binary is unchanged. */
+    /** Returns [value] as another order of calculation might give it; a value that is exact in binary is unchanged. */
     fun of(value: Double): Double = when {
         random == null || !value.isFinite() -> value
         else -> value * (1 + random.nextDouble(-SHARE, SHARE))
     }
 
-    /** The same for a sum, which is exact if its parts are. */
+    /** Does the same for a sum, which is exact if its parts are. */
     fun ofSum(value: Double): Double = if ((value * EXACT) % 1.0 == 0.0) value else of(value)
 
     companion object {

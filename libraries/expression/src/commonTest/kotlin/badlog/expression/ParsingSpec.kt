@@ -96,7 +96,7 @@ class ParsingSpec : FunSpec({
     )
     for ((text, shape) in names) {
         test("the names in “$text” are found") {
-            // How a whole number is written depends on the platform.
+            // The text of a whole number depends on the platform.
             shapeOf(text) shouldBe shape.replace(Regex("(?<= )[0-9]")) { "${it.value.toDouble()}" }
         }
     }
@@ -247,7 +247,7 @@ class ParsingSpec : FunSpec({
         error("a +").pointed().lines().drop(1) shouldBe listOf("a +", "   ^")
     }
 
-    test("what is too long, too deep or too much is an error, not a crash") {
+    test("an expression that is too long, too deep or too expensive is an error") {
         val long = "a" + " + a".repeat(5000)
         for (text in listOf(
             long, long.take(3900), "(".repeat(3999), "-".repeat(3999), "not ".repeat(900), "min(".repeat(900),
@@ -260,7 +260,7 @@ class ParsingSpec : FunSpec({
         parsed(List(150) { "a" }.joinToString(" + "), VOCABULARY).toString().length shouldBe 150 * 3 + 149 * 3
     }
 
-    test("any text gives an expression or an error within the text") {
+    test("any text is an expression, or an error within the text") {
         val pieces = listOf(
             "a", "p", "State", "System/", "Battery Voltage", "min", "max(", "if(", "(", ")", ",", "+", "-", "/", "*", "^", "%",
             "<", "=", "==", "!", "!=", "&", "&&", "|",
@@ -283,7 +283,7 @@ class ParsingSpec : FunSpec({
         }
     }
 
-    test("one wrong, missing or doubled character in an expression gives an expression or an error within it") {
+    test("an expression with one wrong, missing or doubled character is an expression, or an error within it") {
         repeat(5 * PropertyTesting.defaultIterationCount) { seed ->
             val random = Random(seed)
             val vocabulary = randomSignals(random).vocabulary
@@ -304,7 +304,7 @@ class ParsingSpec : FunSpec({
         }
     }
 
-    test("a name of very many folders is found by its ends, and costs no more than others") {
+    test("a name with very many folders is found by its ends at the usual cost") {
         val vocabulary = names("a/".repeat(100_000) + "End", "/SmartDashboard/Speed", "Table/")
         parsed("a/a/End", vocabulary).topics.single().length shouldBe 200_003
         parsed("Speed + SmartDashboard/Speed + /SmartDashboard/Speed", vocabulary).topics shouldBe listOf("/SmartDashboard/Speed")

@@ -41,7 +41,7 @@ class QuestionSpec : FunSpec({
     )
     for ((text, answer) in answers) test("the answer to $text is “$answer”") { answer(text).toString() shouldBe answer }
 
-    test("each occurrence comes with what was just before it") {
+    test("each occurrence has the values just before it") {
         answer("each(Low, PDP/Voltage, State, PDP/Current 0 > 30, max(PDP/Voltage))").run {
             outcome shouldBe Outcome.HOLDS
             occurrences.map { it.span.from } shouldBe listOf(2.0, 4.0)

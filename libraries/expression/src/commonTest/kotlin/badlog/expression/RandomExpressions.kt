@@ -8,7 +8,7 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import kotlin.random.Random
 
-/** Makes expressions that fit together, over the signals of [randomSignals]. */
+/** Makes random valid expressions over the signals of [randomSignals]. */
 internal class RandomExpressions(private val random: Random) {
     fun any(): String = if (random.nextBoolean()) condition(4) else number(4)
 

@@ -8,7 +8,7 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
 import badlog.expression.signals.Vocabulary
 
-/** Signals from what a test says. */
+/** Signals with the samples that a test gives them. */
 internal class SampleSignals(
     private val samples: Map<Signal, Series>,
     private val texts: Map<String, List<String>> = emptyMap(),

@@ -27,11 +27,11 @@ class SetBackSpec : FunSpec({
     fun answer(text: String) = parsed(text, signals.vocabulary).answer(signals)
     fun number(text: String) = answer(text).quantities.single().value
 
-    test("the rule for a clock that was set back holds where it was set back") {
+    test("a formula of time finds where the clock was set back") {
         answer("delta(Time) < 0").toString() shouldBe "yes, delta(Time) = -4.9 s at 5 s, at 5 s"
     }
 
-    test("what holds once holds once, though its time comes twice") {
+    test("a condition that holds once has one occurrence, although its time occurs twice") {
         answer("V < 1").run {
             spans shouldBe listOf(Span(5.0, 7.0))
             times shouldBe 1
@@ -42,14 +42,14 @@ class SetBackSpec : FunSpec({
         readable(number("duration(V)")) shouldBe "19.8"
     }
 
-    test("what holds all the time holds once, in two parts") {
+    test("a condition that always holds has one occurrence in two parts") {
         answer("V >= 0").run {
             spans shouldBe listOf(Span(0.0, 9.9), Span(5.0, 14.9))
             times shouldBe 1
         }
     }
 
-    test("events and rare numbers belong to their rows, not to others of the same time") {
+    test("events and rare numbers belong to their rows, not to other rows with the same time") {
         answer("Log contains 'ready' and V < 1").toString() shouldBe "yes, V = 0 V at 6 s, at 6 s"
         answer("Log contains 'ready' and V > 1").matches shouldBe false
         number("max(V when Rare == 80)") shouldBe 12.0
@@ -75,7 +75,7 @@ class SetBackSpec : FunSpec({
         asked.y.drop(1) shouldBe listOf(10.0, 20.0, 40.0)
     }
 
-    test("a clock that is set back all the time costs no more than others") {
+    test("a clock that is set back repeatedly costs no more than others") {
         val restless = LogViewSignals(viewOf(List(100_000) { "${it % 2},${it % 7},," }))
         parsed("V > 5 and during(0, 0.5) for 0.6 s", restless.vocabulary).answer(restless).times shouldBe 0
         parsed("count(V > 5)", restless.vocabulary).answer(restless).quantities.single().value shouldBe 14_285.0

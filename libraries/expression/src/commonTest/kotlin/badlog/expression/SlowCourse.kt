@@ -1,6 +1,6 @@
 package badlog.expression
 
-/** The course of time in a recording whose clock was set back: it only advances, by a [tick] where the logged time [x] went back. */
+/** The course of time after a clock was set back. It only advances, by a [tick] where the logged time [x] went back. */
 internal class SlowCourse(val x: List<Double>, tick: Double) {
     /** The rows, stretch by stretch. */
     private val stretches: List<List<Double>> = x.indices.filter { it == 0 || x[it] < x[it - 1] }.let { begins ->
@@ -16,8 +16,8 @@ internal class SlowCourse(val x: List<Double>, tick: Double) {
     fun logged(time: Double): Double = stretchOf(time).let { time - begins[it] + stretches[it].first() }
 
     /**
-     * The samples of [value], whose clock was never set back, repeated each time that their times come. Unless they are
-     * [momentary][SlowValue.isMomentary], a value also holds from the start of each stretch.
+     * Returns the samples of [value] on this clock, repeated each time that their times occur. The clock of [value] was never set back.
+     * Unless [value] is [momentary][SlowValue.isMomentary], it also holds from the start of each stretch.
      */
     fun spread(value: SlowValue): SlowValue = SlowValue(
         stretches.flatMapIndexed { index, stretch ->

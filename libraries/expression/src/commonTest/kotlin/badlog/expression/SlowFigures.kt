@@ -6,13 +6,13 @@ import badlog.expression.syntax.Node
 import kotlin.math.pow
 import kotlin.math.sqrt
 
-/** The functions of a whole log: one figure of all samples. */
+/** The functions over a whole log: one number from all samples. */
 internal class SlowFigures(private val time: SlowTime, private val noise: Noise, private val value: SlowValue) {
     private val rows = value.rows!!
     private val found = rows.mapNotNull { row -> finite(row.value)?.let { row.time to it } }
     private val numbers = found.map { it.second }
 
-    /** Each value and how long it holds. */
+    /** Each value, and the time for which it holds. */
     private val pieces = rows.indices.mapNotNull { i -> finite(rows[i].value)?.let { it to maxOf(0.0, time.until(value, i) - rows[i].time) } }
     private val weighty = pieces.filter { it.second > 0 }.ifEmpty { pieces.map { it.first to 1.0 } }.sortedBy { it.first }
     private val weight = weighty.sumOf { it.second }

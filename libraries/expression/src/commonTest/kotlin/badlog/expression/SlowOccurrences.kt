@@ -2,7 +2,7 @@ package badlog.expression
 
 import badlog.expression.syntax.Function
 
-/** The functions that ask when, how often and how long a condition holds. */
+/** The functions that find when, how often and how long a condition holds. */
 internal class SlowOccurrences(private val time: SlowTime, private val noise: Noise, private val value: SlowValue) {
     private val rows = value.rows!!
     private val spans = time.spans(value)

@@ -3,7 +3,7 @@ package badlog.expression
 import badlog.expression.signals.Signals
 import kotlin.math.round
 
-/** How long things last in a recording, also if its clock was set back. */
+/** The duration of values and conditions in a recording, even if its clock was set back. */
 internal class SlowTime(private val signals: Signals, private val noise: Noise) {
     val range = signals.range
     val course = signals.vocabulary.signals.map { signals.series(it.name).x.toList() }
@@ -24,14 +24,14 @@ internal class SlowTime(private val signals: Signals, private val noise: Noise) 
 
     fun end(value: SlowValue) = value.course?.let { maxOf(it.times.last(), value.rows!!.lastOrNull()?.time ?: 0.0) } ?: range?.to ?: 0.0
 
-    /** Until when a sample holds: until the next one, or the end. A moment is over at once. */
+    /** Returns the time until which a sample holds: the next sample's, or the end. A moment is over at once. */
     fun until(value: SlowValue, index: Int): Double {
         val rows = value.rows!!
         val time = rows[index].time
         return if (value.isMomentary) time else minOf(rows.getOrNull(index + 1)?.time ?: end(value), end(value))
     }
 
-    /** When it holds: from each first true row to the next that is not, or the end. */
+    /** Returns the times at which a condition holds. Each lasts from a first true row to the next that is not, or the end. */
     fun spans(value: SlowValue): List<Pair<Double, Double>> {
         if (value.isMomentary) return value.rows!!.filter { it.value == true }.map { it.time to it.time }
         val rows = value.rows!!.filter { it.time <= end(value) }
@@ -44,7 +44,7 @@ internal class SlowTime(private val signals: Signals, private val noise: Noise) 
     /** The length of [span], without the ticks of a course. */
     fun width(span: Pair<Double, Double>) = round((span.second - span.first) * WITHOUT_TICKS) / WITHOUT_TICKS
 
-    /** What changes while a value holds is sampled every 20 ms, except what is logged in rows. */
+    /** Adds a sample every 20 ms while a value holds, unless it is logged in rows. */
     fun refined(value: SlowValue): SlowValue {
         val rows = value.rows!!
         if (rows.isEmpty() || rows.map { it.time } == (value.course?.times ?: signals.rows?.toList())) return value

@@ -39,7 +39,7 @@ class UnitsSpec : FunSpec({
     )
     for ((text, count) in counts) {
         for (timeUnit in listOf("s", "ms")) {
-            test("$text is $count where x is in $timeUnit") {
+            test("$text is $count if x is in $timeUnit") {
                 val signals = signals(timeUnit)
                 val value = parsed(text, signals.vocabulary).answer(signals).quantities.single().value
                 (if (timeUnit == "ms" && text.startsWith("total")) value / 1000 else value) shouldBe count.toDouble()
@@ -47,7 +47,7 @@ class UnitsSpec : FunSpec({
         }
     }
 
-    test("a converted number is given in the unit that it was converted to") {
+    test("a converted number has its new unit") {
         val signals = signals()
         parsed("max(Voltage) > max(Rail)", signals.vocabulary).answer(signals).toString() shouldBe
             "yes, max(Voltage) = 12 V at 0 s, max(Rail) = 11.5 V at 2 s"
@@ -67,14 +67,14 @@ class UnitsSpec : FunSpec({
         "time > 1:75" to ("1:75" to "“1:75” is not a time; write minutes and seconds as 1:30, or hours too as 1:02:03."),
     )
     for ((text, mistake) in mistakes) {
-        test("“$text” is a mistake, and nothing is guessed") {
+        test("“$text” is a mistake") {
             val error = errorOf(text, signals().vocabulary)
             error.text.substring(error.from, error.until) shouldBe mistake.first
             error.message shouldBe mistake.second
         }
     }
 
-    test("what is written with a unit is read back as the same") {
+    test("an expression with units is read back unchanged") {
         for (text in listOf("Voltage < 7 V", "CPU > 90 %", "time > 1:30", "Speed > 3 ft/s", "time > 1:02:03.5")) {
             val read = parsed(text, signals().vocabulary)
             parsed(read.toString(), signals().vocabulary).toString() shouldBe read.toString()

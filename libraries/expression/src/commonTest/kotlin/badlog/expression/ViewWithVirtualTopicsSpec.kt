@@ -25,7 +25,7 @@ private fun LogView.points(name: String) = seriesOf(topic(name)).data.run { x.to
 class ViewWithVirtualTopicsSpec : FunSpec({
     val view = viewOf("0,12,10", "1,6,100", "2,,50", "3,11,20")
 
-    test("a virtual topic is a topic like others: it has a graph in its folder, a unit, counts, and says how it is calculated") {
+    test("a virtual topic has a graph in its folder, a unit, counts, and its formula as metadata") {
         val with = view.withVirtualTopics(listOf("PDP/Power [W] = Voltage * Current"))
         with.errors.shouldBeEmpty()
         with.topics.single().name shouldBe "PDP/Power"
@@ -42,7 +42,7 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         power.samples[2].shouldBeNaN()
     }
 
-    test("made in steps, one for each topic, they are the same, and what was not made yet is not there") {
+    test("virtual topics made step by step equal those made at once, and are missing until then") {
         val definitions = listOf("Power = Voltage * Current", "Wrong = Speed", "Half = Power / 2")
         val draft = VirtualTopicsDraft(view, definitions, LogViewSignals(view))
         val shares = generateSequence { draft.share.takeIf { draft.step() } }.toList()
@@ -53,14 +53,14 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         VirtualTopicsDraft(view, listOf("Wrong = Speed"), LogViewSignals(view)).run { step() to extended.view } shouldBe (false to view)
     }
 
-    test("a topic is taken away without calculating the others again") {
+    test("a topic is removed without recalculating the others") {
         val with = view.withVirtualTopics(listOf("Power = Voltage * Current", "Twice = 2 * Voltage")).view
         val without = with.withoutTopics(setOf("Power"))
         without.recording.topics.map { it.name } shouldBe listOf("Time", "PDP/Voltage", "PDP/Current", "Twice")
         without.topic("Twice") shouldBeSameInstanceAs with.topic("Twice")
     }
 
-    test("over all rows it shares them, so that it can be written beside the others") {
+    test("a virtual topic over all rows shares the rows, and can be written with the others") {
         val power = view.withVirtualTopics(listOf("Power = Voltage * Current")).view.topic("Power")
         power.times shouldBe null
         power.size shouldBe 4
@@ -79,7 +79,7 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         with.view.points("Four").first() shouldBe (0.0 to 48.0)
     }
 
-    test("where the rows have gaps in time, a virtual topic has times of its own, and the rows stay the x of all others") {
+    test("if rows have gaps in time, a virtual topic has its own times, and the others keep the rows' x") {
         val gaps = viewOf("0,12,10", ",6,100", "2,10,50")
         val with = gaps.withVirtualTopics(listOf("Power = Voltage * Current")).view
         with.topic("Power").times?.toList() shouldBe listOf(0.0, 2.0)

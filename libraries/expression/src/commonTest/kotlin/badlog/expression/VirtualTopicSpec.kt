@@ -66,7 +66,7 @@ class VirtualTopicSpec : FunSpec({
         }
     }
 
-    test("any text gives a virtual topic or an error within the text") {
+    test("any text is a virtual topic, or an error within the text") {
         val pieces = listOf("Voltage", "Power", "[", "]", "W", "=", "==", "\"", " ", "\n", "<", "(", "1")
         repeat(5 * PropertyTesting.defaultIterationCount) { seed ->
             val random = Random(seed)
@@ -85,7 +85,7 @@ class VirtualTopicSpec : FunSpec({
     val view = LogView.of(BagParser().apply { accept(VARIED_BAG.encodeToByteArray()) }.finish())
     val signals = LogViewSignals(view.identified(null, ModeTopics(FlagTopic("Enabled", FlagReading.Truth), null)))
 
-    test("the topics of a bag can be named, as what they are") {
+    test("a bag's topics can be named, each with its kind") {
         signals.vocabulary.signals.map { it.name to it.kind } shouldBe listOf(
             "Time" to SignalKind.NUMBER,
             "Arm/Angle" to SignalKind.NUMBER,
@@ -102,7 +102,7 @@ class VirtualTopicSpec : FunSpec({
         answer("Time > 50 ms and missing(Angle)") shouldBe "yes, Time = 0.08 s at 0.08 s, from 0.08 s to 0.1 s"
     }
 
-    test("virtual topics can be made of virtual topics") {
+    test("virtual topics can use other virtual topics") {
         val twice = virtual("Arm/Twice [deg] = 2 * Angle", signals.vocabulary)
         val both = signals.with(twice)
         val all = both.with(virtual("Low = Twice < 0", both.vocabulary))

@@ -13,7 +13,7 @@ import java.io.File
 
 private val ROOT = generateSequence(File("").absoluteFile) { it.parentFile }.first { File(it, "docs/expressions.md").exists() }
 
-/** What [expression] prints, each line indented. */
+/** Returns the output of [expression], with each line indented. */
 private fun printed(expression: String, signals: Signals): String = when (val result = Question.parse(expression, signals.vocabulary)) {
     is Question -> result.answer(signals).run { listOf(toString()) + occurrences.map(::printed) }.joinToString("\n")
     is ExpressionError -> result.pointed()
@@ -23,7 +23,7 @@ private fun printed(occurrence: Occurrence) = "at ${readable(occurrence.span.fro
 
 /** With the environment variable `BADLOG_WRITE_GUIDE` the guide is rewritten. */
 class GuideSpec : FunSpec({
-    test("each example in docs/expressions.md gives what is written below it") {
+    test("each example in docs/expressions.md gives the output below it") {
         var signals: Signals = readRecording(File(ROOT, "samples/qualification-42.bag").toPath(), LOG_FORMATS).let { recording ->
             val modes = ModeTopics(FlagTopic("System/Enabled", FlagReading.Truth), FlagTopic("System/Autonomous", FlagReading.Truth))
             LogViewSignals(LogView.of(recording).identified(null, modes))

@@ -21,7 +21,7 @@ class LogViewSignalsSpec : FunSpec({
 
     fun answer(text: String) = parsed(text, signals.vocabulary).answer(signals).toString()
 
-    test("the range of a WPILOG is that of all its clocks, in s") {
+    test("the range of a WPILOG includes all of its clocks, in s") {
         signals.range shouldBe Span(0.5, 7.0)
         signals.timeUnit shouldBe "s"
     }

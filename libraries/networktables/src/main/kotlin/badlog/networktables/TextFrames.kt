@@ -8,9 +8,9 @@ import kotlinx.serialization.json.JsonArray
 const val TIME_ID: Long = -1
 
 /**
- * Returns the messages in a text frame of NetworkTables 4, which come from a program that may be anybody's.
+ * Returns the messages in a text frame of NetworkTables 4. The sender is not trusted.
  *
- * @throws UnreadableFrameException if it is not a list of JSON.
+ * @throws UnreadableFrameException if the text is not a JSON list.
  */
 fun messagesIn(text: String): JsonArray {
     if (isDeep(text)) throw UnreadableFrameException("JSON that is nested too deeply")
@@ -25,11 +25,11 @@ fun messagesIn(text: String): JsonArray {
 /**
  * Thrown for a frame that is not one of NetworkTables 4.
  *
- * @property what what it is instead, as part of a sentence.
+ * @property what a description of the frame's content, as part of a sentence.
  */
 class UnreadableFrameException(val what: String) : Exception(what)
 
-/** No program nests deeply, except to overflow the stack. */
+/** Only an attack on the stack nests deeply. */
 private fun isDeep(json: String): Boolean {
     var depth = 0
     var inString = false

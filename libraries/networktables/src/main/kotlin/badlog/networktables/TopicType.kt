@@ -13,7 +13,7 @@ enum class TopicType(val typeName: String, val code: Int) {
     FLOAT("float", 3),
     STRING("string", 4),
 
-    /** Bytes, whatever the topic says they are. */
+    /** Bytes, described only by the topic's type name. */
     RAW("raw", 5),
     BOOLEANS("boolean[]", 16),
     DOUBLES("double[]", 17),

@@ -8,25 +8,25 @@ import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
 class TextFramesSpec : FunSpec({
-    test("a list of messages is read, however long it is") {
+    test("a long list of messages is read completely") {
         messagesIn("[]").size shouldBe 0
         messagesIn(List(10_000) { """{"method":"a[{[{"}""" }.joinToString(",", "[", "]")).size shouldBe 10_000
     }
 
-    test("what is not a list of messages is named") {
-        fun whatIs(text: String) = shouldThrow<UnreadableFrameException> { messagesIn(text) }.what
-        whatIs("{") shouldBe "not JSON"
-        whatIs("{}") shouldBe "not a list of messages"
-        whatIs("[".repeat(1_000_000)) shouldBe "JSON that is nested too deeply"
-        whatIs("[\"\\\"" + "{".repeat(200)) shouldBe "not JSON"
+    test("an error describes a frame that is not a list of messages") {
+        fun problemIn(text: String) = shouldThrow<UnreadableFrameException> { messagesIn(text) }.what
+        problemIn("{") shouldBe "not JSON"
+        problemIn("{}") shouldBe "not a list of messages"
+        problemIn("[".repeat(1_000_000)) shouldBe "JSON that is nested too deeply"
+        problemIn("[\"\\\"" + "{".repeat(200)) shouldBe "not JSON"
     }
 
-    test("no text breaks the reader") {
+    test("any text is read or throws UnreadableFrameException") {
         checkAll(Arb.string(0..200)) { text ->
             try {
                 messagesIn("[$text")
             } catch (_: UnreadableFrameException) {
-                // As it should be.
+                // The expected outcome.
             }
         }
     }

@@ -30,7 +30,7 @@ class ConfinedQueriesSpec : FunSpec({
         }
     }.trimEnd()
 
-    test("tables, and what a query makes of them, are answered") {
+    test("queries of the tables, with subqueries and unnesting, are answered") {
         inLake { _, lake ->
             lake.answer("SELECT number, \"System/Battery Voltage\".min AS lowest FROM match_statistics") shouldBe "number|lowest\n1|11.5"
             lake.answer("WITH low AS (SELECT * FROM statistics WHERE topic LIKE 'System%' AND min < 12), \"all\" AS (FROM low) SELECT count(*) AS n FROM \"all\" JOIN matches USING (log)") shouldBe "n\n1"

@@ -54,7 +54,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("the shapes of a query that people use are all understood") {
+    test("all usual forms of queries are understood") {
         inLake { _, lake ->
             val queries = listOf(
                 "FROM matches",
@@ -71,7 +71,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("each table lists its columns, also in a lake where it has nothing") {
+    test("each table lists its columns, even if it is empty") {
         inLake { _, lake ->
             val tables = lake.tables().associateBy { it.name }
             tables.keys shouldContain "match_statistics"
@@ -80,7 +80,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("a mistake is answered with what DuckDB says about it") {
+    test("a mistake is answered with DuckDB's message") {
         inLake { _, lake ->
             shouldThrow<SqlException> { lake.answer("SELEC 1") }.message shouldContain "syntax error"
             shouldThrow<SqlException> { lake.answer("SELECT nothing FROM matches") }.message shouldStartWith "Binder Error: Referenced column \"nothing\""
@@ -105,7 +105,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("a query sees no other file, whatever way it takes, and no network").config(enabledOrReasonIf = { IF_LINKS }) {
+    test("no query can read another file or the network").config(enabledOrReasonIf = { IF_LINKS }) {
         inLake { folder, lake ->
             val secret = folder / "secret.csv"
             secret.writeText("word\nsesame\n")
@@ -125,7 +125,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("an answer can be written to the Parquet file that was named, and to no other") {
+    test("an answer can be written to the named Parquet file only") {
         inLake { folder, lake ->
             shouldThrow<IllegalStateException> { lake.writeParquet("SELECT 1") }
             LakeDatabase.open(Lake(folder / "lake"), folder / "answer.parquet").use { database ->
@@ -137,7 +137,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("anything but a lake is not opened") {
+    test("only a lake is opened") {
         inFolder { folder -> shouldThrow<LakeException> { LakeDatabase.open(Lake(folder)) }.message shouldContain "not a lake" }
     }
 })

@@ -47,7 +47,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("each log stands in the folder of its season and event, with times in UTC, its header values and statistics") {
+    test("each log is in the folder of its season and event, with times in UTC, its header values and statistics") {
         inFolder { folder ->
             (folder / "logs").put("a/one.bag", matchBag(7, 12.5, 12.0, 11.0, event = "Mill/Creek ü"))
             (folder / "logs").put("plain.csv", "Time,Voltage\n0,1\n1,2\n")
@@ -97,7 +97,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("only a log that changed is written again, and one that is gone leaves the lake") {
+    test("only changed logs are rewritten, and deleted ones are removed from the lake") {
         inFolder { folder ->
             val logs = folder / "logs"
             val lake = folder / "lake"
@@ -120,7 +120,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("damaged, cut and empty logs are in the lake with their problems and what could be saved") {
+    test("damaged, cut and empty logs are in the lake with their problems and their readable samples") {
         inFolder { folder ->
             val logs = folder / "logs"
             logs.put("cut.bag", matchBag(1, 12.0, 11.0) + "0.2")
@@ -144,9 +144,9 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("an interrupted run leaves a lake that can be read, and the next run does the rest") {
+    test("an interrupted run leaves a readable lake, and the next run completes it") {
         inFolder { folder ->
-            // More than are ever read ahead of the one that is done.
+            // More than are ever read ahead of the first unfinished one.
             val matches = 10 + 4 * Runtime.getRuntime().availableProcessors()
             for (match in 1..matches) (folder / "logs").put("q$match.bag", matchBag(match, 12.0, 11.0))
             val stop = IllegalStateException("stop")
@@ -163,7 +163,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("what a killed run has left is overwritten or removed, and no reader sees it") {
+    test("leftovers of a killed run are overwritten or removed, and no reader sees them") {
         inFolder { folder ->
             (folder / "logs").put("one.bag", matchBag(1, 12.0))
             refresh(folder / "logs", folder / "lake")
@@ -200,7 +200,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("topics whose names differ in case alone, or are those of fixed columns, have columns of their own") {
+    test("topics named like fixed columns, or like each other except for case, have columns of their own") {
         inFolder { folder ->
             (folder / "logs").put("odd.csv", "T,t,log,\"a\"\"b; DROP TABLE x\",A,a\n0,1,2,3,4,5\n1,6,7,8,9,10\n")
             refresh(folder / "logs", folder / "lake")
@@ -210,7 +210,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("a folder with other files in it, and a lake of another version, are left alone") {
+    test("a folder with other files in it and a lake of another version are not changed") {
         inFolder { folder ->
             (folder / "logs").put("one.bag", matchBag(1, 12.0))
             (folder / "mine").put("thesis.txt", "mine")

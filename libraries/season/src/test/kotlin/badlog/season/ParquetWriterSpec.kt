@@ -32,7 +32,7 @@ class ParquetWriterSpec : FunSpec({
         it.write(LogView.of(readRecording(log, LOG_FORMATS)), log.name, log.name, RuleSet.BUILT_IN.signals, target)
     }
 
-    /** What DuckDB reads, a line per row. */
+    /** Returns the rows that DuckDB reads for [sql], one line each. */
     fun rows(sql: String): List<String> = Engine(memoryMegabytes = null, threads = 1).use { engine ->
         engine.connected { connection ->
             connection.createStatement().use { statement ->
@@ -43,7 +43,7 @@ class ParquetWriterSpec : FunSpec({
         }
     }
 
-    test("a log by itself has the columns and rows that a lake gives it, for DuckDB") {
+    test("DuckDB reads the same columns and rows from a single log as from a lake") {
         inFolder { folder ->
             val wpilog = TestLog().start(1, "/Arm/Angle", "double").start(2, "/State", "string")
                 .double(1, 1_000_000, 1.5).string(2, 1_500_000, "up").double(1, 2_000_000, 2.5)
@@ -65,7 +65,7 @@ class ParquetWriterSpec : FunSpec({
         }
     }
 
-    test("pandas reads a log by itself, with the units that stand in the file").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("pandas reads a single log with the units from its file").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->
             val file = written(folder.put("q1.bag", matchBag(1, 12.5, 11.5)), folder / "q1.parquet").single()
             val python = PYTHON.running("src/test/python/read_log.py", "${file.path}")
@@ -77,7 +77,7 @@ class ParquetWriterSpec : FunSpec({
         }
     }
 
-    test("a log without samples makes no file, and a folder that is none is reported") {
+    test("a log without samples makes no file, and a missing folder is reported") {
         inFolder { folder ->
             val empty = folder.put("header.bag", matchBag(3).lines().first() + "\n")
             written(empty, folder / "header.parquet").shouldBeEmpty()

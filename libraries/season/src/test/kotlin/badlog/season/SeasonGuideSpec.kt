@@ -20,10 +20,10 @@ private val PYTHON = TestPython("pandas, pyarrow, polars, duckdb", "pandas, pyar
 
 @Tags("InCheck")
 class SeasonGuideSpec : FunSpec({
-    test("each Python example of the guide runs on a lake of the samples, and all find what SQL finds").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("each Python example of the guide runs on a lake of the samples, with the same results as SQL").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->
             refresh(Path.of("../../samples"), folder / "season")
-            // Logs of unknown events, and logs without that topic, are what such examples fail at.
+            // Logs of unknown events and logs without the topic are typical causes of failing examples.
             (folder / "season/samples/season=__HIVE_DEFAULT_PARTITION__").exists() shouldBe true
             val sql = "SELECT log, min(\"System/Battery Voltage\") AS low FROM samples GROUP BY log HAVING low IS NOT NULL"
             val expected = rowsOf(folder / "season", sql).associate { (log, low) -> log.jsonPrimitive.content to low.jsonPrimitive.double }

@@ -35,11 +35,11 @@ internal fun matchBag(number: Int, vararg volts: Double, event: String = "Mill C
     volts.forEachIndexed { row, volt -> append("${row / 10.0},$volt\n") }
 }
 
-/** Returns the files of [logs] as a lake wants them. */
+/** Returns the files of [logs] in the order and form that a lake needs. */
 internal fun lakeLogs(logs: Path): List<LakeLog> = FolderScan.of(logs).files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
     .map { LakeLog(it, logs.relativize(it.path).invariantSeparatorsPathString) }
 
-/** Makes the lake [lake] of the folder [logs]. */
+/** Updates the lake [lake] from the folder [logs]. */
 internal fun refresh(logs: Path, lake: Path, batch: Int = 500, progress: (Int, Int) -> Unit = { _, _ -> }): LakeResult = Lake(lake).refresh(lakeLogs(logs), listOf(logs), RuleSet.BUILT_IN, batch, progress = progress)
 
 /** Returns the rows that [sql] selects from the lake [lake]. */
@@ -55,7 +55,7 @@ internal fun rowsOf(lake: Path, sql: String): List<List<JsonElement>> = LakeData
 /** Returns the same as a text: cells between bars, a row per line. */
 internal fun answerOf(lake: Path, sql: String): String = rowsOf(lake, sql).joinToString("\n") { row -> row.joinToString("|") }
 
-/** All files below this folder but those that say who writes, with when they were written and their sizes. */
+/** Returns all files below this folder, with the times of their last changes and their sizes. */
 internal fun Path.written(): Map<String, Pair<Long, Long>> = Files.walk(this).use { files ->
     files.filter { Files.isRegularFile(it) }.toList()
         .associate { relativize(it).invariantSeparatorsPathString to (Files.getLastModifiedTime(it).toMillis() to Files.size(it)) }

@@ -7,9 +7,9 @@ import badlog.core.bag.RowWriter
 import badlog.core.recording.Value
 
 /**
- * A bag in memory, with topics that are created as robot code creates them: a name, a unit, attributes, a supplier.
+ * A bag in memory. Topics are created as in robot code: with a name, a unit, attributes and a supplier.
  *
- * @param measured returns the supplier that a topic of this name and unit is really logged from.
+ * @param measured returns the supplier to log for a topic of this name and unit, given the exact one.
  */
 class BagLog(
     private val numberText: NumberText,
@@ -46,7 +46,7 @@ class BagLog(
         writer.header(BagHeader(columns.map { it.topic }, values))
     }
 
-    /** Writes the header of a table that is not a bag: titles alone. */
+    /** Writes the header of a table that is not a bag: only titles. */
     fun writeTitles() {
         for (column in columns) writer.text(column.topic.name)
         writer.endRow()

@@ -2,16 +2,16 @@ package badlog.samples.bag
 
 import kotlin.math.abs
 
-/** How a robot's program writes its numbers. */
+/** The format in which a robot's program writes numbers. */
 enum class NumberText {
-    /** As a logger does by default: `%.5g`. */
+    /** A logger's default: `%.5g`. */
     FIVE_DIGITS,
 
-    /** With a text function of the team's own: no more decimals than the sensor has. */
+    /** A team's own function: no more decimals than the sensor has. */
     SENSOR_DECIMALS,
 }
 
-/** [value] with at most [decimals] decimals and no zeros at their end, rounded half up. */
+/** Returns [value] with at most [decimals] decimals and without trailing zeros, rounded half up. */
 fun decimalText(value: Double, decimals: Int): String {
     if (!value.isFinite()) return value.toString()
     var scale = 1L

@@ -8,7 +8,7 @@ import badlog.samples.robot.Robot
 import badlog.samples.robot.Side
 import kotlin.math.abs
 
-/** What a robot drives on, and what its program logs of it. */
+/** The chassis of a robot, and its topics in the log. */
 internal enum class Chassis {
     /** Two gearboxes with two motors each. */
     TANK {
@@ -26,7 +26,7 @@ internal enum class Chassis {
         }
     },
 
-    /** Four modules, each with a motor that drives; two motors lift the elevator. */
+    /** Four modules with a drive motor each; two motors lift the elevator. */
     SWERVE {
         override val signals = linked("Elevator/Leader", "Elevator/Follower")
 
@@ -48,7 +48,7 @@ internal enum class Chassis {
     },
     ;
 
-    /** Which of its motors turn together, as a team writes it in its `badlog-signals.toml`. */
+    /** The groups of motors that turn together, as in a team's `badlog-signals.toml`. */
     abstract val signals: String
 
     /** The number of motors that stand still when one gearbox is stuck. */
@@ -65,7 +65,7 @@ internal enum class Chassis {
     }
 }
 
-/** One of four modules: motor [motor] of [side]. A fault of a side is one of its first module. */
+/** One of four modules: motor [motor] of [side]. A fault of a side affects its first module. */
 private class SwerveModule(
     private val name: String,
     private val side: Side,

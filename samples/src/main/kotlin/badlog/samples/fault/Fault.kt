@@ -10,8 +10,7 @@ import badlog.samples.robot.Side
 import badlog.samples.robot.Superstructure
 
 /**
- * What goes wrong in a simulated match. The consequences are up to the simulated robot: voltages, currents and outputs are not
- * planted.
+ * A fault in a simulated match. Only the cause is planted: voltages, currents and outputs follow from the simulated robot.
  *
  * @property title its name for people.
  */
@@ -44,7 +43,7 @@ enum class Fault(val title: String) {
         }
     },
     SEIZED_MOTOR("seized motor") {
-        // While the elevator only holds still, for the last seconds, nobody may notice.
+        // A faint one seizes the elevator while it only holds still, which may go unnoticed.
         override fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean) {
             plan.mishaps += Mishap.SeizedElevator(if (isFaint) plan.lastRaise + 1.4 else noise.timeIn(20.0, 118.0))
         }
@@ -103,7 +102,7 @@ enum class Fault(val title: String) {
         }
     }, ;
 
-    /** Plants it in [plan]; a faint one may leave nothing to find in the log. */
+    /** Plants the fault in [plan]; a faint one may leave nothing to find in the log. */
     internal abstract fun plant(plan: MatchPlan, noise: Noise, isFaint: Boolean)
 
     private companion object {
@@ -111,17 +110,17 @@ enum class Fault(val title: String) {
     }
 }
 
-/** What is planned for a simulated match, before it begins. */
+/** The plan of a simulated match before it begins. */
 internal class MatchPlan(val chassis: Chassis, var battery: Battery, val orders: MutableList<Order>, val mishaps: MutableList<Mishap>) {
     var crash: Mishap.ProgramCrash? = null
 
-    /** Whether the log is the one that the program wrote before its crash, and not the one after it. */
+    /** Whether the log is the one from before the program's crash; otherwise the one after it. */
     var hasLogBefore = false
 
-    /** When the elevator is raised for the last time. */
+    /** The time when the elevator is raised for the last time. */
     val lastRaise get() = orders.last { it.state == Superstructure.RAISING }.at
 
-    /** Inserts [task] from [at] on for [seconds]; then the robot backs off and resumes what it was doing. */
+    /** Inserts [task] at [at] for [seconds]; then the robot backs off and resumes its earlier task. */
     fun insert(at: Double, task: Task, seconds: Double) {
         val before = orders.last { it.at <= at }
         orders.removeAll { it.at > at && it.at <= at + seconds + BACK_OFF }

@@ -23,13 +23,12 @@ import badlog.samples.robot.Noise
 import badlog.samples.robot.Robot
 
 /**
- * A whole match, 15 s of autonomous and 135 s of teleop, derived entirely from [seed]: the driver, the battery, contacts
- * with other robots, and what goes wrong.
+ * A whole match, 15 s of autonomous and 135 s of teleop. Driver, battery, contacts with other robots and faults all follow from [seed].
  *
- * @property fault what goes wrong; null for nothing.
- * @property isFaint whether it goes wrong so little, or so late, that the log may not show it.
- * @property second what goes wrong besides; null for nothing.
- * @param isSwerve whether it drives on four modules; otherwise on two gearboxes.
+ * @property fault the fault; null for none.
+ * @property isFaint whether the fault is so small or so late that the log may not show it.
+ * @property second a second fault; null for none.
+ * @param isSwerve whether the robot has four swerve modules; otherwise two gearboxes.
  */
 class FaultyMatch(
     private val seed: Int,
@@ -40,10 +39,10 @@ class FaultyMatch(
 ) {
     private val chassis = if (isSwerve) Chassis.SWERVE else Chassis.TANK
 
-    /** Which of the robot's motors turn together, as a team writes it in its `badlog-signals.toml`. */
+    /** The groups of motors that turn together, as in a team's `badlog-signals.toml`. */
     val signals: String get() = chassis.signals
 
-    /** The match's bag, with a row for every other loop of the robot. */
+    /** Returns the match's bag, with a row for every other loop of the robot. */
     fun bag(): ByteArray {
         val noise = Noise(seed * SPREAD)
         val plan = healthyPlan(noise)
@@ -111,7 +110,7 @@ class FaultyMatch(
             at += 17.0 + 0.8 * noise.unit()
         }
         val plan = MatchPlan(chassis, battery, orders, ArrayList())
-        // Short contacts with others, and a loop that is late now and then, are part of any match.
+        // Any match has short contacts with other robots and occasional late loops.
         repeat(noise.upTo(3)) { plan.insert(noise.timeIn(25.0, 130.0), Task.Push, 0.15 + 0.25 * noise.unit()) }
         repeat(noise.upTo(3)) { plan.mishaps += Mishap.Stall(noise.timeIn(4.0, 150.0), 0.004 + 0.02 * noise.unit(), "") }
         return plan
@@ -120,10 +119,10 @@ class FaultyMatch(
     companion object {
         private const val LOOPS_PER_ROW = 2
 
-        // Between seeds, so that neighboring seeds do not share their random numbers.
+        // The distance between seeds, so that neighboring seeds do not share random numbers.
         private const val SPREAD = 7919L
 
-        /** The match of [seed]: each fault in turn, and none, with either chassis; one of five is faint, and one has two faults. */
+        /** Returns the match of [seed]: each fault in turn, and none, with either chassis. One of five is faint, and one has two faults. */
         fun of(seed: Int): FaultyMatch {
             val faults = Fault.entries + null
             val fault = faults[seed % faults.size]

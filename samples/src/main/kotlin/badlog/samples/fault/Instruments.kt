@@ -3,8 +3,8 @@ package badlog.samples.fault
 import badlog.samples.robot.Noise
 
 /**
- * What lies between a robot and its log: current sensors that lag and are noisy, the resolution of measurements, and frames on the
- * CAN bus that come too late, so that a value is that of the row before.
+ * The measurement errors between a robot and its log: lagging and noisy current sensors, limited resolution, and late frames on the CAN
+ * bus, which repeat the previous row's value.
  */
 internal class Instruments(private val noise: Noise) {
     private val isLate = HashMap<String, Boolean>()
@@ -12,12 +12,12 @@ internal class Instruments(private val noise: Noise) {
     private val ampsDeviation = 0.2 + 0.5 * noise.unit()
     private val lateShare = 0.01 + 0.09 * noise.unit()
 
-    /** Begins a row: the frame of each device arrives in time or does not; none arrives while the bus [isCut]. */
+    /** Begins a row: each device's frame arrives in time or not; none arrives while the bus [isCut]. */
     fun nextRow(isCut: Boolean) {
         for (device in isLate.keys) isLate[device] = noise.unit() < lateShare || isCut
     }
 
-    /** Returns the supplier of what the topic [name] in [unit] logs of [actual]. */
+    /** Returns a supplier of the measured values of [actual] for the topic [name] in [unit]. */
     fun measuring(name: String, unit: String, actual: () -> Double?): () -> Double? {
         val isOfBus = BUS.any { name.startsWith(it) }
         val device = name.substringBeforeLast(' ')

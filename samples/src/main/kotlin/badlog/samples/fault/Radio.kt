@@ -24,7 +24,7 @@ internal class Radio(private val mishaps: Mishaps, private val noise: Noise) {
     }
 }
 
-/** What the bundled samples do not log: errors on the bus, and the radio. */
+/** Creates the topics that the bundled samples lack: errors on the bus, and the radio. */
 internal fun BagLog.createFaultTopics(robot: Robot, radio: Radio) {
     number("System/CAN Receive Errors", "", 0) { robot.roboRio.canErrors.toDouble() }
     flag("System/DS Connected") { radio.isLinked }

@@ -4,17 +4,17 @@ import badlog.samples.generated.fault.Fault
 import badlog.samples.generated.fault.Naming
 
 /**
- * The log of a simulated match, and what is wrong in it.
+ * The log of a simulated match with a known fault, or without one.
  *
  * @property name a name for its file, without an ending.
- * @property seed what everything random in it followed from; the match without the fault has the same.
- * @property naming how its topics are named, and which there are.
- * @property fault what is wrong; null for nothing.
- * @property strength how strong the fault is, from 1 (clear) down to 0.3 (faint); 0 without a fault.
- * @property hardship what makes the match hard, in words.
- * @property isHard whether it has a hardship that a program might take for a fault.
- * @property start when the fault starts, on the log's x axis in s; null without a fault.
- * @property part the part of the robot that is faulty, as in `Elevator`; empty if it is the whole robot, or nothing.
+ * @property seed the seed of all random numbers in it; the match without the fault has the same.
+ * @property naming the logger, which decides the topics and their names.
+ * @property fault the fault; null for none.
+ * @property strength the strength of the fault, from 1 (clear) down to 0.3 (faint); 0 without a fault.
+ * @property hardship the circumstance that makes the match hard to judge, in words.
+ * @property isHard whether it has a hardship that a program might mistake for a fault.
+ * @property start the start of the fault on the log's x axis, in s; null without a fault.
+ * @property part the faulty part of the robot, such as `Elevator`; empty if it is the whole robot, or none.
  * @property evidence the names of topics that show the fault. Elements of arrays and fields of structs have names that begin with these.
  * @property bytes the file, a bag or a WPILOG.
  */

@@ -7,9 +7,9 @@ import badlog.samples.generated.fault.Naming
 import badlog.samples.generated.fault.STRENGTHS
 import badlog.samples.generated.fault.Visibility
 import badlog.samples.generated.log.BagRecorder
+import badlog.samples.generated.log.LogOrigin
 import badlog.samples.generated.log.LoggedTopic
 import badlog.samples.generated.log.Recorder
-import badlog.samples.generated.log.Wording
 import badlog.samples.generated.log.WpilogRecorder
 import badlog.samples.generated.log.advantageKitTopics
 import badlog.samples.generated.log.badlogTopics
@@ -28,12 +28,12 @@ import java.util.Locale
 /**
  * Generates logs of whole matches of simulated robots, with or without a planted fault. The same seed gives the same bytes.
  *
- * @param seed what everything random follows from.
+ * @param seed the seed of all random numbers.
  */
 class MatchGenerator(private val seed: Long) {
     /**
-     * Returns matches without end: in turn each fault at each strength in each naming, and after every second one a match without a
-     * fault. They are generated as the sequence is read.
+     * Returns an endless, lazy sequence of matches: each fault at each strength in each naming in turn, and a match without a fault after
+     * every second one.
      */
     fun matches(namings: List<Naming> = Naming.entries): Sequence<GeneratedMatch> = sequence {
         var healthy = 0
@@ -51,7 +51,7 @@ class MatchGenerator(private val seed: Long) {
         }
     }
 
-    /** Returns match [number] of a robot with [fault]; other numbers give other robots, drivers and moments. */
+    /** Returns match [number] of a robot with [fault]; other numbers have other robots, drivers and times. */
     fun faulty(naming: Naming, fault: Fault, strength: Double, number: Int = 0): GeneratedMatch {
         require(strength in 0.1..1.0) { "The strength of “$fault” is $strength; use 0.3 to 1." }
         val own = mixed(naming.ordinal + 16L * number + 1_000_003L * fault.id.hashCode())
@@ -59,7 +59,7 @@ class MatchGenerator(private val seed: Long) {
         return generated("${naming.id}-${fault.id}-$percent-$number", RobotPlan.of(own, naming, fault, strength, Hardship.NONE))
     }
 
-    /** Returns match [number] without a fault. Each third one is hard: something in it looks like a fault. */
+    /** Returns match [number] without a fault. Every third one is hard: it has something that looks like a fault. */
     fun healthy(naming: Naming, number: Int): GeneratedMatch {
         val own = mixed(naming.ordinal + 16L * number + 7)
         val hard = Hardship.entries.drop(1)
@@ -71,8 +71,8 @@ class MatchGenerator(private val seed: Long) {
 
     companion object {
         /**
-         * Returns the match that [match] would have been without its fault: the same robot, driver, hits and noise. Topics at the same
-         * times differ only because of the fault.
+         * Returns [match] without its fault: with the same robot, driver, hits and noise. Topics at the same times differ only because of
+         * the fault.
          */
         fun withoutFault(match: GeneratedMatch): GeneratedMatch {
             val fault = requireNotNull(match.fault) { "“${match.name}” has no fault; give a match that has one." }
@@ -80,12 +80,12 @@ class MatchGenerator(private val seed: Long) {
             return generated("${match.name}-without", plan.copy(fault = null, strength = 0.0))
         }
 
-        /** Returns [match], one of WPILib's logger, as a robot of 2027 logs it: the same moments, written in the other season's way. */
-        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), Wording.ROBOT_OF_2027)
+        /** Returns [match], a log of WPILib's logger, as a 2027 robot would log it: with the same samples in the 2027 format. */
+        fun asIn2027(match: GeneratedMatch): GeneratedMatch = generated("${match.name}-2027", planOf(match), LogOrigin.ROBOT_OF_2027)
 
-        /** Returns the log that the Driver Station of 2027 writes of [match], one of WPILib's logger. */
+        /** Returns the log of the 2027 Driver Station for [match], a log of WPILib's logger. */
         fun stationIn2027(match: GeneratedMatch): GeneratedMatch =
-            generated("FIRST_DS_${match.name}", planOf(match), Wording.STATION_OF_2027)
+            generated("FIRST_DS_${match.name}", planOf(match), LogOrigin.STATION_OF_2027)
 
         private fun planOf(match: GeneratedMatch): RobotPlan {
             require(match.naming == Naming.WPILIB) {
@@ -97,15 +97,15 @@ class MatchGenerator(private val seed: Long) {
     }
 }
 
-private fun generated(name: String, plan: RobotPlan, wording: Wording = Wording.AS_NAMED): GeneratedMatch {
+private fun generated(name: String, plan: RobotPlan, origin: LogOrigin = LogOrigin.AS_NAMED): GeneratedMatch {
     val run = MatchRun(plan)
-    val topics = when (wording) {
-        Wording.AS_NAMED -> topicsOf(run)
-        Wording.ROBOT_OF_2027 -> robotTopicsOf2027(run)
-        Wording.STATION_OF_2027 -> stationTopicsOf2027(run)
+    val topics = when (origin) {
+        LogOrigin.AS_NAMED -> topicsOf(run)
+        LogOrigin.ROBOT_OF_2027 -> robotTopicsOf2027(run)
+        LogOrigin.STATION_OF_2027 -> stationTopicsOf2027(run)
     }
-    // A WPILOG's clock began when the robot was switched on.
-    val boot = wording.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
+    // A WPILOG's clock starts when the robot is switched on.
+    val boot = origin.clockSeconds + if (plan.naming.isBag) 0.0 else 20 + Math.floorMod(plan.seed, 1000L) / 10.0
     val recorder = recorderOf(run, topics, boot)
     run.run(object : MatchObserver {
         override fun looped(time: Double) = recorder.loop(time)
@@ -147,13 +147,13 @@ private fun recorderOf(run: MatchRun, topics: List<LoggedTopic>, boot: Double): 
 
     Naming.WPILIB -> WpilogRecorder(topics, boot, "", keepsRepeats = false)
 
-    // Devices send their values again and again, and loggers of devices keep each.
+    // Devices send their values repeatedly, and their loggers keep all of them.
     Naming.PHOENIX, Naming.REV -> WpilogRecorder(topics, boot, "", keepsRepeats = true)
 }
 
 private fun evidenceOf(planting: Planting, topics: List<LoggedTopic>): List<String> = topics.filter { topic ->
-    val isItsPart = topic.part.isEmpty() || planting.part.isEmpty() || topic.part == planting.part
-    topic.signal in planting.fault.shownBy && isItsPart
+    val isFaultyPart = topic.part.isEmpty() || planting.part.isEmpty() || topic.part == planting.part
+    topic.signal in planting.fault.shownBy && isFaultyPart
 }.map { it.name }
 
 /** Returns [seconds] with three decimals. */

@@ -7,8 +7,8 @@ import java.nio.file.Path
 import kotlin.system.exitProcess
 
 /**
- * Writes matches into a folder, each with a JSON file of the same name that says what is wrong in it. Arguments: folder, count, seed,
- * and a naming or `all`.
+ * Writes matches into a folder, each with a JSON file of the same name that describes its fault. Arguments: folder, count, seed, and a
+ * naming or `all`.
  */
 fun main(arguments: Array<String>) {
     if (arguments.size != 4) fail("There are ${arguments.size} arguments; give a folder, a count, a seed and a naming.")
@@ -30,7 +30,7 @@ private fun fail(message: String): Nothing {
     exitProcess(2)
 }
 
-/** Returns what is known of [match] as JSON. */
+/** Returns the description of [match] as JSON. */
 internal fun describe(match: GeneratedMatch): String {
     val members = LinkedHashMap<String, String>()
     members["file"] = quotedJson(match.fileName)

@@ -6,7 +6,7 @@ import badlog.samples.robot.Mode
 import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 
-/** What the robot's program writes to its event log. One event fits a row; others wait for the next. */
+/** The events in the log of the robot's program. A row holds one event; others wait for the next row. */
 class Announcer(private val robot: Robot, private val driver: Driver, private val mishaps: Mishaps) {
     private val waiting = ArrayDeque<String>()
     private var mode = Mode.DISABLED
@@ -16,7 +16,7 @@ class Announcer(private val robot: Robot, private val driver: Driver, private va
     private var lastTime = 0.0
     private var scoredAt = 0.0
 
-    /** Returns the event of this row, made of what changed since the last call, or an empty text. */
+    /** Returns the next event since the last call; empty if there is none. */
     fun eventAt(time: Double): String {
         if (robot.mode != mode) announceMode()
         if (driver.hasNewOrder) driver.order?.note?.takeIf { it.isNotEmpty() }?.let(waiting::add)

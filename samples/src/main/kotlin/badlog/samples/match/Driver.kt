@@ -12,14 +12,14 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * How somebody drives.
+ * A driver's style.
  *
- * @property fastest the highest throttle across the field.
- * @property ramp how far the throttle moves in a second, at most.
+ * @property fastest the highest throttle across the field, 0 to 1.
+ * @property ramp the maximum change of the throttle per second.
  */
 class DrivingStyle(val fastest: Double = 0.88, val ramp: Double = 2.0)
 
-/** Follows orders as people do: with hands that need time, and never quite the same way twice. */
+/** Follows orders as people do: with a reaction time, and slightly differently each time. */
 class Driver(seed: Long, private val orders: List<Order>, private val style: DrivingStyle = DrivingStyle()) {
     private val noise = Noise(seed)
     private var throttle = 0.0
@@ -46,7 +46,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
             pieceAfter = 0.7 + noise.unit() * 0.8
         }
         loopSeconds = seconds
-        wish(order.task, drivetrain)
+        setTargets(order.task, drivetrain)
         if (!enabled) {
             throttle = 0.0
             turn = 0.0
@@ -63,7 +63,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
         )
     }
 
-    private fun wish(task: Task, drivetrain: Drivetrain) = when (task) {
+    private fun setTargets(task: Task, drivetrain: Drivetrain) = when (task) {
         Task.Wait -> hold(0.0, 0.0)
 
         Task.Creep -> hold(0.2, 0.0)
@@ -82,12 +82,12 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
         is Task.DriveTo -> approach(task.x, task.y, 0.0, style.fastest, drivetrain)
     }
 
-    /** Turns to (x, y) and drives until it is [short] meters away, with at most [most] throttle. */
+    /** Turns to (x, y) and drives until the distance is [short] m, with at most [most] throttle. */
     private fun approach(x: Double, y: Double, short: Double, most: Double, drivetrain: Drivetrain) {
         val dx = x - drivetrain.x
         val dy = y - drivetrain.y
         val distance = sqrt(dx * dx + dy * dy) - short
-        // A driver who is nearly there does not turn around for the rest.
+        // A driver who is close to the place does not turn around for the rest.
         if (distance < 0.5 && short == 0.0) hasArrived = true
         if (hasArrived) return hold(0.0, 0.0)
         if (distance > 3) highGear = true
@@ -117,7 +117,7 @@ class Driver(seed: Long, private val orders: List<Order>, private val style: Dri
     }
 
     private companion object {
-        // In N·s/m, like the robot's obstacle.
+        // The resistance of a wall, in N·s/m, like the robot's obstacle.
         const val WALL = 12_000.0
         const val SCORING_DISTANCE = 1.25
     }

@@ -2,26 +2,26 @@ package badlog.samples.match
 
 import badlog.samples.robot.Superstructure
 
-/** What the drivers, or the autonomous program, want from second [at] on, until the next order. */
+/** An order of the drivers or the autonomous program, from second [at] until the next order. */
 class Order(val at: Double, val task: Task, val state: Superstructure, val note: String = "")
 
-/** What is to be done with the drivetrain. */
+/** A task for the drivetrain. */
 sealed interface Task {
     data object Wait : Task
 
-    /** To a place on the field, turning toward it first. */
+    /** Drive to a place on the field, after turning toward it. */
     class DriveTo(val x: Double, val y: Double) : Task
 
-    /** Slowly ahead, onto a game piece. */
+    /** Drive slowly ahead, onto a game piece. */
     data object Creep : Task
 
-    /** Turning and closing in on the target. */
+    /** Turn to the target and approach it. */
     data object Aim : Task
 
-    /** At full throttle, against a robot that does not give way. */
+    /** Push at full throttle against a robot that does not yield. */
     data object Push : Task
 
-    /** Against something that does not move. */
+    /** Push against something that does not move. */
     class PushWall(val throttle: Double) : Task
 
     data object BackOff : Task

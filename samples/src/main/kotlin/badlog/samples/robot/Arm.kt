@@ -23,7 +23,7 @@ class Arm {
         load.draw(if (isPowered) abs(lift) else 0.0)
     }
 
-    /** Behaves as a spring with damping around the setpoint: chain slack lets it overshoot a little. */
+    /** Moves the arm like a damped spring around the setpoint, so that chain slack lets it overshoot slightly. */
     fun move(seconds: Double) {
         rate += (260 * (setpoint - angle) - 19 * rate) * seconds
         angle += rate * seconds

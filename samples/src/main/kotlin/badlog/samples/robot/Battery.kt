@@ -1,24 +1,24 @@
 package badlog.samples.robot
 
 /**
- * A 12 V lead-acid battery: a resting voltage that falls with its charge, behind a resistance that acts at once and a
- * second one that builds up over seconds, when acid near the plates is used up faster than it is replaced.
+ * A 12 V lead-acid battery. Its resting voltage falls with its charge. It is behind an immediate resistance and a second one that builds up
+ * over seconds, when acid near the plates is used up faster than it is replaced.
  *
- * @param ohms the resistance that acts at once, including leads, main breaker and connectors.
+ * @param ohms the immediate resistance, including leads, main breaker and connectors.
  * @param slowOhms the resistance that builds up.
  * @param ampHours its capacity.
- * @param charge 1 for full.
+ * @param charge the charge, 0 (empty) to 1 (full).
  */
 class Battery(private val ohms: Double, private val slowOhms: Double, private val ampHours: Double, private var charge: Double) {
     private var slowVolts = 0.0
 
-    /** The resistance that a bad contact in the lead adds. */
+    /** The resistance of a bad contact in the lead, in Ω. */
     var contactOhms = 0.0
 
     var volts = restingVolts()
         private set
 
-    /** Finds the voltage at which battery and [loads] agree, and discharges the battery by what flows in [seconds]. */
+    /** Solves for the voltage of the battery with [loads], and discharges it for [seconds]. */
     fun supply(loads: List<Load>, seconds: Double) {
         var offset = 0.0
         var conductance = 0.0

@@ -2,11 +2,11 @@ package badlog.samples.robot
 
 import kotlin.math.abs
 
-/** A camera that looks for the target above the goal, when it can see it. */
+/** A camera that looks for the target above the goal. */
 class Camera(private val noise: Noise) {
     private var blind = 0.0
 
-    /** Degrees to the target's right, or null if no target is seen. */
+    /** The angle to the target in degrees, to the right; null if no target is seen. */
     var targetX: Double? = null
         private set
     var latency = 24.0

@@ -4,12 +4,12 @@ package badlog.samples.robot
 enum class Mode { DISABLED, AUTONOMOUS, TELEOP }
 
 /**
- * What reaches the robot in one loop.
+ * The inputs of the robot in one loop.
  *
- * @property throttle -1 to 1.
- * @property turn -1 to 1, positive to the left.
- * @property obstacle how hard something holds the robot, in N·s/m.
- * @property pieceAfter how long the rollers run until a game piece is in them, in seconds.
+ * @property throttle the throttle, -1 to 1.
+ * @property turn the turning, -1 to 1, positive to the left.
+ * @property obstacle the resistance of something in the way, in N·s/m.
+ * @property pieceAfter the time that the rollers run until a game piece is in them, in s.
  */
 class Sticks(
     val throttle: Double,

@@ -2,7 +2,9 @@ package badlog.samples.robot
 
 import kotlin.math.abs
 
-/** Six wheels, four motors, two gears: the robot on the field. Meters, seconds, radians; x runs along the field. */
+/**
+ * The drivetrain with six wheels, four motors and two gears, and its position on the field. Units are m, s and rad; x runs along the field.
+ */
 class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     var leftOutput = 0.0
     var rightOutput = 0.0
@@ -17,7 +19,7 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
     /** The gearbox that is stuck; null for none. */
     var seized: SeizedGearbox? = null
 
-    /** How hard something in the way holds the robot back, in N·s/m: another robot, or a wall. */
+    /** The resistance of another robot or a wall in the way, in N·s/m. */
     var obstacle = 0.0
 
     var speed = 0.0
@@ -62,7 +64,7 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         rightPosition += shaftVelocity(Side.RIGHT) * seconds
     }
 
-    /** How fast the gearbox of a side turns: a stuck one does not turn even while the robot moves. */
+    /** Returns the speed of a side's gearbox; a stuck one does not turn even while the robot moves. */
     fun shaftVelocity(side: Side): Double = when {
         stuckMotors(side) == MOTORS_PER_SIDE -> 0.0
         side == Side.LEFT -> leftVelocity
@@ -71,7 +73,7 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
 
     private fun stuckMotors(side: Side) = seized?.takeIf { it.side == side }?.motors ?: 0
 
-    /** A hit from the side: the robot spins and loses speed before anyone can react. */
+    /** Hits the robot from the side: it spins and loses speed before anyone can react. */
     fun hit() {
         turnRate += 4.5
         speed *= -0.3
@@ -101,10 +103,10 @@ class Drivetrain(var x: Double, var y: Double, var heading: Double) {
         private const val HALF_TRACK = 0.3
         private const val MOTORS_PER_SIDE = 2
 
-        // What the wheels of one side can push before they slip.
+        // The maximum force of the wheels of one side before they slip, in N.
         private const val GRIP = 330.0
 
-        // The drag of one wheel that does not turn.
+        // The drag of one wheel that does not turn, in N.
         private const val DRAG = 70.0
     }
 }

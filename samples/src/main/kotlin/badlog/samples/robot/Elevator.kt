@@ -2,7 +2,7 @@ package badlog.samples.robot
 
 import kotlin.math.abs
 
-/** An elevator on two motors that follows a profile with feed-forward and a proportional gain. Meters. */
+/** An elevator with two motors that follows a profile with feed-forward and a proportional gain. Positions are in m. */
 class Elevator(private val gain: Double = GAIN) {
     val profile = MotionProfile(REST, maxVelocity = 1.4, maxAcceleration = 3.5)
     var position = REST
@@ -42,7 +42,7 @@ class Elevator(private val gain: Double = GAIN) {
         }
     }
 
-    /** What its motor controllers measure; they do not measure what flows while they only brake. */
+    /** Returns the current that its motor controllers measure, in A; 0 while they only brake. */
     fun windingAmps(volts: Double): Double = if (output == 0.0) 0.0 else abs(motors * Motor.windingAmps(output, volts, velocity * GEARING))
 
     fun move(volts: Double, seconds: Double) {
@@ -74,7 +74,7 @@ class Elevator(private val gain: Double = GAIN) {
         private const val GEARING = 279.0
         private const val WEIGHT = 69.0
 
-        // The carriage, and the motors' rotors, which count for more than the carriage, because of the gearbox.
+        // The carriage and the motors' rotors, which count more than the carriage because of the gearbox, in kg.
         private const val MOVED_MASS = 26.0
     }
 }

@@ -1,8 +1,8 @@
 package badlog.samples.robot
 
-/** What goes wrong in a recording, and when, in seconds. What follows from it is up to the robot. */
+/** The mishaps in a recording, with their times in s. Their consequences follow from the simulated robot. */
 class Mishaps(private val all: List<Mishap> = emptyList()) {
-    /** How much longer than planned the loop that begins at [time] takes. */
+    /** Returns the extra duration of the loop that begins at [time], in s. */
     fun stallSeconds(time: Double): Double =
         all.filterIsInstance<Mishap.Stall>().filter { time >= it.at && time < it.at + 0.02 }.sumOf { it.seconds }
 
@@ -10,7 +10,7 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
 
     fun isHitAt(time: Double, seconds: Double): Boolean = all.any { it is Mishap.Hit && time >= it.at && time - seconds < it.at }
 
-    /** Whether nothing is heard on the whole bus. */
+    /** Returns whether the whole bus is silent. */
     fun canIsCut(time: Double): Boolean = all.any { it is Mishap.CanCut && time >= it.at && time < it.at + it.seconds }
 
     fun programRuns(time: Double): Boolean = all.none { it is Mishap.ProgramCrash && time >= it.at && time < it.at + it.seconds }
@@ -19,7 +19,7 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
 
     fun elevatorIsSeized(time: Double): Boolean = all.any { it is Mishap.SeizedElevator && time >= it.at }
 
-    /** The sides of the drivetrain on which one of two motors is unplugged. */
+    /** Returns the sides of the drivetrain with one of two motors unplugged. */
     fun unpluggedSides(time: Double): List<Side> = all.filter { time >= it.at }.mapNotNull { (it as? Mishap.UnpluggedMotor)?.side }
 
     fun seizedGearbox(time: Double): SeizedGearbox? =
@@ -27,34 +27,37 @@ class Mishaps(private val all: List<Mishap> = emptyList()) {
 
     fun elevatorIsHalf(time: Double): Boolean = all.any { it is Mishap.UnpluggedElevatorMotor && time >= it.at }
 
-    /** The sides of the drivetrain whose encoder cable is pulled. */
+    /** Returns the sides of the drivetrain with a pulled encoder cable. */
     fun blindSides(time: Double): List<Side> = all.filter { time >= it.at }.mapNotNull { (it as? Mishap.PulledEncoder)?.side }
 
     fun contactOhms(time: Double): Double =
         all.firstNotNullOfOrNull { lead -> (lead as? Mishap.LooseLead)?.takeIf { time >= it.at && time < it.at + it.seconds } }?.ohms ?: 0.0
 
-    /** What the robot's program reports of what happened from [from] until [until]. */
-    fun reportsBetween(from: Double, until: Double): List<String> = all.filter { it.saidAt >= from && it.saidAt < until }.map { it.report }
+    /** Returns the program's reports of mishaps noticed between [from] and [until]. */
+    fun reportsBetween(from: Double, until: Double): List<String> =
+        all.filter { it.reportedAt >= from && it.reportedAt < until }.map { it.report }
 }
 
 /**
- * @property saidAt when the robot's program notices.
- * @property report what it then writes to the event log; may be empty.
+ * A mishap that starts at second [at].
+ *
+ * @property reportedAt the time at which the robot's program reports it, in s.
+ * @property report the program's text in the event log; may be empty.
  */
-sealed class Mishap(val at: Double, val saidAt: Double, val report: String) {
+sealed class Mishap(val at: Double, val reportedAt: Double, val report: String) {
     class Stall(at: Double, val seconds: Double, report: String) : Mishap(at, at + seconds, report)
 
-    /** A mechanism whose motor controller is not heard on the bus. */
+    /** A mechanism's motor controller is silent on the bus. */
     class CanSilence(at: Double, val seconds: Double, report: String) : Mishap(at, at + 0.1, report)
 
     class Hit(at: Double, report: String) : Mishap(at, at + 0.3, report)
 
     class LooseLead(at: Double, val seconds: Double, val ohms: Double = 0.035) : Mishap(at, at, "")
 
-    /** No motor controller is heard, and none receives anything: all values stay as they were, and motors stop. */
+    /** All motor controllers are cut off from the bus: their values stay unchanged, and motors stop. */
     class CanCut(at: Double, val seconds: Double) : Mishap(at, at, "")
 
-    /** The program ends, and is started again after [seconds]; until then the robot is disabled. */
+    /** The program ends and restarts after [seconds]; until then the robot is disabled. */
     class ProgramCrash(at: Double, val seconds: Double, report: String) : Mishap(at, at - 0.05, report)
 
     class RadioReboot(at: Double, val seconds: Double) : Mishap(at, at, "")

@@ -4,7 +4,7 @@ import kotlin.math.abs
 import kotlin.math.sign
 import kotlin.math.sqrt
 
-/** A setpoint that travels to its goal with limited velocity and acceleration. */
+/** A setpoint that moves to its goal with limited velocity and acceleration. */
 class MotionProfile(position: Double, private val maxVelocity: Double, private val maxAcceleration: Double) {
     var goal = position
     var position = position
@@ -28,7 +28,7 @@ class MotionProfile(position: Double, private val maxVelocity: Double, private v
         }
     }
 
-    /** Stays where the mechanism is, as after being disabled. */
+    /** Restarts the profile at the mechanism's position, as after being disabled. */
     fun restartAt(position: Double) {
         this.position = position
         goal = position

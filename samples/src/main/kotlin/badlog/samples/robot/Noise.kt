@@ -7,7 +7,7 @@ package badlog.samples.robot
 class Noise(seed: Long) {
     private var state = seed
 
-    /** Evenly spread over [0, 1). */
+    /** Returns a number evenly distributed over [0, 1). */
     fun unit(): Double {
         state += -0x61c8864680b583ebL
         var bits = state
@@ -16,13 +16,13 @@ class Noise(seed: Long) {
         return ((bits xor (bits ushr 31)) ushr 11) * UNIT
     }
 
-    /** Around 0, nearly normal, with the standard deviation [deviation]. */
+    /** Returns a nearly normally distributed number around 0 with the standard deviation [deviation]. */
     fun around(deviation: Double): Double = (unit() + unit() + unit() + unit() - 2) * ROOT_OF_3 * deviation
 
     private companion object {
         const val UNIT = 1.0 / (1L shl 53)
 
-        // The sum of four evenly spread numbers has a variance of 4/12.
+        // The sum of four evenly distributed numbers has a variance of 4/12.
         const val ROOT_OF_3 = 1.7320508075688772
     }
 }

@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** Tanks for the gear shifter and the grabber, and the compressor that fills them again. psi. */
+/** Tanks for the gear shifter and the grabber, and the compressor that refills them. Pressures are in psi. */
 class Pneumatics(pressure: Double) {
     var pressure = pressure
         private set
@@ -20,7 +20,7 @@ class Pneumatics(pressure: Double) {
         if (isCompressing) pressure += 2.9 * (1 - pressure / 190) * seconds
     }
 
-    /** A compressor works the harder the fuller the tanks are, and starts against them. */
+    /** Adds the compressor's current, which rises with the pressure in the tanks and is higher at its start. */
     fun load(load: Load) = when {
         !isCompressing -> load.draw(0.0)
         running < 0.14 -> load.draw(33.0)

@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** The power distribution panel: which mechanism is on which of its 16 channels, and what it measures there. */
+/** The power distribution panel, with the mechanisms on its 16 channels and their measured currents. */
 class PowerDistribution(private val noise: Noise) {
     val channels: List<Load> = List(16) { Load() }
     val leftDrive: List<Load> = channels.slice(0..1)
@@ -22,7 +22,7 @@ class PowerDistribution(private val noise: Noise) {
         radio.draw(0.9)
     }
 
-    /** Measures in steps of an eighth of an ampere; what flows back counts as nothing. */
+    /** Measures in steps of an eighth of an ampere; returned current counts as 0. */
     fun measure(volts: Double) {
         for (i in channels.indices) {
             val amps = channels[i].amps(volts)

@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** The robot's computer: guards itself against a low battery, and has only so much time in a loop. */
+/** The robot's computer, which protects itself against a low battery and has limited time in a loop. */
 class RoboRio(private val noise: Noise) {
     private var brownoutSeconds = 0.0
     var batteryVolts = 0.0
@@ -18,8 +18,8 @@ class RoboRio(private val noise: Noise) {
     var canErrors = 0
         private set
 
-    /** Below [BROWNOUT_VOLTS] it cuts all outputs, until the battery has come back. */
-    fun guard(volts: Double, seconds: Double) {
+    /** Cuts all outputs below [BROWNOUT_VOLTS], until the battery has recovered. */
+    fun checkBrownout(volts: Double, seconds: Double) {
         batteryVolts = volts + noise.around(0.012)
         brownoutSeconds = if (isBrownedOut) brownoutSeconds + seconds else 0.0
         if (batteryVolts < BROWNOUT_VOLTS) {

@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** The whole robot, stepped once for each of its 20 ms loops. */
+/** The whole robot, simulated in loops of 20 ms. */
 class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressure: Double, private val mishaps: Mishaps) {
     private val noise = Noise(seed)
     val power = PowerDistribution(noise)
@@ -21,11 +21,11 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
 
     val isPowered get() = mode != Mode.DISABLED && !roboRio.isBrownedOut
 
-    /** What the robot's program does at the start of a loop: reads its sensors, then sets its outputs. */
+    /** Runs the robot's program at the start of a loop: reads its sensors, then sets its outputs. */
     fun control(time: Double, seconds: Double, mode: Mode, sticks: Sticks) {
         this.mode = mode
         val canIsCut = mishaps.canIsCut(time)
-        roboRio.guard(battery.volts, seconds)
+        roboRio.checkBrownout(battery.volts, seconds)
         roboRio.work(mode != Mode.DISABLED, mishaps.stallSeconds(time), mishaps.canIsSilent(time) || canIsCut, canIsCut)
         if (!canIsCut) power.measure(battery.volts)
         camera.look(drivetrain, seconds, mishaps.stallSeconds(time))
@@ -72,7 +72,7 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
         intake.control(state.rollers, stateSeconds > sticks.pieceAfter, isPowered, seconds)
     }
 
-    /** Lets [seconds] pass with the outputs as they are. */
+    /** Advances by [seconds] with unchanged outputs. */
     fun pass(seconds: Double) {
         val step = seconds / STEPS
         repeat(STEPS) {
@@ -90,7 +90,7 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
     }
 
     private companion object {
-        // The elevator's mass on its stiff motors needs steps shorter than a loop.
+        // The elevator's stiff motors need steps shorter than a loop.
         const val STEPS = 5
 
         // The pressure that a move of the shifter or the grabber costs, in psi.
@@ -100,10 +100,10 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
 }
 
 /**
- * What elevator, arm and rollers do together.
+ * A combined state of elevator, arm and rollers.
  *
- * @property height where the elevator goes, in meters.
- * @property angle where the arm goes, in degrees.
+ * @property height the goal of the elevator, in m.
+ * @property angle the goal of the arm, in degrees.
  * @property rollers the output of the intake's rollers, negative for out.
  */
 enum class Superstructure(val height: Double, val angle: Double, val rollers: Double) {

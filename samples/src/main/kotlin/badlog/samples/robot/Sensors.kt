@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** What the encoders report of the mechanisms, and what may go wrong with that. */
+/** The values of the encoders on the mechanisms, including faults of the encoders. */
 class Sensors(private val robot: Robot, private val noise: Noise) {
     private val lost = HashSet<Side>()
     var leftPosition = 0.0
@@ -18,7 +18,7 @@ class Sensors(private val robot: Robot, private val noise: Noise) {
     var elevatorAmps = 0.0
         private set
 
-    /** Its plug comes off: the count stays where it was, and nothing says that it is wrong. */
+    /** Unplugs the encoder of [side]: its count stays unchanged, without any error. */
     fun loseEncoder(side: Side) {
         lost += side
         if (side == Side.LEFT) leftVelocity = 0.0 else rightVelocity = 0.0
@@ -34,7 +34,7 @@ class Sensors(private val robot: Robot, private val noise: Noise) {
             rightPosition = drivetrain.rightPosition
             rightVelocity = filtered(rightVelocity, drivetrain.shaftVelocity(Side.RIGHT), seconds)
         }
-        // Without status frames the robot goes on with the last ones it had.
+        // Without status frames the robot uses the last ones.
         if (isElevatorSilent) return
         elevatorPosition = robot.elevator.position
         elevatorVelocity = filtered(elevatorVelocity, robot.elevator.velocity, seconds)
@@ -62,7 +62,7 @@ class Gyro(private val noise: Noise) {
         angle = if (restarting > 0) Double.NaN else degrees(drivetrain.heading) + drift + noise.around(0.015)
     }
 
-    /** A hit makes its board restart. It then calibrates while the robot moves, takes that for rest, and drifts. */
+    /** Restarts the gyro's board, as after a hit. It calibrates while the robot moves, mistakes that for rest, and drifts. */
     fun restart() {
         restarting = 1.3
         driftRate = 1.4

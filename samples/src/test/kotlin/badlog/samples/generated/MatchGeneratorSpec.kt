@@ -19,8 +19,8 @@ import kotlin.math.abs
 
 private val GENERATOR = MatchGenerator(2026)
 
-/** How much a topic differs, from [from] until [until], as a part of its range in the match without the fault; texts differ by 1. */
-private fun difference(one: Held, other: Held, from: Double, until: Double): Double {
+/** Returns a topic's difference between [from] and [until], as a share of its range in the match without the fault; texts differ by 1. */
+private fun difference(one: HeldSamples, other: HeldSamples, from: Double, until: Double): Double {
     var sum = 0.0
     var count = 0
     var least = Double.POSITIVE_INFINITY
@@ -42,8 +42,8 @@ private fun difference(one: Held, other: Held, from: Double, until: Double): Dou
     return if (count == 0) 0.0 else sum / count / maxOf(most - least, 1e-3)
 }
 
-/** What contradicts the table of faults in [match], which has one; null for nothing. */
-private fun mistakeOf(match: GeneratedMatch): String? {
+/** Returns a contradiction between the faulty [match] and the table of faults; null if there is none. */
+private fun contradictionIn(match: GeneratedMatch): String? {
     val fault = checkNotNull(match.fault)
     val start = checkNotNull(match.start)
     val isSeen = fault.sightIn(match.naming).visibility != Visibility.NOTHING
@@ -51,8 +51,8 @@ private fun mistakeOf(match: GeneratedMatch): String? {
     val with = recordingOf(match)
     val without = recordingOf(MatchGenerator.withoutFault(match))
     val others = without.topics.associateBy { it.name }
-    fun changeOf(topic: Topic, from: Double, until: Double) = others[topic.name]?.let { difference(Held(with, topic), Held(without, it), from, until) } ?: 1.0
-    // Heat and a hard pull come before what they cause.
+    fun changeOf(topic: Topic, from: Double, until: Double) = others[topic.name]?.let { difference(HeldSamples(with, topic), HeldSamples(without, it), from, until) } ?: 1.0
+    // Heat and a hard pull precede their effects.
     val quiet = if (fault.id == "hot-motor") 0.0 else start - 7
     with.topics.find { it.name in others && changeOf(it, 0.0, quiet) != 0.0 }?.let { return "“${it.name}” differs before the fault starts" }
     if (!isSeen) return null
@@ -72,7 +72,7 @@ class MatchGeneratorSpec : FunSpec({
         }
     }
 
-    test("a short sequence has all namings, strengths, faults and hardships, and as many good matches as a third") {
+    test("a short sequence has all namings, strengths, faults and hardships, and a third of healthy matches") {
         class Facts(val naming: Naming, val fault: String?, val strength: Double, val name: String, val isHard: Boolean)
         val some = GENERATOR.matches().take(FAULTS.size * 3).map { Facts(it.naming, it.fault?.id, it.strength, it.name, it.isHard) }.toList()
         some.map { it.naming }.toSet() shouldBe Naming.entries.toSet()
@@ -97,12 +97,12 @@ class MatchGeneratorSpec : FunSpec({
             }
         }
 
-        test("each fault changes, in logs of ${naming.id}, a topic that is to show it, and nothing before it starts") {
-            FAULTS.mapNotNull { fault -> mistakeOf(GENERATOR.faulty(naming, fault, 1.0))?.let { "$fault: $it" } }.shouldBeEmpty()
+        test("in logs of ${naming.id}, each fault changes a topic of its evidence, and nothing before it starts") {
+            FAULTS.mapNotNull { fault -> contradictionIn(GENERATOR.faulty(naming, fault, 1.0))?.let { "$fault: $it" } }.shouldBeEmpty()
         }
     }
 
-    test("what is said of a match is JSON that names the fault, its causes and its evidence") {
+    test("the description of a match is JSON with the fault, its causes and its evidence") {
         val match = GENERATOR.faulty(Naming.ADVANTAGEKIT, FAULTS.first(), 0.3)
         val members = checkNotNull(badlog.core.json.JsonReader.readObject(describe(match))).associate { it.key to it.value }
         members.getValue("fault").text shouldBe FAULTS.first().id

@@ -30,7 +30,7 @@ private fun plans(hardship: Hardship) = Naming.entries.flatMap { naming -> List(
 @Tags("InCheck")
 class PhysicsSpec : FunSpec({
     for (hardship in Hardship.entries) {
-        test("a robot without a fault stays within what batteries, motors and fields allow: ${hardship.title}") {
+        test("a robot without a fault stays within the limits of batteries, motors and fields: ${hardship.title}") {
             for (plan in plans(hardship)) {
                 withClue("$plan") {
                     var brownouts = 0
@@ -55,7 +55,7 @@ class PhysicsSpec : FunSpec({
         }
     }
 
-    test("the energy that leaves the battery is what motors, compressor and computers take") {
+    test("the battery's energy equals the consumption of motors, compressor and computers") {
         for (plan in plans(Hardship.NONE)) {
             var taken = 0.0
             val run = MatchRun(plan)
@@ -71,7 +71,7 @@ class PhysicsSpec : FunSpec({
                 }
             })
             abs(taken - robot.battery.energy) / robot.battery.energy shouldBeLessThan 0.05
-            // Of what leaves the cells, most arrives.
+            // Only a small share of the energy is lost as heat.
             (robot.battery.heat / robot.battery.energy).shouldBeBetween(0.01, 0.25, 0.0)
             // A match takes one to two of a battery's 18 Ah.
             (robot.battery.energy / 12 / 3600).shouldBeBetween(0.4, 3.0, 0.0)
@@ -105,7 +105,7 @@ class PhysicsSpec : FunSpec({
         }
     }
 
-    test("an old battery has the resistance that its strength says") {
+    test("an old battery has the resistance for its strength") {
         val fault = FAULTS.first { it.id == "old-battery" }
         for (strength in listOf(1.0, 0.3)) {
             var count = 0

@@ -16,7 +16,7 @@ import kotlin.math.abs
 private const val SEEDS = 3
 
 /** Runs matches with the fault [id], and calls [watch] after each loop with the time since the fault's start. */
-private fun watching(id: String, strength: Double, watch: (MatchRun, Double) -> Unit) {
+private fun watchMatches(id: String, strength: Double, watch: (MatchRun, Double) -> Unit) {
     for (seed in 1L..SEEDS) {
         val plan = RobotPlan.of(seed, Naming.ADVANTAGEKIT, FAULTS.first { it.id == id }, strength, Hardship.NONE)
         val run = MatchRun(plan)
@@ -28,25 +28,25 @@ private fun watching(id: String, strength: Double, watch: (MatchRun, Double) -> 
     }
 }
 
-/** The strengths 1 and 0.3, with what is to be measured at them. */
+/** Measures at the strengths 1 and 0.3, and compares with the ranges [clear] and [faint]. */
 private fun atBoth(id: String, clear: ClosedRange<Double>, faint: ClosedRange<Double>, measure: (strength: Double) -> Double) {
     for ((strength, range) in listOf(1.0 to clear, 0.3 to faint)) {
         withClue("$id at $strength") { measure(strength).shouldBeBetween(range.start, range.endInclusive, 0.0) }
     }
 }
 
-/** What the strengths of faults mean, measured in the simulation. */
+/** Tests of the physical meaning of strengths, measured in the simulation. */
 @Tags("InCheck")
 class StrengthSpec : FunSpec({
     test("an oscillating shooter swings by about 9 % at 1, by about 3 % at 0.3") {
         atBoth("oscillating-controller", 0.06..0.13, 0.02..0.055) { strength ->
             var since = 0
             var most = 0.0
-            watching("oscillating-controller", strength) { run, time ->
+            watchMatches("oscillating-controller", strength) { run, time ->
                 val shooter = checkNotNull(run.robot.shooter)
                 val isBeforeShots = run.robot.driver.errand.action == Action.TRAVEL
                 since = if (time > 1 && run.isEnabled && shooter.setpoint > 3000 && isBeforeShots) since + 1 else 0
-                // After it has come up to speed.
+                // After the wheel has reached its speed.
                 if (since in 75..95) most = maxOf(most, abs(shooter.measured - shooter.setpoint) / shooter.setpoint)
             }
             most
@@ -56,7 +56,7 @@ class StrengthSpec : FunSpec({
     test("a shooter with a drag reaches 65 % of its speed at 1, 90 % at 0.3") {
         atBoth("shooter-slow", 0.58..0.72, 0.85..0.95) { strength ->
             var fastest = 0.0
-            watching("shooter-slow", strength) { run, time -> if (time > 2) fastest = maxOf(fastest, checkNotNull(run.robot.shooter).measured / 4000) }
+            watchMatches("shooter-slow", strength) { run, time -> if (time > 2) fastest = maxOf(fastest, checkNotNull(run.robot.shooter).measured / 4000) }
             fastest
         }
     }
@@ -67,7 +67,7 @@ class StrengthSpec : FunSpec({
             var from = 0.0
             var goal = 0.0
             var most = 0.0
-            watching("arm-overshoot", strength) { run, _ ->
+            watchMatches("arm-overshoot", strength) { run, _ ->
                 val arm = checkNotNull(run.robot.arm)
                 if (run.isEnabled) {
                     if (arm.setpoint != goal) {
@@ -86,7 +86,7 @@ class StrengthSpec : FunSpec({
     test("an elevator that is too weak stays far below high setpoints at 1, and hardly rises slower at 0.3 than its load allows") {
         atBoth("elevator-short", 0.25..0.8, 0.0..0.75) { strength ->
             var error = 0.0
-            watching("elevator-short", strength) { run, time ->
+            watchMatches("elevator-short", strength) { run, time ->
                 val elevator = checkNotNull(run.robot.elevator)
                 if (time > 2 && run.isEnabled) error = maxOf(error, (elevator.profile.position - elevator.position) / elevator.height)
             }
@@ -97,7 +97,7 @@ class StrengthSpec : FunSpec({
     test("a drifting gyro is off by 1 ° per second at 1, by 0.3 ° at 0.3") {
         atBoth("gyro-drift", 0.9..1.1, 0.25..0.35) { strength ->
             var rate = 0.0
-            watching("gyro-drift", strength) { run, time ->
+            watchMatches("gyro-drift", strength) { run, time ->
                 if (time > 100) rate = Math.toDegrees(run.robot.gyro.yaw - run.robot.drive.heading) / (time + run.autoStart)
             }
             rate
@@ -108,7 +108,7 @@ class StrengthSpec : FunSpec({
         atBoth("wheel-slip", 0.05..0.9, 0.0005..0.3) { strength ->
             var slipping = 0
             var loops = 0
-            watching("wheel-slip", strength) { run, _ ->
+            watchMatches("wheel-slip", strength) { run, _ ->
                 if (run.isEnabled) {
                     loops++
                     if (run.robot.drive.wheels.any { it.isSlipping }) slipping++
@@ -122,7 +122,7 @@ class StrengthSpec : FunSpec({
         val shares = listOf("air-leak" to 1.0, "air-leak" to 0.3, "compressor-dead" to 1.0).map { (id, strength) ->
             var runs = 0
             var loops = 0
-            watching(id, strength) { run, _ ->
+            watchMatches(id, strength) { run, _ ->
                 if (run.isEnabled) {
                     loops++
                     if (checkNotNull(run.robot.air).current > 0) runs++
@@ -139,7 +139,7 @@ class StrengthSpec : FunSpec({
         for ((id, seconds) in listOf("link-loss" to 20.0, "radio-power-loss" to 30.0)) {
             for (strength in listOf(1.0, 0.3)) {
                 var off = 0
-                watching(id, strength) { run, _ -> if (!run.isLinked) off++ }
+                watchMatches(id, strength) { run, _ -> if (!run.isLinked) off++ }
                 withClue("$id at $strength") { (off * 0.02 / SEEDS).shouldBeBetween(seconds * strength * 0.97, seconds * strength * 1.03, 0.0) }
             }
         }
@@ -147,24 +147,24 @@ class StrengthSpec : FunSpec({
 
     test("the voltage dips below 7.3 V when a radio loses its power") {
         var least = 20.0
-        watching("radio-power-loss", 1.0) { run, time -> if (time in 0.0..0.5) least = minOf(least, run.robot.battery.volts) }
+        watchMatches("radio-power-loss", 1.0) { run, time -> if (time in 0.0..0.5) least = minOf(least, run.robot.battery.volts) }
         least.shouldBeBetween(4.8, 7.3, 0.0)
     }
 
     test("limits that are too high take the voltage down by more than a volt") {
         fun least(strength: Double): Double {
             var least = 20.0
-            watching("too-much-at-once", strength) { run, _ -> least = minOf(least, run.robot.battery.volts) }
+            watchMatches("too-much-at-once", strength) { run, _ -> least = minOf(least, run.robot.battery.volts) }
             return least
         }
         (least(0.3) - least(1.0)).shouldBeBetween(0.5, 4.0, 0.0)
     }
 
-    test("loops take as long as their faults say") {
+    test("loops have the durations of their faults") {
         val worst = mapOf("garbage-collection" to 250.0..330.0, "blocking-call" to 60.0..110.0, "cpu-overload" to 25.0..90.0)
         for ((id, range) in worst) {
             var most = 0.0
-            watching(id, 1.0) { run, time -> if (time > 0) most = maxOf(most, run.robot.computer.userMillis) }
+            watchMatches(id, 1.0) { run, time -> if (time > 0) most = maxOf(most, run.robot.computer.userMillis) }
             withClue(id) { most.shouldBeBetween(range.start, range.endInclusive, 0.0) }
         }
     }

@@ -13,7 +13,7 @@ import java.nio.file.Files
 
 private val PYTHON = TestPython("wpiutil.log", "robotpy-wpiutil")
 
-/** What WPILib's reader, the one in robotpy, prints about a log. */
+/** Returns the output of WPILib's reader in robotpy for a log. */
 private fun linesOf(bytes: ByteArray): List<List<String>> {
     val file = Files.createTempFile("match", ".wpilog")
     try {

@@ -73,7 +73,7 @@ internal class FigureSaver(
         notes.all.map { it.x },
         board.state.graphs,
         // The pointer's accidental place does not belong in a figure.
-        view.cursors.copy(hover = null),
+        view.cursors.withoutPointer,
     )
 
     private companion object {

@@ -7,7 +7,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import badlog.viewer.choices.board.BoardGraph
-import badlog.viewer.choices.board.dropped
+import badlog.viewer.state.GraphChange
 import badlog.window.log.GraphBoard
 
 /**
@@ -55,7 +55,7 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
         val dragged = id
         val onto = target
         cancel()
-        if (dragged != null && onto != null) board.change { dropped(dragged, onto.id, onto.share) }
+        if (dragged != null && onto != null) board.send(GraphChange.Drop(dragged, onto.id, onto.share))
         return dragged != null
     }
 

@@ -4,6 +4,8 @@ import badlog.core.analysis.Span
 import badlog.viewer.draw.axis.yParts
 import badlog.viewer.session.gesture.PlotDrag
 import badlog.viewer.session.gesture.PlotTarget
+import badlog.viewer.state.Action
+import badlog.viewer.state.GraphChange
 import badlog.viewer.state.Place
 import badlog.window.graph.plot.PlotPicture
 import badlog.window.log.PlotGesture
@@ -21,13 +23,15 @@ internal class ViewTarget(private val scene: GraphScene, private val id: Int? = 
     override val lineShare: Double get() = plot?.takeIf { it.axes.isNotEmpty() }?.let { 1 - it.laneShare } ?: 0.0
     override var drag: PlotDrag?
         get() = scene.view.gesture?.drag
-        set(value) = scene.view.drag(value?.let { PlotGesture(id, it) })
+        set(value) {
+            scene.view.gesture = value?.let { PlotGesture(id, it) }
+        }
 
-    override fun go(step: Place.() -> Place) = scene.view.go(step)
+    override fun send(action: Action) = scene.view.send(action)
 
     override fun showY(part: Span?) {
         if (id == null) return
         val parts = if (part == null) emptyList() else yParts(plot?.axes.orEmpty().map { it.shown }, part)
-        scene.board.change { withYRange(id, parts.getOrNull(0), parts.getOrNull(1)) }
+        scene.board.send(GraphChange.ShowY(id, parts.getOrNull(0), parts.getOrNull(1)))
     }
 }

@@ -7,6 +7,7 @@ import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.session.gesture.XyDrag
 import badlog.viewer.session.gesture.XyTarget
+import badlog.viewer.state.Action
 import badlog.viewer.state.Place
 import badlog.window.graph.scene.GraphScene
 
@@ -21,5 +22,5 @@ internal class PaneTarget(private val scene: GraphScene, private val id: Int, ov
             if (value == null) scene.planes.remove(id) else scene.planes[id] = value
         }
 
-    override fun go(step: Place.() -> Place) = scene.view.go(step)
+    override fun send(action: Action) = scene.view.send(action)
 }

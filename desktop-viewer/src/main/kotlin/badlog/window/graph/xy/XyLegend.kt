@@ -28,6 +28,7 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.draw.path.XyEntry
 import badlog.viewer.shown.comparison.shortLabel
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.GraphChange
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LineColor
 import badlog.window.theme.LineName
@@ -45,7 +46,7 @@ internal fun XyLegend(scene: GraphScene, spec: BoardGraph) {
 @Composable
 private fun EntryOfTrace(scene: GraphScene, spec: BoardGraph, entry: XyEntry) {
     val isHidden = !entry.isShown(spec.hidden)
-    val toggle = { scene.board.change { entry.lines.fold(this) { board, name -> board.withLineHidden(spec.id, name, !isHidden) } } }
+    val toggle = { scene.board.send(GraphChange.HideLines(spec.id, entry.lines, !isHidden)) }
     Row(
         Modifier.clickable(role = Role.Button, onClick = toggle)
             .semantics { contentDescription = if (isHidden) "Show ${entry.name}" else "Hide ${entry.name}" },

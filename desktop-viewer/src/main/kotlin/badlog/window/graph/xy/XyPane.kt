@@ -28,6 +28,7 @@ import badlog.viewer.draw.path.XyFrame
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.session.gesture.XyGestures
+import badlog.viewer.state.GraphChange
 import badlog.window.graph.scene.GraphScene
 import badlog.window.graph.scene.receives
 import badlog.window.menu.ClosesByEscape
@@ -120,7 +121,7 @@ private fun KeptPlane(scene: GraphScene, spec: BoardGraph) {
     LaunchedEffect(scene, spec.id) {
         snapshotFlow { scene.planes[spec.id] }.drop(1).collectLatest { plane ->
             delay(REST)
-            scene.board.change { withPlane(spec.id, plane?.x, plane?.y) }
+            scene.board.send(GraphChange.ShowPlane(spec.id, plane?.x, plane?.y))
         }
     }
 }

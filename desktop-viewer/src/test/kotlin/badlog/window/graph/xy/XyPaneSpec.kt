@@ -20,7 +20,9 @@ import badlog.viewer.choices.board.Plane
 import badlog.viewer.draw.path.Field
 import badlog.viewer.draw.path.xScale
 import badlog.viewer.draw.path.yScale
+import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
+import badlog.window.change
 import badlog.window.graph.TestGraphs
 import badlog.window.graph.graphActions
 import badlog.window.graph.sample
@@ -64,14 +66,14 @@ class XyPaneSpec : FunSpec({
     test("a log with poses begins with its path: driven, planned and seen, where it left the plan, and the robot at the cursor") {
         path { viewer ->
             viewer.board.state.graphs[0].isXy shouldBe true
-            viewer.view.placeCursor(9.4)
+            viewer.view.send(PlaceAction.MoveCursor(9.4))
             waitForIdle()
             val picture = savePicture("path-light")
             for (line in 0..2) picture.count(Palette.LIGHT.line(line)) shouldBeGreaterThan 100
             picture.count(Palette.LIGHT.warning) shouldBeGreaterThan 20
         }
         path(Theme.DARK) { viewer ->
-            viewer.view.placeCursor(9.4)
+            viewer.view.send(PlaceAction.MoveCursor(9.4))
             waitForIdle()
             savePicture("path-dark").count(Palette.DARK.line(0)) shouldBeGreaterThan 100
         }
@@ -79,10 +81,10 @@ class XyPaneSpec : FunSpec({
 
     test("the second cursor is a ring on the path, where the robot was then") {
         path { viewer ->
-            viewer.view.go { at(9.4) }
+            viewer.view.send(PlaceAction.GoTo(9.4))
             waitForIdle()
             val one = savePicture("path-second").count(Palette.LIGHT.line(0))
-            viewer.view.changeCursors { shiftClicked(3.0, 0.0) }
+            viewer.view.send(PlaceAction.Click(3.0, reach = 0.0, isShifted = true))
             waitForIdle()
             savePicture("path-second").count(Palette.LIGHT.line(0)) shouldBeGreaterThan one + 20
         }

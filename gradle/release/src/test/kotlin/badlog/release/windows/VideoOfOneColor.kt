@@ -2,13 +2,13 @@ package badlog.release.windows
 
 import java.io.ByteArrayOutputStream
 
-/** Five seconds of a color that the window itself has nowhere, as YUV4MPEG2: a video that needs no encoder. */
+/** A video of five seconds in a color that the window itself does not have. It is YUV4MPEG2, which needs no encoder. */
 internal object VideoOfOneColor {
     private const val WIDTH = 160
     private const val HEIGHT = 120
     private const val FRAMES = 150
 
-    /** Magenta, by brightness and the two differences of color, which have a quarter of the pixels. */
+    /** Magenta, as brightness and two color differences; these have a quarter of the pixels. */
     private const val Y = 105
     private const val U = 180
     private const val V = 235
@@ -22,6 +22,6 @@ internal object VideoOfOneColor {
         repeat(FRAMES) { writeBytes(frame) }
     }.toByteArray()
 
-    /** Whether [color] is that of the video. */
-    fun isOfIt(color: Int): Boolean = (color shr 16 and 0xFF) > 0xE0 && (color shr 8 and 0xFF) < 0x20 && (color and 0xFF) > 0xB0
+    /** Returns whether [color] is the video's color. */
+    fun isVideoColor(color: Int): Boolean = (color shr 16 and 0xFF) > 0xE0 && (color shr 8 and 0xFF) < 0x20 && (color and 0xFF) > 0xB0
 }

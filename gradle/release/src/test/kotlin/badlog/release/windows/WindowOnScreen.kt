@@ -11,21 +11,21 @@ import javax.imageio.ImageIO
 /**
  * The only window on a black screen, seen and used from outside.
  *
- * @param process draws it.
- * @param output what the process prints.
+ * @param process the process that draws the window.
+ * @param output the output of the process.
  */
 internal class WindowOnScreen(private val process: Process, private val output: File) {
     private val robot = Robot().apply { autoDelay = STEP_MILLIS }
 
     fun picture() = Picture(robot.createScreenCapture(Rectangle(0, 0, WIDTH, HEIGHT)))
 
-    /** Waits until what is seen [is] as it should, and keeps a picture [name] of it. */
-    fun await(name: String, what: String, isSo: (Picture) -> Boolean) {
+    /** Waits until the screen fulfills [matches], and saves a picture of it as [name]. */
+    fun await(name: String, what: String, matches: (Picture) -> Boolean) {
         val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(PATIENCE_MINUTES)
         while (true) {
             val picture = picture()
             ImageIO.write(picture.image, "png", File("$name.png"))
-            if (isSo(picture)) return
+            if (matches(picture)) return
             check(process.isAlive) { "The window has ended without $what: ${output.readText()}" }
             check(System.nanoTime() < end) { "Waited in vain for $what; see ${File("$name.png").absolutePath}. ${output.readText()}" }
             Thread.sleep(POLL_MILLIS)
@@ -42,7 +42,7 @@ internal class WindowOnScreen(private val process: Process, private val output: 
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
     }
 
-    /** Clicks the button *Video*, which is at this distance from the window's right upper corner. */
+    /** Clicks the button *Video*, at a fixed distance from the window's upper right corner. */
     fun clickVideo() {
         val window = picture().window()
         robot.mouseMove(window.x + window.width - VIDEO_FROM_RIGHT, window.y + VIDEO_FROM_TOP)
@@ -65,17 +65,17 @@ internal class WindowOnScreen(private val process: Process, private val output: 
     }
 }
 
-/** What a screen shows. */
+/** A picture of the screen. */
 internal class Picture(val image: BufferedImage) {
     private val colors = image.getRGB(0, 0, image.width, image.height, null, 0, image.width)
 
-    /** The number of pixels whose color [is] so. */
-    fun count(isSo: (color: Int) -> Boolean): Int = colors.count(isSo)
+    /** Returns the number of pixels with a color that fulfills [matches]. */
+    fun count(matches: (color: Int) -> Boolean): Int = colors.count(matches)
 
-    /** The number of pixels that have another color in [other]. */
+    /** Returns the number of pixels with a different color in [other]. */
     fun differences(other: Picture): Int = colors.indices.count { colors[it] != other.colors[it] }
 
-    /** Where the screen is not black. */
+    /** Returns the rectangle of the screen that is not black. */
     fun window(): Rectangle {
         val seen = colors.indices.filter { colors[it] and WITHOUT_ALPHA != 0 }
         val (left, right) = seen.minOf { it % image.width } to seen.maxOf { it % image.width }

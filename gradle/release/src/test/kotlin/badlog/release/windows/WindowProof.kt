@@ -9,7 +9,7 @@ import io.kotest.core.test.Enabled
 import io.kotest.matchers.shouldBe
 import java.io.File
 
-/** The window with the Java and the libraries of Windows, by Wine: an emulation, no real Windows. */
+/** Tests the window with Java and libraries for Windows in Wine: an emulation, not a real Windows. */
 class WindowProof : FunSpec({
     val java = File(System.getProperty("badlog.windows.java"))
     val jars = System.getProperty("badlog.windows.window").split(File.pathSeparator).map(::File)
@@ -43,18 +43,18 @@ class WindowProof : FunSpec({
                 screen.dragAcrossGraph()
                 screen.await("zoomed", "graphs of a part of it") { it.count(::isLine) > LINE_PIXELS && it.differences(whole) > ZOOMED_PIXELS }
                 screen.clickVideo()
-                screen.await("video", "a frame of the video") { it.count(VideoOfOneColor::isOfIt) > FRAME_PIXELS }
+                screen.await("video", "a frame of the video") { it.count(VideoOfOneColor::isVideoColor) > FRAME_PIXELS }
             }
             output.readText().contains("Exception") shouldBe false
         }
 })
 
-/** Where the window keeps what it remembers: videos by the paths of their logs. */
+/** Returns the file of the window's settings, which has videos by the paths of their logs. */
 private fun settings() = File("wine/drive_c/users/${System.getProperty("user.name")}/AppData/Roaming/badlog").apply { mkdirs() }.resolve("settings.json")
 
 private fun onWindows(file: File) = "Z:" + file.absolutePath.replace('/', '\\')
 
-/** The blue of the first line of a graph. */
+/** Returns whether [color] is the blue of a graph's first line. */
 private fun isLine(color: Int) = (color and 0xFF) in 0xB0..0xE0 && (color shr 8 and 0xFF) in 0x50..0x80 && (color shr 16 and 0xFF) < 0x50
 
 private val NATIVE = listOf("skiko-awt-runtime", "ffmpeg", "javacpp")

@@ -9,15 +9,19 @@ import java.util.zip.Deflater
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Pictures that follow each other, as an animated PNG: 256 colors, and of each picture only the rectangle that differs from the picture
- * before. Programs that do not support animation show the first picture.
+ * A sequence of pictures as an animated PNG of 256 colors. Each picture is stored as the rectangle that differs from the previous one.
+ * Programs that do not support animation show the first picture.
  */
 internal class MovingPicture(private val width: Int, private val height: Int) {
     private class Frame(val pixels: IntArray, val millis: Int)
 
     private val frames = ArrayList<Frame>()
 
-    /** Adds [image], shown for [millis] milliseconds. @throws IllegalArgumentException if its size differs. */
+    /**
+     * Adds [image], shown for [millis] ms.
+     *
+     * @throws IllegalArgumentException if its size differs.
+     */
     fun add(image: BufferedImage, millis: Int) {
         require(image.width == width && image.height == height) {
             "The picture is ${image.width} × ${image.height}, expected $width × $height."
@@ -52,7 +56,7 @@ internal class MovingPicture(private val width: Int, private val height: Int) {
                 for (value in listOf(part.width, part.height, part.x, part.y)) writeInt(value)
                 writeShort(frame.millis)
                 writeShort(MILLIS_OF_SECOND)
-                // Drawn over what is there, and left there.
+                // Drawn over the previous picture, and kept.
                 writeShort(0)
             }
             val packed = packed(frame.pixels, part, palette)
@@ -69,7 +73,7 @@ internal class MovingPicture(private val width: Int, private val height: Int) {
         return file.toByteArray()
     }
 
-    /** The smallest rectangle outside of which both pictures are the same; one pixel if they are the same everywhere. */
+    /** Returns the smallest rectangle that contains all differences between both pictures; one pixel if they are the same. */
     private fun difference(before: IntArray, after: IntArray): Rectangle {
         val changed = after.indices.filter { before[it] != after[it] }
         if (changed.isEmpty()) return Rectangle(1, 1)

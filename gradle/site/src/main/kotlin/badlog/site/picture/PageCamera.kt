@@ -16,8 +16,8 @@ import kotlin.io.path.readBytes
 /**
  * Takes pictures of an exported [page] in Chromium, [width] × [height] pixels large.
  *
- * Chromium takes its picture when everything is loaded, but the page is still reading its log then. So a frame around
- * the page loads one more file, which a server on this computer sends only when the page is ready.
+ * Chromium takes its picture when everything is loaded, but the page is still reading its log then. So a frame around the page loads
+ * another file, which a local server only sends when the page is ready.
  */
 internal class PageCamera(private val page: Path, private val width: Int, private val height: Int) : AutoCloseable {
     private val threads = Executors.newCachedThreadPool()
@@ -43,7 +43,7 @@ internal class PageCamera(private val page: Path, private val width: Int, privat
     }
 
     /**
-     * Returns what the page shows at [part], the part of its address from # on.
+     * Returns a picture of the page at [part], the part of its address from # on.
      *
      * @throws IllegalStateException if there is no Chromium, or the page does not become ready.
      */
@@ -99,7 +99,7 @@ internal class PageCamera(private val page: Path, private val width: Int, privat
         const val HTTP_OK = 200
         const val WAIT_SECONDS = 60L
 
-        /** When the page has been ready for this long, it has also drawn, and its rules have run. */
+        /** The time after which a ready page has drawn everything, and its rules have run. */
         const val DRAW_MILLIS = 3000
     }
 }

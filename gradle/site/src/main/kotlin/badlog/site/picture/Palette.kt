@@ -4,7 +4,7 @@ package badlog.site.picture
 internal class Palette private constructor(val colors: List<Int>) {
     private val places = HashMap<Int, Int>().apply { colors.forEachIndexed { i, color -> put(color, i) } }
 
-    /** The index in [colors] for [color], whose transparency is ignored. */
+    /** Returns the index in [colors] for [color]; transparency is ignored. */
     fun indexOf(color: Int): Int = places.getOrPut(color and RGB) { colors.indices.minBy { distance(colors[it], color) } }
 
     private fun distance(a: Int, b: Int): Int = listOf(0, 8, 16).sumOf { shift ->
@@ -18,7 +18,7 @@ internal class Palette private constructor(val colors: List<Int>) {
         private const val RGB = 0xFFFFFF
         private const val MAX_COLORS = 256
 
-        /** The colors of [pictures], each a list of pixels. */
+        /** Returns the palette of [pictures], each a list of pixels. */
         fun of(pictures: List<IntArray>): Palette {
             val counts = HashMap<Int, Int>()
             for (pixels in pictures) for (pixel in pixels) counts.merge(pixel and RGB, 1, Int::plus)

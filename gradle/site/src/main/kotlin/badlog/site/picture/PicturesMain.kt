@@ -9,10 +9,11 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.writeBytes
 
 /**
- * Makes the moving pictures of the README: the docs' folder, the page of Qualification 42, then the folder of the window's pictures.
+ * Makes the moving pictures of the README. Arguments: the docs' folder, the page of Qualification 42, and the folder of the window's
+ * pictures.
  *
- * The page's pictures are taken from the real page in Chromium, at addresses that a person would visit to find the brownout. The window's are
- * the screenshots that its test `TourSpec` took; their names give their order and for how many milliseconds each is shown: `07-1500.png`.
+ * The page's pictures are taken from the real page in Chromium, at addresses that a person would visit to find the brownout. The window's
+ * are the screenshots of its test `TourSpec`; their names contain their order and their duration in ms: `07-1500.png`.
  */
 internal fun main(args: Array<String>) {
     val docs = Path.of(args[0])
@@ -37,7 +38,7 @@ private const val WIDTH = 1100
 private const val HEIGHT = 680
 private const val MAX_BYTES = 1_000_000L
 
-/** The addresses that a person would visit to find the brownout, and for how many milliseconds each. */
+/** The addresses that a person would visit to find the brownout, each with its duration in ms. */
 private val PAGE = listOf(
     "" to 3000,
     "#x=0:156&t=92.4" to 1500,

@@ -12,7 +12,7 @@ import org.jetbrains.dokka.utilities.LoggingLevel
 import java.io.File
 
 /**
- * Writes the pages of the API with Dokka: the target folder, the class path of the libraries, then the folders of their sources.
+ * Writes the pages of the API with Dokka. Arguments: the target folder, the class path of the libraries, then the folders of their sources.
  */
 internal fun main(args: Array<String>) {
     val target = File(args[0])
@@ -51,7 +51,7 @@ internal fun main(args: Array<String>) {
     makeOffline(target)
 }
 
-/** The files with the JVM's implementations of expected declarations, which the common sources already describe. */
+/** Returns the files with the JVM's implementations of expected declarations, which the common sources already describe. */
 private fun actualsIn(sources: Set<File>): Set<File> =
     sources.flatMap { it.walk() }.filter { it.extension == "kt" && ACTUAL.containsMatchIn(it.readText()) }.toSet()
 

@@ -3,8 +3,8 @@ package badlog.site.api
 import java.io.File
 
 /**
- * Makes Dokka's pages in [folder] work from disk: they fetch their navigation and the search's list of pages, which a browser does not allow a page
- * on disk. A script contains both, and answers those requests.
+ * Makes Dokka's pages in [folder] work from disk. They fetch their navigation and the search's list of pages, which browsers forbid for
+ * pages on disk. A script contains both, and answers those requests.
  */
 internal fun makeOffline(folder: File) {
     val carried = FETCHED.map { name -> name to File(folder, name) }.filter { (_, file) -> file.exists() }
@@ -26,7 +26,7 @@ internal fun makeOffline(folder: File) {
     )
     for (page in folder.walk().filter { it.isFile && it.extension == "html" && it.name != "navigation.html" }) {
         val depth = page.relativeTo(folder).invariantSeparatorsPath.count { it == '/' }
-        val text = page.readText().replace(FROM_ELSEWHERE, "").replace("\"$HOME\"", "\"${"../".repeat(depth + 1)}index.html\"")
+        val text = page.readText().replace(REMOTE_SCRIPTS, "").replace("\"$HOME\"", "\"${"../".repeat(depth + 1)}index.html\"")
         page.writeText(text.replaceFirst("<head>", "<head><script src=\"${"../".repeat(depth)}$SCRIPT\"></script>"))
     }
 }
@@ -34,11 +34,11 @@ internal fun makeOffline(folder: File) {
 private fun quoted(text: String): String =
     text.replace("\\", "\\\\").replace("\"", "\\\"").replace("\r", "").replace("\n", "\\n").replace("</", "<\\/").let { "\"$it\"" }
 
-/** A placeholder for the link to the guides: Dokka writes the same link on every page, in whatever folder. */
+/** A placeholder for the link to the guides: Dokka writes the same link on every page, in any folder. */
 internal const val HOME = "badlog-guides"
 
 /** Scripts from other servers, on which Dokka's pages can run Kotlin. */
-private val FROM_ELSEWHERE = Regex("""<script[^>]* src="https?:[^>]*></script>\s*""")
+private val REMOTE_SCRIPTS = Regex("""<script[^>]* src="https?:[^>]*></script>\s*""")
 
 private const val SCRIPT = "scripts/carried.js"
 private val FETCHED = listOf("navigation.html", "scripts/pages.json")

@@ -40,7 +40,7 @@ class MovingPictureSpec : FunSpec({
         listOf(read.width, read.height) shouldContainExactly listOf(3, 2)
     }
 
-    test("of the next picture only what differs is stored, with its place and its time") {
+    test("only the differing rectangle of the next picture is stored, with its position and its time") {
         val next = picture(blue, blue, blue, blue, red, blue)
         val chunks = chunks(
             MovingPicture(3, 2).apply {
@@ -57,7 +57,7 @@ class MovingPictureSpec : FunSpec({
         color.toList() shouldContainExactly listOf(-1, 0, 0)
     }
 
-    test("of more than 256 colors, the rare ones become the nearest frequent ones") {
+    test("beyond 256 colors, rare colors become the nearest frequent ones") {
         val pixels = IntArray(600) { if (it < 300) it else 0x00FF00 }
         val palette = Palette.of(listOf(pixels))
         palette.colors.size shouldBe 256

@@ -4,16 +4,15 @@ import badlog.page.dom.PageEvents
 import badlog.page.findings.EvidenceSection
 import badlog.page.header.SearchBox
 import badlog.page.panel.HelpOverlay
-import badlog.page.view.Scene
 import badlog.viewer.input.KeyAction
 import badlog.viewer.state.Action
+import badlog.viewer.state.PlaceAction
 import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.events.KeyboardEvent
 
 /** The keys that work wherever nothing is being typed. */
 internal class Keyboard(
-    private val scene: Scene,
     private val search: SearchBox,
     private val evidence: EvidenceSection,
     private val help: HelpOverlay,
@@ -47,7 +46,7 @@ internal class Keyboard(
     private fun escape() = when {
         search.text.isNotEmpty() -> search.clear()
         evidence.isOpen -> evidence.close()
-        else -> scene.place.change { cancelled() }
+        else -> send(PlaceAction.Cancel)
     }
 
     private fun isTyping(event: KeyboardEvent): Boolean {

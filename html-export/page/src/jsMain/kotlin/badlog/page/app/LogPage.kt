@@ -50,7 +50,9 @@ import badlog.page.panel.HelpOverlay
 import badlog.page.panel.ModulesPanel
 import badlog.page.video.VideoPanel
 import badlog.page.view.PageBoard
+import badlog.page.view.PageStore
 import badlog.page.view.Scene
+import badlog.page.view.startOf
 import badlog.page.view.timelineOf
 import badlog.protocol.PageAdditions
 import badlog.rules.Finding
@@ -68,7 +70,8 @@ import badlog.viewer.session.link.PageAddress
 import badlog.viewer.shown.outline.outlineOf
 import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
-import badlog.viewer.state.Store
+import badlog.viewer.state.GraphChange
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -94,9 +97,10 @@ internal class LogPage(
     private val embeddedFindings = this.additions.findings + this.additions.hooks.flatMap { it.findings }
     private val signals = this.additions.rules.signals
     private val hookGraphs = this.additions.hooks.flatMap { folderOf(it).graphs }
-    private val board = PageBoard(about.fileKey, linesNow())
+    private val store: PageStore = PageStore(startOf(view), PageShown({ scene }, { findings }, { keys })) { requests.perform(it) }
+    private val board = PageBoard(about.fileKey, linesNow(), store)
     private val notes = PageNotes(about.fileKey, this.additions)
-    private val scene = Scene(view, about.name, theme.palette, board, downloads.notice, signals).apply {
+    private val scene = Scene(view, about.name, theme.palette, board, downloads.notice, signals, store).apply {
         findings = timelineOf(embeddedFindings)
         notes = this@LogPage.notes.now.notes
         this@LogPage.additions.field?.let { field = fieldOfJson(it) }
@@ -145,7 +149,7 @@ internal class LogPage(
         boardSection.bringIntoSight()
     }
     private val signalChoice = SignalChoice(formulas.given, signals, scene.notice, onOtherSignals)
-    private val findings = FindingsSection(scene, signalChoice, embeddedFindings, { changes.differences }) { store.send(it) }
+    private val findings = FindingsSection(scene, signalChoice, embeddedFindings, { changes.differences }, store::send)
     private val rules = PageRules(this.additions, embeddedFindings, about.name, findings) { element.isConnected }
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, { store.send(FindingAction.StepWithin(it)) }, ::send)
@@ -158,7 +162,6 @@ internal class LogPage(
     private val findingRequests = FindingRequests(signalChoice, changes, live, ::showEvidence, ::pinEvidence)
     private val requests =
         PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, live, findingRequests::perform)
-    private val store: Store = pageStore(scene, findings, keys, requests::perform)
     private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
     private val problems = ProblemStrip(view, additionProblems(formulas, additions, layout))
@@ -172,7 +175,7 @@ internal class LogPage(
     private val export = ExportMenu(scene, printing, copy::save) { boardSection.cards }
     private val content = element("div", "content")
     private val searched: SearchedParts =
-        SearchedParts(boardSection, folders, findings, { store.send(it) }, noteList, navigation, eventsLink, values, content)
+        SearchedParts(boardSection, folders, findings, store::send, noteList, navigation, eventsLink, values, content)
 
     private val tools = listOfNotNull(
         opening.tools(),
@@ -235,7 +238,7 @@ internal class LogPage(
             redraw()
         }
         BoardDrag(board, graphs, boardSection)
-        Keyboard(scene, search, evidence, help, store::send)
+        Keyboard(search, evidence, help, store::send)
     }
 
     /** What stays of it when the log has grown. */
@@ -252,9 +255,9 @@ internal class LogPage(
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }
             folders.layOut(window.innerHeight / LOWEST - boardSection.cards.size)
         }
-        if (left != null) scene.place.change { movedToEnd() }
-        opening.live.place = scene.place
-        PageEvents.onEnd { opening.live.place = null }
+        if (left != null) store.send(PlaceAction.FollowEnd)
+        opening.live.store = store
+        PageEvents.onEnd { opening.live.store = null }
         graphs.start(boardSection.cards + evidence.cards + folders.cards)
         values.refresh()
     }
@@ -316,7 +319,7 @@ internal class LogPage(
 
     private fun pinEvidence(finding: Finding, incident: Incident?) {
         val shown = evidenceBoard(view, incident.evidenceOf(finding), signals).graphs.filterNot(board.now::has)
-        board.change { withGraphs(shown) }
+        board.send(GraphChange.AddAll(shown))
         scene.notice.say("${countText(shown.size, "graph")} added to the board.")
     }
 

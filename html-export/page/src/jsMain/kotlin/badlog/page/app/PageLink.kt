@@ -13,6 +13,7 @@ import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.session.link.OpenedParts
 import badlog.viewer.session.link.PageAddress
 import badlog.viewer.session.link.pageAddressOf
+import badlog.viewer.state.PlaceAction
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -83,9 +84,9 @@ internal class PageLink(
 
     private fun go(address: PageAddress, isAgain: Boolean = false) {
         address.moment?.let(scene::goTo)
-        if (address.moment != null) address.second?.let { x -> scene.cursor.change { shiftClicked(x, 0.0) } }
+        if (address.moment != null) address.second?.let { x -> scene.store.send(PlaceAction.Click(x, 0.0, isShifted = true)) }
         if (address.moment != null || address.board != null) onJump(address, isAgain)
-        address.visible?.let { range -> scene.range.change { showing(range.from, range.to) } }
+        address.visible?.let { range -> scene.store.send(PlaceAction.Show(range.from, range.to)) }
     }
 
     /** The link to what is shown; null if others could not open it, because the page is on a disk. */

@@ -36,7 +36,7 @@ internal class PageRequests(
 
         Request.Pin -> board.togglePin()
 
-        is Request.Graph -> board.keepInSight(request.id)
+        is Request.Graphs -> board.follow(request)
 
         is Request.Layout -> layouts.step(request.steps)
 

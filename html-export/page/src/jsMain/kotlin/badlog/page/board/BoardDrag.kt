@@ -10,6 +10,7 @@ import badlog.page.view.PageBoard
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.choices.board.isDroppedInto
 import badlog.viewer.input.DragKind
+import badlog.viewer.state.GraphChange
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -89,17 +90,15 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         }
     }
 
-    private fun place(card: GraphCard, own: BoardItem?, before: Int?) = board.change {
-        if (own == null) withGraphs(listOf(card.look), before) else movedBefore(own.spec.id, before)
-    }
+    private fun place(card: GraphCard, own: BoardItem?, before: Int?) =
+        board.send(if (own == null) GraphChange.AddAll(listOf(card.look), before) else GraphChange.MoveBefore(own.spec.id, before))
 
-    private fun join(card: GraphCard, own: BoardItem?, target: Int) = board.change {
-        if (own != null) joined(target, own.spec.id) else withLines(target, card.look.lines)
-    }
+    private fun join(card: GraphCard, own: BoardItem?, target: Int) =
+        board.send(if (own != null) GraphChange.Join(target, own.spec.id) else GraphChange.AddLines(target, card.look.lines))
 
     private fun both(card: GraphCard, other: GraphCard) {
         val first = other.graph.asBoardGraph()
-        board.change { withGraphs(listOf(first.copy(lines = (first.lines + card.look.lines).distinct()))) }
+        board.send(GraphChange.AddAll(listOf(first.copy(lines = (first.lines + card.look.lines).distinct()))))
         section.bringIntoSight()
     }
 

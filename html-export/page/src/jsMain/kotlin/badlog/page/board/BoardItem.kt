@@ -10,6 +10,7 @@ import badlog.page.view.graphsOf
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import org.w3c.dom.HTMLElement
 
 /**
@@ -28,7 +29,7 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
 
     /** The cards that draw it. */
     val cards: List<GraphCard> = graphsOf(spec, lines).map { (graph, names) ->
-        GraphCard(graph, scene, look = spec, lines = names) { look -> scene.board.change { with(look) } }
+        GraphCard(graph, scene, look = spec, lines = names) { look -> scene.store.send(GraphChange.Replace(look)) }
     }
 
     val element: HTMLElement = element("div", "board-graph") {
@@ -38,7 +39,7 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
             menuButton = addIconButton("graph-menu", Icon.MORE, "More for this graph") { openMenu() }
             menuButton.setAttribute("aria-haspopup", "menu")
             menuButton.setAttribute("aria-expanded", "false")
-            addIconButton("pin", Icon.PIN, "Remove from the board (P)") { scene.board.change { without(spec.id) } }
+            addIconButton("pin", Icon.PIN, "Remove from the board (P)") { scene.store.send(GraphChange.Remove(spec.id)) }
                 .setAttribute("aria-pressed", "true")
         }
     }

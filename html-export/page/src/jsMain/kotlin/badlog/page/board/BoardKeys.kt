@@ -3,6 +3,8 @@ package badlog.page.board
 import badlog.page.graph.GraphCard
 import badlog.page.graph.VisibleGraphs
 import badlog.page.view.PageBoard
+import badlog.viewer.state.GraphChange
+import badlog.viewer.state.Request
 import kotlinx.browser.document
 
 /** What keys do with the board, and with the graph that has the keyboard focus or is under the mouse. */
@@ -15,12 +17,15 @@ internal class BoardKeys(private val board: PageBoard, private val graphs: Visib
         val card = graph() ?: return
         val own = section.itemOf(card.element) ?: return card.pin()
         val next = section.after(own)
-        board.change { without(own.spec.id) }
+        board.send(GraphChange.Remove(own.spec.id))
         section.focus(next)
     }
 
-    /** Scrolls to graph [id], which was moved, if it is out of sight. */
-    fun keepInSight(id: Int) = section.keepInSight(id)
+    /** Remembers the board if it has changed. Scrolls to the graph that a key has moved if it is out of sight. */
+    fun follow(change: Request.Graphs) {
+        if (change.before != null) board.remember()
+        change.moved?.let(section::keepInSight)
+    }
 
     private fun graph(): GraphCard? {
         val active = document.activeElement

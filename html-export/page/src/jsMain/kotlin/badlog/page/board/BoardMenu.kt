@@ -16,14 +16,14 @@ import badlog.viewer.session.GraphOffers
 internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
     val offers = GraphOffers(board.now, graph, poses)
     val numbers = item.cards.firstOrNull { !it.graph.showsStates }
-    fun entries(offered: List<GraphOffer>) = offered.map { MenuEntry(it.label, it.isOn) { board.change(it.change) } }
+    fun entries(offered: List<GraphOffer>) = offered.map { MenuEntry(it.label, it.isOn) { board.send(it.change) } }
     return buildList {
         addAll(entries(offers.moves))
         add(MenuEntry("Add topics…") { topics.open(graph.id) })
         addAll(entries(offers.additions(board.now.shortTitles).take(PageBoard.MOST_OFFERED) + listOfNotNull(offers.separation)))
         if (numbers != null) addAll(entries(offers.heights(GraphHeight.MEDIUM) + offers.planes))
         addAll(entries(offers.origins))
-        if (numbers != null) addAll(entries(offers.limits { numbers.picture.axes.map { it.shown } }))
+        if (numbers != null) addAll(entries(offers.limits(numbers.picture.axes.map { it.shown })))
         addAll(entries(listOf(offers.removal)))
     }
 }

@@ -16,6 +16,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.countOf
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -57,7 +58,8 @@ internal class BoardSection(
                 val start = "Start board: the graphs that this page opened with"
                 addIconButton("", Icon.START, start) { board.startAgain() }.id = "start-board"
                 appendChild(layouts)
-                clear = addIconButton("", Icon.CLOSE, "Remove all graphs") { board.change { Board() } }.apply { id = "clear-board" }
+                clear = addIconButton("", Icon.CLOSE, "Remove all graphs") { board.send(GraphChange.ShowOnly(emptyList())) }
+                clear.id = "clear-board"
             }
         }
         body = add("div", "folder-body")

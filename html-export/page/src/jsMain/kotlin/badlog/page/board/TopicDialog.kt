@@ -10,6 +10,7 @@ import badlog.viewer.choices.board.pathGraphs
 import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.xyGraphs
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.countText
 import badlog.viewer.text.unitText
 import org.w3c.dom.HTMLElement
@@ -95,7 +96,7 @@ internal class TopicDialog(private val scene: Scene) {
             fun update() = setAttribute("aria-pressed", board.now.has(offered).toString())
             update()
             addEventListener("click", {
-                board.change { withToggled(offered) }
+                board.send(GraphChange.Toggle(offered))
                 update()
             })
         }
@@ -107,14 +108,7 @@ internal class TopicDialog(private val scene: Scene) {
     private fun isShown(name: String) =
         board.now.graphs.any { if (graph == null) it.lines == listOf(name) else it.id == graph && name in it.lines }
 
-    private fun toggle(name: String) = board.change {
-        val id = graph
-        when {
-            id == null -> withOwnToggled(name)
-            isShown(name) -> withoutLine(id, name)
-            else -> withLine(id, name)
-        }
-    }
+    private fun toggle(name: String) = board.send(graph?.let { GraphChange.ToggleLine(it, name) } ?: GraphChange.ToggleOwn(name))
 
     private companion object {
         /** The maximum number of names listed at once. */

@@ -24,6 +24,7 @@ import badlog.viewer.choices.board.shortTitles
 import badlog.viewer.choices.board.with
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.shown.finding.placeNumber
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
@@ -123,7 +124,7 @@ internal class EvidenceSection(
     private fun keep() {
         val kept = board.graphs
         draw(Board())
-        scene.board.change { withGraphs(kept.filterNot(::has)) }
+        scene.store.send(GraphChange.AddAll(kept.filterNot(scene.board.now::has)))
         keep.isHidden = true
         offers.textContent = ""
     }

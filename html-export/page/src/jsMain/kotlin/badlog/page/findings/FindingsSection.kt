@@ -19,7 +19,6 @@ import badlog.viewer.shown.finding.FoundInLog
 import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
-import badlog.viewer.state.FindingsState
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
@@ -57,16 +56,10 @@ internal class FindingsSection(
             show()
         }
 
-    /** What is searched and unfolded. */
-    var state: FindingsState = FindingsState()
-        set(value) {
-            if (value == field) return
-            field = value
-            show()
-        }
+    private val state get() = scene.store.state.findings
 
     init {
-        scene.cursor.onChange { if (scene.visited !== drawn) show() }
+        scene.store.onChange { if (scene.visited !== drawn || it.findings != state) show() }
         show()
     }
 

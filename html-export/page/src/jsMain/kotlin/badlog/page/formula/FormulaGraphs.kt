@@ -9,6 +9,7 @@ import badlog.page.view.PageBoard
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.formula.nameIn
 import badlog.viewer.choices.formula.usersOf
+import badlog.viewer.state.BoardAction
 import kotlinx.browser.window
 
 /**
@@ -71,7 +72,7 @@ internal class FormulaGraphs(
             names.forEach(::removeGraph)
             for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
             // Before the old name becomes unknown, because the board drops what nothing draws.
-            nameIn(to)?.let { name -> board.change { renamed(nameIn(from).orEmpty(), name) } }
+            nameIn(to)?.let { board.send(BoardAction.Rename(nameIn(from).orEmpty(), it)) }
             list()
         }
     }
@@ -82,7 +83,7 @@ internal class FormulaGraphs(
         formulas.finish()
         formulas.nameOf(definition)?.let(::removeGraph)
         formulas.remove(definition)
-        nameIn(definition)?.let { name -> board.change { withoutSignal(name) } }
+        nameIn(definition)?.let { board.send(BoardAction.Forget(setOf(it))) }
         list()
     }
 

@@ -8,6 +8,7 @@ import badlog.page.view.PageBoard
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.shortTitles
+import badlog.viewer.state.GraphChange
 import org.w3c.dom.HTMLElement
 
 /**
@@ -21,7 +22,7 @@ internal class BoardButtons(tools: HTMLElement, private val scene: Scene, privat
     private val pin: HTMLElement = tools.addIconButton("pin", Icon.PIN, "Keep on the board (P)") { togglePin() }
 
     /** Puts the graph on the board, or removes it. */
-    fun togglePin() = scene.board.change { withToggled(look()) }
+    fun togglePin() = scene.store.send(GraphChange.Toggle(look()))
 
     /** Shows whether it is on the board. */
     fun update() = pin.setAttribute("aria-pressed", scene.board.now.has(look()).toString())
@@ -32,7 +33,7 @@ internal class BoardButtons(tools: HTMLElement, private val scene: Scene, privat
         val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look().lines) }.take(PageBoard.MOST_OFFERED)
         if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
         val entries = graphs.map { (other, title) ->
-            MenuEntry("Add to “$title”") { scene.board.change { withLines(other.id, look().lines) } }
+            MenuEntry("Add to “$title”") { scene.store.send(GraphChange.AddLines(other.id, look().lines)) }
         }
         openMenu(add, add.closest(".graph")?.parentElement.unsafeCast<HTMLElement>(), entries)
     }

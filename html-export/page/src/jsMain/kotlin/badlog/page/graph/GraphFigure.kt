@@ -19,7 +19,7 @@ internal fun drawGraphPlot(sheet: Sheet, content: GraphContent, scene: Scene) {
         val plot = content.plotIn(frame, PixelColumns(frame.width.toInt()), pen.density)
         pen.drawPlot(frame, plot, scene.marks, colors, PlotMargins.BOTTOM * pen.density)
         // The pointer's accidental place does not belong in a figure.
-        pen.drawCursors(frame, scene.cursor.now.copy(hover = null), colors)
+        pen.drawCursors(frame, scene.cursor.now.withoutPointer, colors)
         scene.cursor.now.pinned?.let { pen.drawSamples(frame, plot, content.drawnLines, it, colors) }
     }
     sheet.xTitle(scene.xAxis.title)

@@ -12,7 +12,9 @@ import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.page.view.shortFindingText
 import badlog.page.view.textNear
+import badlog.viewer.input.KeyAction
 import badlog.viewer.session.link.PageAddress
+import badlog.viewer.state.Action
 import badlog.viewer.text.differenceText
 import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
@@ -53,11 +55,11 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
             }
             add("div", "zoom-buttons") {
                 appendChild(link)
-                addIconButton("", Icon.MINUS, "Zoom out (−)") { zoom(-1) }.id = "zoom-out"
-                addIconButton("", Icon.PLUS, "Zoom in (+)") { zoom(1) }.id = "zoom-in"
-                back = addIconButton("", Icon.BACK, "Previous view (Backspace)") { scene.range.change { back() } }
+                addIconButton("", Icon.MINUS, "Zoom out (−)") { press(KeyAction.ZOOM_OUT) }.id = "zoom-out"
+                addIconButton("", Icon.PLUS, "Zoom in (+)") { press(KeyAction.ZOOM_IN) }.id = "zoom-in"
+                back = addIconButton("", Icon.BACK, "Previous view (Backspace)") { press(KeyAction.PREVIOUS_VIEW) }
                 back.id = "back"
-                reset = addButton("", "Reset zoom", "Show everything (0)") { scene.range.change { reset() } }
+                reset = addButton("", "Reset zoom", "Show everything (0)") { press(KeyAction.SHOW_ALL) }
                 reset.id = "reset"
             }
         }
@@ -81,7 +83,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         if (link == null) cursor.removeAttribute("href") else cursor.setAttribute("href", link)
     }
 
-    private fun zoom(steps: Int) = scene.range.change { zoomed(steps, scene.cursor.x) }
+    private fun press(key: KeyAction) = scene.store.send(Action.Press(key))
 
     private fun update() {
         val now = scene.range.now

@@ -7,6 +7,8 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.formula.nameIn
+import badlog.viewer.state.BoardAction
+import badlog.viewer.state.PlaceAction
 
 /**
  * The board, with the formulas, as a layout that is kept, downloaded, opened and switched to.
@@ -40,8 +42,8 @@ internal class PageLayouts(
     private fun open(opened: BoardLayout, said: String) {
         graphs.addAll(opened.formulas, isRemembered = true) { problems ->
             val fitted = opened.board?.fittedTo { board.lines[it] != null }
-            board.change { fitted?.board ?: startBoard() }
-            opened.visible?.let { wanted -> scene.range.change { showing(wanted.from, wanted.to) } }
+            board.send(BoardAction.Show(fitted?.board ?: startBoard()))
+            opened.visible?.let { wanted -> scene.store.send(PlaceAction.Show(wanted.from, wanted.to)) }
             scene.notice.say(*(problems + (fitted?.sentence ?: said)).toTypedArray())
             onOpen()
         }

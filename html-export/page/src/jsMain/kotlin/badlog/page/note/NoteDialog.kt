@@ -20,7 +20,7 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
     private lateinit var text: HTMLTextAreaElement
 
     val button: HTMLElement = element("div", "formula-button") {
-        addButton("", "", "${KeyAction.NEW_NOTE.meaning} (${KeyAction.NEW_NOTE.shortcut})") { write(scene.place.now.ofNote) }.apply {
+        addButton("", "", "${KeyAction.NEW_NOTE.meaning} (${KeyAction.NEW_NOTE.shortcut})") { write(scene.store.place.ofNote) }.apply {
             id = "add-note"
             setAttribute("aria-label", "Write a note")
             appendChild(Icon.NOTE.draw())

@@ -5,7 +5,8 @@ import badlog.page.reading.FileReading
 import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
 import badlog.page.served.NotNow
-import badlog.page.view.PagePlace
+import badlog.page.view.PageStore
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Stay
 import kotlinx.browser.document
 import kotlinx.browser.window
@@ -33,6 +34,7 @@ internal class Following(
     private var isOver = false
     private var misses = 0
     private var stay = Stay()
+    private var followed: PageStore? = null
     private var isPressed = false
     private val onPress = { event: Event ->
         // Where another button is let go, the page may never know: over the browser’s menu, for example.
@@ -49,22 +51,21 @@ internal class Following(
     private val listeners = listOf("pointerdown" to onPress, "keydown" to onKey) +
         listOf("pointerup", "pointercancel", "contextmenu").map { it to onRelease }
 
-    /** Starts at [place], where the reader is. */
-    fun start(place: PagePlace) {
+    /** Starts in [store], where the reader is. */
+    fun start(store: PageStore) {
         for ((type, listener) in listeners) document.addEventListener(type, listener, true)
         // Only of the window: elements that lose the focus do so because something is pressed.
         window.addEventListener("blur", onRelease)
-        place.change { atEnd() }
-        stayAt(place)
+        store.send(PlaceAction.GoToEnd)
+        stayAt(store)
         ask()
     }
 
-    /** The reader stays at [place], the end of what is shown now. */
-    fun stayAt(place: PagePlace) {
-        stay = stay.begun(place.now)
-        val leave = { if (!stay.isAt(place.now)) stop() }
-        place.range.onChange(leave)
-        place.cursor.onChange(leave)
+    /** The reader stays in [store] at the end of what is shown now. */
+    fun stayAt(store: PageStore) {
+        followed = store
+        stay = stay.begun(store.place)
+        store.onChange { if (store === followed && store.place !== it.place && !stay.isAt(store.place)) stop() }
     }
 
     /** Ends it. */

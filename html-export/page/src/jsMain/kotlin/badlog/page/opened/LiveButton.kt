@@ -2,7 +2,7 @@ package badlog.page.opened
 
 import badlog.core.recording.Recording
 import badlog.page.dom.addButton
-import badlog.page.view.PagePlace
+import badlog.page.view.PageStore
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
@@ -15,8 +15,8 @@ import org.w3c.dom.HTMLElement
 internal class LiveButton(private val shown: () -> OpenedLog?, private val onGrown: (OpenedLog, Recording) -> Unit) {
     private var following: Following? = null
 
-    /** Where the reader is in the shown log; null if no log is shown. Whoever follows it stays at the end of each that is shown. */
-    var place: PagePlace? = null
+    /** The state of the shown log; null if no log is shown. Whoever follows it stays at the end of each that is shown. */
+    var store: PageStore? = null
         set(value) {
             field = value
             if (value != null) following?.stayAt(value)
@@ -38,7 +38,7 @@ internal class LiveButton(private val shown: () -> OpenedLog?, private val onGro
     private fun toggle(address: String) {
         following?.let { return it.stop() }
         val log = shown() ?: return
-        val from = place ?: return
+        val from = store ?: return
         following = Following(log, address, onGrown) { why ->
             following = null
             // Each page has its own.

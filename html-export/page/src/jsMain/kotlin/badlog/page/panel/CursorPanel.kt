@@ -15,6 +15,7 @@ import badlog.viewer.shown.cursor.CursorValues
 import badlog.viewer.shown.cursor.indexAt
 import badlog.viewer.shown.cursor.textOf
 import badlog.viewer.shown.search.Query
+import badlog.viewer.state.GraphChange
 import badlog.viewer.text.countText
 import badlog.viewer.text.exactText
 import badlog.viewer.text.numberText
@@ -140,7 +141,7 @@ internal class CursorPanel(
         val element: HTMLElement = parent.add("div", "cursor-value") {
             name = addName(className = "cursor-value-name")
             value = add("bdi", "cursor-value-text") { addEventListener("pointerenter", { title = exactValue() }) }
-            pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.board.change { withOwnToggled(called) } }
+            pin = addIconButton("pin", Icon.PIN, "Keep on the board") { scene.store.send(GraphChange.ToggleOwn(called)) }
         }
 
         fun show(line: GraphSeries, hasChanged: Boolean, x: Double, isPinned: Boolean) {

@@ -3,6 +3,7 @@ package badlog.page.video
 import badlog.page.view.Scene
 import badlog.viewer.session.video.FrameClock
 import badlog.viewer.session.video.VideoAlignment
+import badlog.viewer.state.PlaceAction
 import kotlinx.browser.window
 import org.w3c.dom.HTMLVideoElement
 import kotlin.math.abs
@@ -203,10 +204,9 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     private fun lead(time: Double) {
         val x = alignment?.xAt(time, secondsOfX) ?: return
         // Not x: a video may be longer than the log.
-        val led = scene.place.now.at(x)
         isLeading = true
-        place = led.cursors.x ?: Double.NaN
-        scene.place.change { led }
+        scene.store.send(PlaceAction.GoTo(x))
+        place = scene.cursor.x
         isLeading = false
     }
 

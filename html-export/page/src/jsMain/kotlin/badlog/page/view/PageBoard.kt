@@ -8,22 +8,24 @@ import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardOfJson
 import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.board.toJson
+import badlog.viewer.input.KeyAction
+import badlog.viewer.state.Action
+import badlog.viewer.state.BoardAction
 
 /**
  * The graphs that the reader put together, which the browser remembers for the file.
  *
  * @param lines all lines that can be drawn.
  */
-internal class PageBoard(fileKey: String, lines: BoardLines) {
+internal class PageBoard(fileKey: String, lines: BoardLines, private val store: PageStore) {
     private val key = "board:$fileKey"
     private val listeners = ArrayList<() -> Unit>()
 
     /** All of it, with what can be undone. */
-    var history: BoardHistory = historyOf(Board())
-        private set
+    private val history: BoardHistory get() = store.state.board
 
     /** The board it began with, unless the browser remembered one. */
-    private var begun: BoardHistory? = null
+    private var begun: Board? = null
 
     /** The board as this tab last read or stored it; while nothing is stored, the one it began with. */
     private var known = Board()
@@ -38,7 +40,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     var lines: BoardLines = lines
         set(value) {
             field = value
-            show(history)
+            show()
         }
 
     /** The displayed board: the part for which there are lines. */
@@ -46,10 +48,17 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
         private set
 
     /** Whether it is the board that the page begins with for everybody. */
-    val isUntouched: Boolean get() = begun?.now?.fittedTo { lines[it] != null }?.board?.showsSame(now) == true
+    val isUntouched: Boolean get() = begun?.fittedTo { lines[it] != null }?.board?.showsSame(now) == true
 
     val canUndo: Boolean get() = history.canUndo
     val canRedo: Boolean get() = history.canRedo
+
+    init {
+        store.onChange { before ->
+            val isSame = before.board.now == history.now && before.board.canUndo == canUndo && before.board.canRedo == canRedo
+            if (!isSame) show()
+        }
+    }
 
     /** Calls [listener] after each change. */
     fun onChange(listener: () -> Unit) {
@@ -63,54 +72,50 @@ internal class PageBoard(fileKey: String, lines: BoardLines) {
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
         start = board
-        val first = historyOf(own ?: board())
-        known = first.now
-        if (own == null) begun = first
-        show(if (visited == null) first else first.changed(visited))
+        known = own ?: board()
+        if (own == null) begun = known
+        send(BoardAction.Begin(known, visited))
     }
 
     /** Begins with [board] instead, unless the reader already has another one. */
     fun beginAgain(board: Board) {
         start = { board }
-        if (history !== begun || board.showsSame(history.now)) return
+        // A formula that was added and removed again leaves no step, though the board was remembered.
+        if (begun == null || canUndo || canRedo || remembered() != null || board.showsSame(history.now)) return
         known = board
-        begun = historyOf(board).also(::show)
+        begun = board
+        send(BoardAction.Begin(board))
     }
 
     /** Shows the board that the page begins with for everybody; can be undone. */
-    fun startAgain() = change { start() }
+    fun startAgain() = send(BoardAction.Show(start()))
 
-    /** Performs [step], which can be undone, and remembers the result. */
-    fun change(step: Board.() -> Board) = take(history.changed(now.step(), now))
+    /** Lets [action] change the graphs. */
+    fun send(action: BoardAction) = store.send(action)
 
     /**
      * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
      */
-    fun visit(board: Board) = show(history.changed(board))
+    fun visit(board: Board) = send(BoardAction.Visit(board))
 
-    fun undo() = take(history.undone())
+    fun undo() = store.send(Action.Press(KeyAction.UNDO))
 
-    fun redo() = take(history.redone())
+    fun redo() = store.send(Action.Press(KeyAction.REDO))
 
-    /** Goes to [changed], a step from [history], and remembers it. */
-    fun take(changed: BoardHistory) {
-        if (changed === history) return
+    /** Remembers it as it is now. */
+    fun remember() {
         // Another tab may have changed it meanwhile.
-        show(changed.mergedWith(remembered() ?: known, known))
+        send(BoardAction.Merge(remembered() ?: known, known))
         LocalStorage[key] = history.now.toJson(haveIds = true)
         // As it is read: what JSON cannot hold is not a change of another tab.
         known = remembered() ?: history.now
         onKeep()
     }
 
-    private fun show(changed: BoardHistory) {
-        history = changed
-        now = changed.now.fittedTo { lines[it] != null }.board
+    private fun show() {
+        now = history.now.fittedTo { lines[it] != null }.board
         for (listener in listeners) listener()
     }
-
-    // Other tabs must not give a graph of theirs the same id.
-    private fun historyOf(board: Board) = BoardHistory(board) { (js("Math.random()").unsafeCast<Double>() * Int.MAX_VALUE).toInt() }
 
     private fun remembered(): Board? = try {
         LocalStorage[key]?.let(::boardOfJson)

@@ -4,14 +4,12 @@ import badlog.core.analysis.EnabledSpan
 import badlog.core.analysis.Event
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
-import badlog.core.analysis.Span
 import badlog.core.analysis.XAxis
 import badlog.core.analysis.enabledSpans
 import badlog.rules.Finding
 import badlog.signals.signalTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.note.Note
-import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.Clocks
 import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.draw.mark.FindingPlace
@@ -29,6 +27,7 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
 import badlog.viewer.shown.statistics.Channels
 import badlog.viewer.shown.swerve.SwerveDrive
+import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 
@@ -40,6 +39,7 @@ internal class Scene(
     val board: PageBoard,
     val notice: Notice,
     signals: SignalVocabulary,
+    val store: PageStore,
 ) {
     /** The channels of the power distribution, found by the names of signals. */
     val channels: Channels by lazy { Channels.of(view, signalTopicsOf(view, signals)) }
@@ -81,13 +81,11 @@ internal class Scene(
     /** The field that paths are drawn on. */
     var field: Field = Field.PLAIN
 
-    /** Where the reader is. */
-    val place: PagePlace = PagePlace(Viewport.of(xAxis.range), xAxis.clocks)
-    val range: VisibleRange = place.range
-    val cursor: Cursor = place.cursor
+    val range: VisibleRange = store.range
+    val cursor: Cursor = store.cursor
 
     /** The place of the last finding that a person went to; null if there was none. */
-    val visited: FindingPlace<Finding>? get() = place.now.visited
+    val visited: FindingPlace<Finding>? get() = store.place.visited
     val sharedY: SharedY = SharedY(board, range) { compared }
 
     /** What graphs of y over x can draw of it. */
@@ -138,11 +136,11 @@ internal class Scene(
 
     /** Moves the cursor to [x], and scrolls the visible range there if necessary. */
     fun goTo(x: Double) {
-        if (xAxis.range != null) place.change { at(x) }
+        if (xAxis.range != null) store.send(PlaceAction.GoTo(x))
     }
 
     /** Shows the surroundings of [x], and moves the cursor there. */
-    fun zoomTo(x: Double) = place.change { at(x, Span(x, x)) }
+    fun zoomTo(x: Double) = store.send(PlaceAction.GoTo(x, isWithSurroundings = true))
 
     /** Returns a place on the x axis as text, with the precision of the screen and the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)

@@ -2,12 +2,13 @@ package badlog.page.view
 
 import badlog.viewer.session.gesture.PlotDrag
 import badlog.viewer.session.gesture.PlotTarget
+import badlog.viewer.state.Action
 import badlog.viewer.state.Place
 
 /** What gestures change on the page: the reader’s place. */
 internal open class SceneTarget(private val scene: Scene) : PlotTarget {
-    override val place: Place get() = scene.place.now
+    override val place: Place get() = scene.store.place
     override var drag: PlotDrag? = null
 
-    override fun go(step: Place.() -> Place) = scene.place.change(step)
+    override fun send(action: Action) = scene.store.send(action)
 }

@@ -28,6 +28,7 @@ import badlog.viewer.input.DragKind
 import badlog.viewer.session.gesture.XyDrag
 import badlog.viewer.session.gesture.XyGestures
 import badlog.viewer.session.gesture.XyTarget
+import badlog.viewer.state.Action
 import badlog.viewer.state.Place
 import kotlinx.browser.window
 import org.w3c.dom.HTMLCanvasElement
@@ -213,7 +214,7 @@ internal class XyGraph(
     val legendOnSheet: List<LegendEntry> get() = picture.value.legend(look().hidden, scene.cursor.now)
 
     private inner class Target : XyTarget {
-        override val place: Place get() = scene.place.now
+        override val place: Place get() = scene.store.place
         override val picture: XyPicture get() = this@XyGraph.picture.value
         override var plane: Plane?
             get() = this@XyGraph.plane
@@ -224,7 +225,7 @@ internal class XyGraph(
                 drawOverlay()
             }
 
-        override fun go(step: Place.() -> Place) = scene.place.change(step)
+        override fun send(action: Action) = scene.store.send(action)
     }
 
     private companion object {

@@ -3,7 +3,7 @@ package edu.wpi.first.networktables;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Stands in for WPILib's class of this name, for the guides' robots: keeps what it was told. */
+/** Stands in for WPILib's class of this name, for the guides' robots: keeps the properties that it gets. */
 public final class DoubleTopic {
     /** The properties of each name, as a JSON object. */
     public static final Map<String, String> PROPERTIES = new TreeMap<>();

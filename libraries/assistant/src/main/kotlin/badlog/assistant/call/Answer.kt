@@ -17,9 +17,8 @@ import java.io.File
 internal class Answer(val data: JsonObject, val picture: ByteArray? = null)
 
 /**
- * Writes harmless answers: of limited size, without the path of the folder on this computer, and with everything from a file marked
- * as such. A text in a log may have been written as an instruction for an assistant; nothing in it is hidden from a person who looks
- * at the answer.
+ * Writes harmless answers: of limited size, without the path of the logs' folder, and with all content of files marked as such. A text in a
+ * log may be an instruction for an assistant; all of it stays visible to people.
  *
  * @param folder the folder of the logs, whose path is private.
  */
@@ -58,11 +57,11 @@ internal class AnswerText(private val folder: String) {
 
     /** Returns JSON in which invisible characters are escaped, such as those that change the text direction. */
     private fun String.visible(): String {
-        if (all { it.code in PLAIN || !isUnseen(it) }) return this
-        return buildString { for (char in this@visible) if (isUnseen(char)) append("\\u%04x".format(char.code)) else append(char) }
+        if (all { it.code in PLAIN || !isInvisible(it) }) return this
+        return buildString { for (char in this@visible) if (isInvisible(char)) append("\\u%04x".format(char.code)) else append(char) }
     }
 
-    private fun isUnseen(char: Char) = Character.getType(char).toByte() in UNSEEN
+    private fun isInvisible(char: Char) = Character.getType(char).toByte() in INVISIBLE
 
     companion object {
         /** The maximum number of characters in an answer. */
@@ -79,7 +78,7 @@ internal class AnswerText(private val folder: String) {
         private val PLAIN = ' '.code..'~'.code
 
         // Surrogates come in pairs, so characters beyond 16 bits are escaped as a whole; no name of a log needs them.
-        private val UNSEEN = setOf(
+        private val INVISIBLE = setOf(
             Character.CONTROL,
             Character.FORMAT,
             Character.PRIVATE_USE,

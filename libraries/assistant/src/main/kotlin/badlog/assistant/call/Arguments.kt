@@ -8,12 +8,11 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 
 /**
- * The arguments that an assistant passes to a tool. Assistants make mistakes, so each is reported with what would
- * be right.
+ * The arguments that an assistant passes to a tool. Assistants make mistakes, so each mistake is reported with a correction.
  *
  * @param given the arguments as received.
  * @param parameters the parameters of the tool.
- * @throws ToolException if there are others.
+ * @throws ToolException if an argument is unknown.
  */
 internal class Arguments(private val given: JsonObject, parameters: List<Parameter>) {
     init {
@@ -45,7 +44,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         (it as? JsonPrimitive)?.doubleOrNull?.takeIf(Double::isFinite) ?: throw ToolException("“$name” must be a number.")
     }
 
-    /** Returns the whole number [name], which must be in [range], or [default]. */
+    /** Returns the whole number [name], which must be in [range]; [default] if it is not given. */
     fun whole(name: String, default: Int, range: IntRange): Int {
         val number = number(name) ?: return default
         if (number != Math.rint(number) || number < range.first || number > range.last) {
@@ -58,7 +57,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
 
     private fun textOf(name: String, element: JsonElement): String {
         val text = (element as? JsonPrimitive)?.takeIf { it.isString }?.content ?: throw ToolException("“$name” must be a text.")
-        if (text.length > MAX_LETTERS) throw ToolException("“$name” is longer than $MAX_LETTERS characters; shorten it.")
+        if (text.length > MAX_TEXT_LENGTH) throw ToolException("“$name” is longer than $MAX_TEXT_LENGTH characters; shorten it.")
         return text
     }
 
@@ -67,7 +66,7 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         const val MAX_TEXTS: Int = 50
 
         /** The maximum number of characters in a text. */
-        const val MAX_LETTERS: Int = 2_000
+        const val MAX_TEXT_LENGTH: Int = 2_000
 
         private const val MAX_SHOWN = 60
     }

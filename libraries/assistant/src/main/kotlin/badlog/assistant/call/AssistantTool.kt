@@ -11,7 +11,7 @@ import kotlinx.serialization.json.putJsonObject
  *
  * @property name its name for the assistant, in lower-case letters and `_`.
  * @property title its name for people.
- * @property description what it is for, in sentences for the assistant.
+ * @property description its purpose, in sentences for the assistant.
  * @property parameters its parameters.
  */
 internal abstract class AssistantTool(val name: String, val title: String, val description: String, val parameters: List<Parameter>) {
@@ -34,7 +34,7 @@ internal enum class ParameterType {
 /**
  * A parameter of a tool.
  *
- * @property description what it means, with its unit and its default.
+ * @property description its meaning, unit and default.
  */
 internal class Parameter(val name: String, val type: ParameterType, val description: String, val isRequired: Boolean = false) {
     /** This parameter in JSON Schema. */

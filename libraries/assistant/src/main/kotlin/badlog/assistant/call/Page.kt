@@ -10,10 +10,10 @@ import kotlinx.serialization.json.put
  *
  * @property entries the entries of that part.
  * @property total the number of entries in the whole list.
- * @property next where the next part begins; null for the last one.
+ * @property next the index at which the next part begins; null for the last one.
  */
 internal class Page(val entries: List<JsonElement>, val total: Int, val next: Int?) {
-    /** Adds the list to an answer under [name], with the total and how to get the others. */
+    /** Adds the list to an answer under [name], with the total and the index of the next part. */
     fun putInto(answer: JsonObjectBuilder, name: String) {
         answer.put(name, JsonArray(entries))
         answer.put("total", total)

@@ -17,8 +17,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The accessible logs: those below one folder. They are identified by their names in it. A name is only compared with those of
- * existing logs, so that no name leads out of the folder; nor does a link.
+ * The logs that an assistant may read: those below one folder, identified by their names in it. A name is only compared with existing
+ * names, so that no name leads out of the folder; nor does a link.
  *
  * @throws badlog.files.UnreadableFileException if the folder cannot be read.
  */
@@ -28,11 +28,13 @@ internal class LogFolder(folder: Path) {
 
     private var known = emptyMap<String, LogFile>()
 
-    /** Returns the current logs by their names, in the order of these. */
+    /** Returns the current logs by name, sorted by name. */
     fun logs(): Map<String, LogFile> {
         val parents = HashMap<Path, Boolean>()
         known = reading(root) { FolderScan.of(root) }.files
-            .filter { file -> parents.getOrPut(file.path.parent) { isInside(file.path.parent) } && partsOfLog(file.path).all(::isOwn) }
+            .filter { file ->
+                parents.getOrPut(file.path.parent) { isInside(file.path.parent) } && partsOfLog(file.path).all(::staysInside)
+            }
             .associateBy { nameOf(it.path) }
             .toSortedMap(NaturalOrder)
         return known
@@ -54,9 +56,9 @@ internal class LogFolder(folder: Path) {
         return found to reading(path) { LogFile.of(path) }
     }
 
-    /** Returns the rules in the folder, or else the built-in ones. Hooks in them are never run. */
+    /** Returns the rules in the folder; null if there are none. Their hooks are never run. */
     fun rules(): FolderRules? = root.resolve(RulesFile.NAME).takeIf { file ->
-        // A link to a file elsewhere would be read as rules, and its text quoted in messages about mistakes.
+        // A linked file elsewhere would be read as rules, and messages about mistakes would quote its text.
         listOf(file, root.resolve(SignalsFile.NAME)).all { !Files.exists(it) || isInside(it) }
     }?.let { FolderRules.of(it) }
 
@@ -67,8 +69,8 @@ internal class LogFolder(folder: Path) {
 
     private fun nameOf(path: Path) = root.relativize(path).joinToString("/")
 
-    /** Returns whether [file], whose folder is inside, is inside itself. Only a link leads elsewhere. */
-    private fun isOwn(file: Path) = !Files.isSymbolicLink(file) || isInside(file)
+    /** Returns whether [file], in a folder inside, is inside too. Only a link leads elsewhere. */
+    private fun staysInside(file: Path) = !Files.isSymbolicLink(file) || isInside(file)
 
     private fun isInside(path: Path) = try {
         path.toRealPath().startsWith(root)

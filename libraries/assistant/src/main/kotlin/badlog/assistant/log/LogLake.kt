@@ -15,10 +15,10 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * The tables of the logs of [logs], in a lake in the cache. No other command uses it, since their lakes may have logs that links lead to.
+ * The tables of the logs of [logs], in a lake in the cache. No other command uses this lake, since others may contain linked logs.
  *
- * @param cache where answers are kept; lakes stand beside it.
- * @param patience for how many seconds an assistant waits until tables are made. They are made in any case.
+ * @param cache the folder for cached answers; lakes are beside it.
+ * @param patience the maximum time in s that an assistant waits for the tables. They are made in any case.
  */
 internal class LogLake(
     private val logs: LogFolder,
@@ -26,12 +26,12 @@ internal class LogLake(
     private val service: SeasonService,
     private val patience: Long = PATIENCE,
 ) {
-    private var making: Making? = null
+    private var update: LakeUpdate? = null
 
     /**
-     * Lets [ask] query the logs as they are now; it also receives the number of those that are missing because they cannot be read.
+     * Lets [ask] query the current logs. It also receives the number of logs that are missing because they cannot be read.
      *
-     * @throws ToolException if the tables are not made yet, or cannot be, or if a query is wrong.
+     * @throws ToolException if the tables are not ready, cannot be made, or a query is wrong.
      */
     fun <R> asking(ask: (tables: SqlSession, missing: Int) -> R): R {
         val folder = LakeCache(cache, service.layoutVersion).lakeOf(logs.root, USER)
@@ -44,17 +44,17 @@ internal class LogLake(
     }
 
     private fun refreshed(folder: Path): LakeReport {
-        val current = making ?: Making(folder).also {
-            making = it
+        val current = update ?: LakeUpdate(folder).also {
+            update = it
             it.begin()
         }
         val report = current.await()
-        making = null
+        update = null
         return report
     }
 
-    /** A run over the logs as they are when it is made, on a thread of its own. */
-    private inner class Making(folder: Path) {
+    /** An update of the tables to the logs' current state, on a thread of its own. */
+    private inner class LakeUpdate(folder: Path) {
         private val all = logs.logs().map { (name, file) -> file to name }
         private val rules = logs.rules()?.rules ?: RuleSet.BUILT_IN
 
@@ -74,16 +74,16 @@ internal class LogLake(
         } catch (_: TimeoutException) {
             throw ToolException("The tables of ${all.size} logs are being made, $done are done; ask the same again in a minute.")
         } catch (e: ExecutionException) {
-            making = null
+            update = null
             throw e.cause ?: e
         }
     }
 
     private companion object {
-        /** Assistants mostly wait for a minute. */
+        /** Most assistants wait for a minute. */
         const val PATIENCE = 40L
 
-        /** Whose lake it is. */
+        /** The name of the user of this lake. */
         const val USER = "mcp"
     }
 }

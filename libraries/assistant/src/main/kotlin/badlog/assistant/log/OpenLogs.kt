@@ -23,7 +23,7 @@ import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonObject
 
-/** Opens logs of [logs] with all their samples. The last one stays open, since an assistant asks about the same log again and again. */
+/** Opens logs of [logs] with all their samples. The last one stays open, since an assistant usually asks about it repeatedly. */
 internal class OpenLogs(private val logs: LogFolder) {
     private var last: Pair<LogFile, LogView>? = null
 
@@ -39,7 +39,7 @@ internal class OpenLogs(private val logs: LogFolder) {
     }
 
     private fun read(file: LogFile): LogView {
-        // Two at once may not fit in memory.
+        // Two logs may not fit in memory at the same time.
         last = null
         return LogView.of(readLog(file.path, LOG_FORMATS).orThrow().overItsTime())
     }
@@ -76,9 +76,9 @@ internal class OpenLogs(private val logs: LogFolder) {
  */
 internal class OpenLog(val name: String, val view: LogView, private val signals: SignalVocabulary) {
     /**
-     * Returns the lines of the topics named in [arguments], each once, at most [most].
+     * Returns the lines of the topics named in [arguments], each once, [most] at most.
      *
-     * @throws ToolException if there is no such topic.
+     * @throws ToolException if the log lacks one of them.
      */
     fun lines(arguments: Arguments, most: Int): List<GraphSeries> {
         val names = arguments.texts("topics")

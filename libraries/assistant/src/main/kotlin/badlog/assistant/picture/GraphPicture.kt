@@ -37,12 +37,12 @@ import badlog.viewer.text.shortNames
 import kotlin.math.ceil
 
 /**
- * Graphs of a log as a picture for an assistant: a plot for the lines of each unit, and one for all states, over the same x; shaded where the
- * robot was enabled.
+ * A picture of graphs for an assistant. It has a plot for each unit and one for all states, over the same x, shaded where the robot was
+ * enabled.
  *
  * @param title the heading.
- * @param lines what is drawn, each in its own color.
- * @param range the part of x that is drawn, not empty.
+ * @param lines the lines to draw, each in its own color.
+ * @param range the range of x to draw, not empty.
  * @param width the width of the picture, in pixels.
  */
 internal class GraphPicture(
@@ -60,13 +60,13 @@ internal class GraphPicture(
 
     init {
         val names = shortNames(lines.map { it.topic.name })
-        val named = lines.mapIndexed { i, line -> NamedLine(line, names[i].take(MAX_LETTERS), i) }
+        val named = lines.mapIndexed { i, line -> NamedLine(line, names[i].take(MAX_LABEL_LENGTH), i) }
         val (ofStates, ofNumbers) = named.partition { it.line.states != null }
         states = ofStates
         numbers = ofNumbers
     }
 
-    /** The height of the picture in pixels, once it is drawn: 0 before. */
+    /** The height of the picture in pixels; 0 until it is drawn. */
     var height: Int = 0
         private set
 
@@ -78,7 +78,7 @@ internal class GraphPicture(
         sheet.text(title, TITLE, PenColors.LIGHT[Shade.TEXT], isBold = true)
         for (axis in graphAxes(numbers.map { it.line.unit })) sheet.lines(axis)
         if (states.isNotEmpty()) sheet.lanes()
-        sheet.xTitle(view.xAxis.title.take(MAX_LETTERS))
+        sheet.xTitle(view.xAxis.title.take(MAX_LABEL_LENGTH))
         height = ceil(sheet.height).toInt()
         val svg = pen.document(width.toDouble(), height.toDouble(), PenColors.LIGHT[Shade.SURFACE])
         return SvgRaster.png(svg, width, height)
@@ -131,7 +131,7 @@ internal class GraphPicture(
     }
 
     private companion object {
-        const val MAX_LETTERS = 60
+        const val MAX_LABEL_LENGTH = 60
         const val TITLE_LINE = 26.0
         const val TITLE = 15.0
         const val PANEL = 180

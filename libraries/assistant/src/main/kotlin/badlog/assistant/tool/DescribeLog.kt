@@ -59,7 +59,7 @@ internal class DescribeLog(private val logs: OpenLogs) :
         )
     }
 
-    /** Adds what need not be repeated in later answers that continue the list of topics. */
+    /** Adds the parts that answers with later topics do not repeat. */
     private fun putRest(answer: JsonObjectBuilder, log: OpenLog) {
         val recording = log.view.recording
         answer.putJsonArray("values") {

@@ -116,7 +116,7 @@ internal class FindInLogs(private val logs: LogFolder, private val cache: Path?)
     }
 
     internal companion object {
-        /** What an assistant must know about expressions. */
+        /** A description of expressions for assistants. */
         const val LANGUAGE: String =
             "Names are those of topics or signals; put texts in single quotes; numbers may have units (7 V, 0.5 s). Operators: and or " +
                 "not < <= > >= == != contains matches + - * / ^, “x when c”, “c for 0.5 s”, “a within 1 s after b”. Of a whole log: min " +

@@ -26,7 +26,7 @@ import kotlinx.serialization.json.putJsonArray
 import java.nio.file.Path
 
 /**
- * Returns what the rules find in one log, or how much in each.
+ * Returns the findings of the rules in one log, or their number in each log.
  *
  * @param cache where findings are cached.
  */

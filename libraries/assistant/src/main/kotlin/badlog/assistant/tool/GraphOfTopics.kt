@@ -47,9 +47,9 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
         val png = try {
             picture.png()
         } catch (e: LinkageError) {
-            throw cannotDraw(e)
+            throw drawingFailed(e)
         } catch (e: InternalError) {
-            throw cannotDraw(e)
+            throw drawingFailed(e)
         }
         val data = buildJsonObject {
             put("log", log.name)
@@ -68,8 +68,8 @@ internal class GraphOfTopics(private val logs: OpenLogs) :
         return Answer(data, png)
     }
 
-    /** For example, if a system has no font at all. */
-    private fun cannotDraw(e: Error) = ToolException(
+    /** Returns the answer if drawing fails, for example on a system without any font. */
+    private fun drawingFailed(e: Error) = ToolException(
         "This computer's Java cannot draw text ($e); install fontconfig and a font, such as Debian's fonts-dejavu-core, or ask for samples.",
     )
 

@@ -36,15 +36,15 @@ internal class ListLogs(private val logs: LogFolder, private val cache: Path?) :
         val rows = HashMap<LogFile, TableRow>()
 
         // The match of a log is known only after reading it.
-        fun look(files: List<LogFile>) = MatchTable(emptyList(), cache = cache).over(files).associateByTo(rows) { it.file }
+        fun readMatches(files: List<LogFile>) = MatchTable(emptyList(), cache = cache).over(files).associateByTo(rows) { it.file }
         val wanted = if (part.isEmpty()) {
             all
         } else {
-            look(all.map { it.second })
+            readMatches(all.map { it.second })
             all.filter { (name, file) -> listOfNotNull(name, rows.getValue(file).title).any { it.contains(part, ignoreCase = true) } }
         }
         val page = Page.of(wanted, arguments) { shown ->
-            look(shown.map { it.second }.filter { it !in rows })
+            readMatches(shown.map { it.second }.filter { it !in rows })
             shown.map { (name, file) -> json(name, file, rows.getValue(file)) }
         }
         return Answer(buildJsonObject { page.putInto(this, "logs") })

@@ -25,7 +25,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 
-/** Returns the samples of topics in a range: all of them if there are few, otherwise the smallest and the largest of each part of it. */
+/** Returns the samples of topics in a range: all if there are few, otherwise the smallest and largest of each part of the range. */
 internal class SamplesOfTopics(private val logs: OpenLogs) :
     AssistantTool(
         "samples",
@@ -108,7 +108,7 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
             for (event in inside.take(points)) {
                 addJsonArray {
                     add(number(event.x))
-                    add(event.text.take(MAX_LETTERS))
+                    add(event.text.take(MAX_EVENT_LENGTH))
                 }
             }
         }
@@ -119,7 +119,7 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
         putJsonArray("columns") { names.forEach { add(it) } }
     }
 
-    /** Adds where to continue with the omitted samples. */
+    /** Adds the x at which to continue with the omitted samples. */
     private fun JsonObjectBuilder.putRest(from: Double?, count: Int) {
         if (from == null) return
         put("more", count)
@@ -134,6 +134,6 @@ internal class SamplesOfTopics(private val logs: OpenLogs) :
         const val MAX_TOPICS = 12
         const val MAX_POINTS = 1_000
         const val DEFAULT_POINTS = 100
-        const val MAX_LETTERS = 300
+        const val MAX_EVENT_LENGTH = 300
     }
 }

@@ -24,7 +24,7 @@ import kotlin.concurrent.schedule
 /**
  * Answers SQL over the tables of all logs.
  *
- * @param maxSeconds how long a query may take.
+ * @param maxSeconds the maximum time of a query, in s.
  */
 internal class SqlOverLogs(private val lake: LogLake, private val maxSeconds: Long = MAX_SECONDS) :
     AssistantTool(
@@ -98,7 +98,7 @@ internal class SqlOverLogs(private val lake: LogLake, private val maxSeconds: Lo
         const val DEFAULT_ROWS = 50
         const val MAX_COLUMNS = 40
 
-        /** The types of statistics of a match name all their fields. */
+        /** The maximum length of a type in an answer: types of structs list all their fields. */
         const val MAX_TYPE = 60
         const val MAX_CHARACTERS = 24_000
     }

@@ -54,7 +54,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
         val statistics = line.statistics(range.from, range.to)
         for (statistic in Statistic.entries) {
             putJsonObject(statistic.title) {
-                // Without digits that nobody reads.
+                // Without insignificant digits.
                 put("value", number(numberText(statistic.of(statistics)).toDoubleOrNull()))
                 put("unit", unitOf(statistic.unitOf(line.unit, view.xAxis.unit)))
             }

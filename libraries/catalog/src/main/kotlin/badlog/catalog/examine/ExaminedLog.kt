@@ -12,10 +12,10 @@ import badlog.signals.match.MatchOfLog
 import kotlinx.serialization.Serializable
 
 /**
- * What rules say of a log, as it is stored.
+ * The stored results of rules for one log.
  *
  * @property title the match; null if it is unknown, or the file cannot be read.
- * @property findings what they found, in the order of the rules.
+ * @property findings the findings, in the order of the rules.
  * @property asked the outcome of each rule.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null if it could be read.
  * @property isNoLog whether it is [unreadable] because it is something other than a log.
@@ -27,8 +27,8 @@ import kotlinx.serialization.Serializable
  * @property numberDistributions the distributions of some signals, likewise.
  * @property event the event; null if it is unknown.
  * @property matchNumber the number of the match, likewise.
- * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
- * @property battery what it says of the robot's battery; null for nothing.
+ * @property began the local time at which it began, according to the log or its file's name, in s since 1970; null if unknown.
+ * @property battery its statements about the robot's battery; null if there are none.
  */
 @Serializable
 class ExaminedLog(
@@ -60,7 +60,7 @@ class ExaminedLog(
     fun numbers(reader: LogNumbersReader): LogNumbers = reader.read(LogNumbersText(numberNames, numberValues, numberDistributions))
 }
 
-/** The outcome of [rule] for a log: why it was skipped, what seems to be wrong with it, and which signal the log lacks; all null if it ran. */
+/** The outcome of [rule] for a log: the reason for skipping it, its likely mistake, and the missing signal; all null if it ran. */
 @Serializable
 data class RuleOutcome(
     @Serializable(with = RepeatedText::class) val rule: String,

@@ -19,23 +19,23 @@ sealed interface LogContent {
      * A log.
      *
      * @property recording the content of the file.
-     * @property view what can be asked about, including virtual topics.
+     * @property view the content for rules and questions, including virtual topics.
      * @property undefined the virtual topics that cannot be calculated.
      */
     class Log(val recording: Recording, val view: LogView, val undefined: List<UndefinedTopic>) : LogContent
 
     /**
-     * No content to ask about.
+     * A file without readable content.
      *
-     * @property why why the log could not be read.
+     * @property why the reason why the log could not be read.
      */
     class None(val why: ReadResult.NotRead) : LogContent
 
     companion object {
         /**
-         * Returns the result of [work] for [file], read as [options] say with the topics of [definitions], which may name [signals].
-         * [withX] names an x axis, where the log may not have one, and [beside] adds another log to its view. A failure affects only this
-         * file: [work] then receives a [None] that describes it.
+         * Returns the result of [work] for [file], read with [options] and the topics of [definitions], which may name [signals]. [withX]
+         * sets an x axis that the log may lack, and [beside] adds another log to its view. A failure affects only this file: [work] then
+         * receives a [None] that describes it.
          *
          * @throws InterruptedException if the thread was interrupted.
          */

@@ -19,11 +19,11 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Runs [rules] over one log after another; the window's folder and the report do it in the same way, so that each reads what the other has
- * stored. Thread-safe.
+ * Runs [rules] over one log after another. The window's folder and the report share it, so that each can read the other's stored results.
+ * Thread-safe.
  *
- * @param with what else affects the results, as a text: virtual topics and the x axis; empty for nothing.
- * @param measures whether the numbers of each log are calculated, which comparisons and charts need.
+ * @param with everything else that affects the results, as a text: virtual topics and the x axis; empty for nothing.
+ * @param measures whether the numbers of each log are calculated, as comparisons and charts need.
  */
 class RuleExamination(
     private val rules: RuleSet,
@@ -33,12 +33,12 @@ class RuleExamination(
     private val alike = ConcurrentHashMap<List<RuleOutcome>, List<RuleOutcome>>()
     private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
-    /** Returns what is stored in [folder] by the [version] of the program. */
+    /** Returns the results stored in [folder] by the [version] of the program. */
     fun storedIn(folder: Path, version: String): ResultCache<ExaminedLog> =
         ResultCache(folder, "$version\nreport $measures\n$with\n${rules.toJson()}", ExaminedLog.serializer())
 
     /**
-     * Returns what the rules say of [content], the file called [name].
+     * Returns the results of the rules for [content], the file called [name].
      *
      * @param checkpoint called repeatedly; an exception from it stops the work and is passed on.
      */
@@ -92,7 +92,7 @@ class RuleExamination(
     }
 
     private companion object {
-        // A limit, because each holds all names of its logs several times.
+        // Limited, because each program holds all names of its logs several times.
         const val MAX_PROGRAMS = 16
         val NO_NUMBERS = LogNumbers.NONE.toText()
     }

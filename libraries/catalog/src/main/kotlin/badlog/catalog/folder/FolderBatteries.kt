@@ -11,38 +11,38 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What a team wrote down about its batteries in the nearest file called `batteries.toml`: in a log's folder, or in one above it.
+ * A team's records of its batteries in the nearest file called `batteries.toml`, in a log's folder or above it.
  *
- * @property problems why a file is not used, as sentences.
+ * @property problems the reasons why files are not used, as sentences.
  */
-class FolderBatteries private constructor(private val byFolder: Map<Path, Written>, val problems: List<String>) {
+class FolderBatteries private constructor(private val byFolder: Map<Path, BatteriesOfFolder>, val problems: List<String>) {
     /** The content of a file in [folder]. */
-    private class Written(val folder: Path, val batteries: TeamBatteries)
+    private class BatteriesOfFolder(val folder: Path, val batteries: TeamBatteries)
 
     /** All batteries, each once. */
     val batteries: List<TeamBattery> get() = byFolder.values.flatMap { it.batteries.batteries }.distinctBy { it.name.lowercase() }
 
-    /** Returns the battery of a match, whose logs are [files], as written down; null if it is not. */
+    /** Returns the recorded battery of a match with the logs [files]; null if none is recorded. */
     fun usedFor(files: List<Path>, match: String?): String? =
         files.groupBy { byFolder[folderOf(it)] }.firstNotNullOfOrNull { (written, own) ->
             written?.batteries?.usedFor(own.map { placeFrom(written.folder, it) }, match)
         }
 
     companion object {
-        /** Nothing is written down. */
+        /** No records. */
         val NONE: FolderBatteries = FolderBatteries(emptyMap(), emptyList())
 
-        /** Returns what is written down for [logs], up to the folder [top], which is null for the logs' own folders only. */
+        /** Returns the records for [logs], up to the folder [top]; null means only the logs' own folders. */
         fun of(logs: Collection<Path>, top: Path?): FolderBatteries {
             val problems = LinkedHashSet<String>()
-            val read = HashMap<Path, Written?>()
-            val byFolder = HashMap<Path, Written>()
+            val read = HashMap<Path, BatteriesOfFolder?>()
+            val byFolder = HashMap<Path, BatteriesOfFolder>()
             for (folder in logs.mapTo(LinkedHashSet(), ::folderOf)) {
                 val file = nearestTo(folder.resolve(BatteriesFile.NAME), top) { "" }.file ?: continue
                 val written = read.getOrPut(file) {
                     val nearest = nearestTo(file, null, BatteriesFile::parse)
                     nearest.problem?.let { problems += "$file is not used: $it" }
-                    nearest.found?.let { Written(folderOf(file), it) }
+                    nearest.found?.let { BatteriesOfFolder(folderOf(file), it) }
                 }
                 if (written != null) byFolder[folder] = written
             }
@@ -50,10 +50,10 @@ class FolderBatteries private constructor(private val byFolder: Map<Path, Writte
         }
 
         /**
-         * Writes down that [battery] was in the robot for a match, whose logs are [logs]; an empty name takes back what was written down for
-         * them, or for [match]. The file is the nearest one up to [top], or else a new one beside the log.
+         * Records [battery] as the one used in a match with the logs [logs]. An empty name removes the record for the logs, or for [match].
+         * The file is the nearest one up to [top], otherwise a new one beside the log.
          *
-         * @return why that is not done, as a sentence; null if it is.
+         * @return the reason for a failure, as a sentence; null on success.
          */
         @Synchronized
         fun assign(battery: String, logs: List<Path>, match: String?, top: Path?): String? {
@@ -79,7 +79,7 @@ class FolderBatteries private constructor(private val byFolder: Map<Path, Writte
 
         private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent
 
-        /** Returns where [log] is from [folder] on, with slashes; its name if it is not below. */
+        /** Returns the path of [log] relative to [folder], with slashes; its name if it is not below. */
         private fun placeFrom(folder: Path, log: Path): String {
             val own = log.toAbsolutePath().normalize()
             return if (own.startsWith(folder)) folder.relativize(own).joinToString("/") else "${log.fileName}"

@@ -19,10 +19,10 @@ import kotlin.time.TimeMark
 import kotlin.time.TimeSource
 
 /**
- * What is stored of the logs of [folder]: their summaries, and what the rules of the nearest file of rules say of them. Thread-safe.
+ * The stored summaries of the logs of [folder], and their results of the nearest file of rules. Thread-safe.
  *
- * @param cache where that is stored; null for nowhere.
- * @param version the version of the program: another one may find something else.
+ * @param cache the folder for stored results; null for none.
+ * @param version the version of the program, because another one may have other results.
  */
 class FolderStore(private val folder: Path, private val cache: Path?, private val version: String) {
     private class Known(val folderRules: RuleSet, val rules: RulesOfFolder, val since: TimeMark)
@@ -30,10 +30,10 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
     private val byFolder = ConcurrentHashMap<Path, Known>()
     private val summaries = ConcurrentHashMap<String, ResultCache<LogSummary>>()
 
-    /** Returns what distinguishes the rules for [file] from others. */
+    /** Returns a key that identifies the rules for [file]. */
     fun keyOf(file: Path): Int = rulesFor(file).key
 
-    /** Returns what is known of [file] in its current state; null if nothing is. */
+    /** Returns the known results for [file] in its current state; null if there are none. */
     operator fun get(file: LogFile): LogEntry? {
         val rules = rulesFor(file.path)
         val summary = summariesOf(rules)?.get(file) ?: return null
@@ -45,10 +45,10 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
         summariesOf(rulesFor(file.path))?.set(file, summary)
     }
 
-    /** Returns what the rules say of [file] in its current state; null if they have not been run. */
+    /** Returns the results of the rules for [file] in its current state; null if they have not been run. */
     fun examined(file: LogFile): ExaminedLog? = rulesFor(file.path).results?.get(file)
 
-    /** Writes what has changed. */
+    /** Writes all changes to the disk. */
     fun save() {
         for (cache in summaries.values) cache.save()
         for (known in byFolder.values) known.rules.results?.save()
@@ -78,9 +78,9 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
     }
 }
 
-/** The [rules] of logs, and what is stored of what they say. */
+/** The [rules] for logs, and their stored results. */
 internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) {
-    /** What distinguishes them from others. */
+    /** A key that identifies the rules. */
     val key: Int = rules.toJson().hashCode()
 
     /** The names of their signals, which summaries depend on. */
@@ -89,9 +89,9 @@ internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) 
     val examination = RuleExamination(rules, measures = true)
     val results: ResultCache<ExaminedLog>? = cache?.let { examination.storedIn(it, version) }
 
-    /** Returns what they found in [file]; null if that is not known. */
+    /** Returns the findings in [file]; null if unknown. */
     fun found(file: LogFile): LogFound? = results?.get(file)?.let(::foundIn)
 
-    /** Returns what they found in [log]. */
+    /** Returns the findings in [log]. */
     fun foundIn(log: ExaminedLog): LogFound = if (log.unreadable == null) rules.foundIn(log.findings, key) else LogFound(key, null)
 }

@@ -9,10 +9,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * What is known about a folder's logs, and which of them to read next: the newest first. The caller provides the time,
- * counted from any moment. Thread-safe.
+ * The known results of a folder's logs, and the queue of files to read next, the newest first. The caller provides the time, with an
+ * arbitrary origin. Thread-safe.
  *
- * @param stored returns what is stored of a file in its current state; null for nothing.
+ * @param stored returns the stored results for a file in its current state; null if there are none.
  */
 class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
     private val known = HashMap<Path, LogEntry>()
@@ -58,7 +58,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
         changes++
     }
 
-    /** Adds what the rules [found] in the file of [entry], unless that has changed in the meantime. */
+    /** Adds what the rules [found] in the file of [entry], unless the file has changed in the meantime. */
     @Synchronized
     fun searched(entry: LogEntry, found: LogFound) {
         val now = known[entry.file] ?: return
@@ -81,7 +81,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
         changes++
     }
 
-    /** Reads the skipped files after all, from the next update on. */
+    /** Queues the skipped files again at the next update. */
     @Synchronized
     fun wantAll() {
         passedOver.clear()
@@ -99,8 +99,8 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
     ).also { if (it.waiting == 0) read = 0 }
 
     /**
-     * Returns what is known about the newest files, up to the first unknown one; the newest first. If there are files that can
-     * only be logs, only those are included.
+     * Returns the known results of the newest files, newest first, up to the first unknown file. If there are files that can only be logs,
+     * only those are included.
      */
     @Synchronized
     fun newestKnown(): List<LogEntry> {

@@ -7,11 +7,11 @@ import badlog.viewer.catalog.LogSummary
 import java.nio.file.Path
 
 /**
- * What is known about a file of a folder without reading it again.
+ * The known results for a file of a folder.
  *
- * @property source the file when it was read.
- * @property summary what it holds.
- * @property found what the rules found in it; null while they have not been run.
+ * @property source the state of the file when it was read.
+ * @property summary the summary of its content.
+ * @property found the findings of the rules; null until they have been run.
  */
 data class LogEntry(val source: LogFile, override val summary: LogSummary, override val found: LogFound? = null) : ListedLog {
     /** The file; absolute. */

@@ -18,20 +18,20 @@ import badlog.viewer.catalog.LogSummary
 import java.util.concurrent.CancellationException
 
 /**
- * Reads the logs of a folder, each once, and puts what it learns into [store]. It uses one core: others read other files meanwhile, and the
- * window is in use.
+ * Reads the logs of a folder, each once, and puts the results into [store]. It uses one core: other cores read other files or serve the
+ * window.
  */
 class LogReading(private val store: FolderStore) {
     /**
-     * Reads [file]. Whatever is wrong with it becomes part of the result.
+     * Reads [file]. Problems with the file become part of the result.
      *
-     * @param runsRules whether the rules run over it as well, if there is anything to see in it.
+     * @param runsRules whether the rules run over it as well, if it is not empty.
      * @param checkpoint called repeatedly; to cancel, it may throw a [CancellationException], the only exception that is passed on.
-     * @param onSummary called with what is known before the rules run.
+     * @param onSummary called with the result before the rules run.
      */
     fun read(file: LogFile, runsRules: Boolean, checkpoint: () -> Unit = {}, onSummary: (LogEntry) -> Unit = {}): LogEntry {
         val read = orNotRead(file.path, { Summarized(unreadable(file, it)) }) { summarized(file, checkpoint) }
-        // What is not readable now may be with other permissions, or more memory.
+        // An unreadable file may be readable later, with other permissions or more memory.
         if (read.isLasting) store[file] = read.summary
         val entry = LogEntry(file, read.summary)
         onSummary(entry)
@@ -60,7 +60,7 @@ class LogReading(private val store: FolderStore) {
         }
     }
 
-    /** Returns what the rules find in [file]: as stored, or else by reading it again. */
+    /** Returns the findings of the rules in [file]: stored ones, otherwise by reading it again. */
     fun found(file: LogFile, checkpoint: () -> Unit = {}): LogFound {
         val rules = store.rulesFor(file.path)
         rules.found(file)?.let { return it }
@@ -79,7 +79,7 @@ class LogReading(private val store: FolderStore) {
     private fun examined(file: LogFile, log: LogContent.Log, checkpoint: () -> Unit): LogFound {
         val rules = store.rulesFor(file.path)
         return orNotRead(file.path, { LogFound(rules.key, null) }) {
-            val examined = unhurried { rules.examination.of(log, file.name, checkpoint) }.result
+            val examined = atLowPriority { rules.examination.of(log, file.name, checkpoint) }.result
             rules.results?.set(file, examined)
             rules.foundIn(examined)
         }
@@ -105,7 +105,7 @@ class LogReading(private val store: FolderStore) {
 }
 
 /** Does [work] with low priority. */
-private inline fun <T> unhurried(work: () -> T): T {
+private inline fun <T> atLowPriority(work: () -> T): T {
     val thread = Thread.currentThread()
     val before = thread.priority
     thread.priority = Thread.MIN_PRIORITY

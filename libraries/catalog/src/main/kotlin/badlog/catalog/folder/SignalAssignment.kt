@@ -13,20 +13,20 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The file that names a team's signals for the log [log]: the nearest one in its folder or, up to the folder [library], above it. While
- * there is none, it is a new one beside the log; a null [library] means the log's own folder only.
+ * The file that names a team's signals for the log [log]: the nearest one in its folder or above it, up to the folder [library]. If there
+ * is none, it is a new one beside the log; a null [library] means only the log's own folder.
  */
 class SignalAssignment(log: Path, library: Path?) {
     /** The file, which may not exist yet. */
     val file: Path = nearestTo(log, library).file ?: log.resolveSibling(SignalsFile.NAME)
 
     /**
-     * Makes [topic] of [view] the signal [signal] in all logs that the file is for.
+     * Makes [topic] of [view] the signal [signal] in all logs to which the file applies.
      *
-     * @return why it is not, as a sentence; null if it is.
+     * @return the reason for a failure, as a sentence; null on success.
      */
     fun assign(signal: String, topic: String, view: LogView): String? {
-        // Read again, for another window or program may have written it meanwhile.
+        // Read again, because another window or program may have written it meanwhile.
         val nearest = nearestTo(file, null)
         if (nearest.problem != null) return "$file is not changed: ${nearest.problem}"
         return try {

@@ -22,11 +22,11 @@ import kotlin.time.TimeSource
 class CachedResult<out R>(val result: R, val isLasting: Boolean)
 
 /**
- * The results of a question for many files, stored in one file in [folder], which may be deleted at any time. A damaged file, or
- * one of another version, is ignored. A failure to write only costs time, so it is not reported. Thread-safe.
+ * The results of a question for many files, stored in one file in [folder]. The file may be deleted at any time. A damaged file, or one of
+ * another version, is ignored. A failure to write only costs time, so it is not reported. Thread-safe.
  *
- * @param question the question, with everything that affects the results, the version of the program, too; a different one has a
- * different file.
+ * @param question the question, with everything that affects the results, including the program's version; each question has a file of its
+ *   own.
  * @param pause the time that [saveNowAndThen] waits between saves.
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -38,10 +38,10 @@ class ResultCache<R : Any>(
 ) {
     private val asked = "$VERSION\n$question"
     private val file = asked.encodeToByteArray().let { folder.resolve("$PREFIX${checkOf(it).toString(HEX)}-${it.size}$SUFFIX") }
-    private val serializer = Kept.serializer(results)
+    private val serializer = StoredResults.serializer(results)
     private val known = LinkedHashMap<String, Entry<R>>()
 
-    /** Those of them that this program has found itself; another one may have stored the others anew meanwhile. */
+    /** The results found by this program; another program may have updated the others meanwhile. */
     private val own = HashSet<String>()
     private var isChanged = false
     private var saved = TimeSource.Monotonic.markNow()
@@ -51,9 +51,9 @@ class ResultCache<R : Any>(
 
     // Two questions may have files with the same name.
     @Serializable
-    private class Kept<R>(val asked: String, val entries: List<Entry<R>>)
+    private class StoredResults<R>(val asked: String, val entries: List<Entry<R>>)
 
-    /** While a folder is read, all that is known of it is written every few seconds. */
+    /** Fast, because all results of a folder are written every few seconds while it is read. */
     private class FastGzip(out: OutputStream) : GZIPOutputStream(out) {
         init {
             def.setLevel(Deflater.BEST_SPEED)
@@ -100,7 +100,7 @@ class ResultCache<R : Any>(
         while (known.size > MAX_FILES) known.remove(known.keys.first())
         try {
             Files.createDirectories(folder)
-            val body = ProtoBuf.encodeToByteArray(serializer, Kept(asked, known.values.toList()))
+            val body = ProtoBuf.encodeToByteArray(serializer, StoredResults(asked, known.values.toList()))
             val draft = Files.createTempFile(folder, PREFIX, ".draft")
             try {
                 FastGzip(Files.newOutputStream(draft)).use { it.write(body) }

@@ -52,7 +52,7 @@ private class StoredSummary(
 ) {
     fun summary() = LogSummary(
         MatchOfLog(event, type, number, alliance),
-        // Of years with four digits, which can be written as a date.
+        // Only years with four digits can be written as a date.
         LogDate(second.also { require(it in PLAUSIBLE) { "no date: $it" } }, source),
         duration,
         xUnit,

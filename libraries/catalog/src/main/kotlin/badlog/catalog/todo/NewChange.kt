@@ -11,11 +11,11 @@ import badlog.viewer.todo.TodoSubject
 import java.util.UUID
 
 /**
- * Returns the change that [author] makes to [subject] now.
+ * Returns a change by [author] to [subject] at the current time.
  *
- * @param last the log of the folder that began last; null if none is known. One of days before says nothing of the match that comes.
- * @param known the changes that are known: this one is later than those of the same subject, whatever the clocks of their laptops say.
- * @param now the second of this computer's clock, in its own time zone.
+ * @param last the latest log of the folder; null if none is known. A log of days ago does not determine the next match.
+ * @param known the known changes. The new one is later than all others of the same subject, whatever the clocks of the laptops show.
+ * @param now the local time of this computer, in s.
  */
 fun newChange(
     subject: TodoSubject,
@@ -25,9 +25,9 @@ fun newChange(
     known: Collection<TodoChange> = emptyList(),
     now: Long = localSecondOf(System.currentTimeMillis() / MILLIS),
 ): TodoChange {
-    // Logs of days before are of another event, whose matches have the same numbers.
+    // Older logs are of another event with the same match numbers.
     val recent = last?.takeIf { now - it.second <= LONGEST_REST }
-    val before = known.filter { competes(it.subject, subject) }.maxOfOrNull { it.time }
+    val before = known.filter { supersedes(it.subject, subject) }.maxOfOrNull { it.time }
     return TodoChange(
         UUID.randomUUID().toString(),
         changeTime(before),
@@ -39,12 +39,12 @@ fun newChange(
     )
 }
 
-/** Returns whether of changes of [one] and [other] only the last may count. */
-private fun competes(one: TodoSubject, other: TodoSubject): Boolean = when (other) {
-    // Ticks that were made before the match had a name belong to it.
+/** Returns whether only the later of two changes of [one] and [other] may count. */
+private fun supersedes(one: TodoSubject, other: TodoSubject): Boolean = when (other) {
+    // Ticks made before the match had a name belong to it.
     is NextMatch -> one is NextMatch || one is Check
 
-    // A tick that was made before the match had a name is taken off under that name.
+    // A tick made before the match had a name is removed under that name.
     is Check -> one is NextMatch || (one is Check && one.text == other.text)
 
     else -> one == other
@@ -52,5 +52,5 @@ private fun competes(one: TodoSubject, other: TodoSubject): Boolean = when (othe
 
 private const val MILLIS = 1000L
 
-/** Between two logs of one event, in s. */
+/** The longest time between two logs of one event, in s. */
 private const val LONGEST_REST = 2 * 86_400L

@@ -20,17 +20,17 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * A team's list beside the logs in [folder]. Each computer appends to a file of its own, so that a synced folder or git has nothing to
- * resolve; all of them are read. Lines are never changed. Do not call it on the window's thread.
+ * A team's to-do list beside the logs in [folder]. Each computer appends to a file of its own, so that synced folders and git have no
+ * conflicts; all files are read. Lines are never changed. Do not call it on the window's thread.
  *
- * @param computer the name of this computer, which no other one has; null for its own, which takes a while to find out.
+ * @param computer the unique name of this computer; null to look it up, which takes a while.
  */
 class TodoFolder(private val folder: Path, computer: String? = null) {
-    /** The file that this computer writes. */
+    /** The file of this computer. */
     val file: Path by lazy { folder.resolve("$BEGIN-${fileNamePart(computer ?: computerName)}$ENDING") }
 
     /**
-     * Returns what all computers wrote.
+     * Returns the changes of all computers.
      *
      * @throws UnreadableFileException if the folder cannot be listed.
      */
@@ -57,7 +57,7 @@ class TodoFolder(private val folder: Path, computer: String? = null) {
         return TodoFiles(changes, checklist, problems, isWhole)
     }
 
-    /** Returns what changes whenever [read] would return something else, or the rules of the folder another checklist; without reading. */
+    /** Returns a stamp that changes with the results of [read] or the checklist in the folder's rules. It does not read the files. */
     fun stamp(): List<Any> = try {
         (files() + listOf(CHECKLIST_FILE, RulesFile.NAME).map(folder::resolve)).filter(Files::isRegularFile).map {
             Triple(it, Files.size(it), Files.getLastModifiedTime(it))
@@ -78,19 +78,19 @@ class TodoFolder(private val folder: Path, computer: String? = null) {
     }
 
     private companion object {
-        /** What is after it may also be what a synced folder adds: `badlog-todo-pit (conflicted copy).jsonl`. */
+        /** Followed by the computer's name, and possibly by an addition of a synced folder: `badlog-todo-pit (conflicted copy).jsonl`. */
         const val BEGIN = "badlog-todo"
         const val ENDING = ".jsonl"
     }
 }
 
 /**
- * The content of the files of a folder that are about what to do.
+ * The content of a folder's files for the to-do list.
  *
- * @property changes what all computers wrote, in no particular order, some possibly twice.
+ * @property changes the changes of all computers, in no particular order, possibly with duplicates.
  * @property checklist the lines of the team's own checklist.
- * @property problems what could not be read, each as a sentence.
- * @property isWhole whether each file could be read; one may be locked for a moment.
+ * @property problems a sentence for each file that could not be read.
+ * @property isWhole whether all files could be read; one may be locked for a moment.
  */
 class TodoFiles(
     val changes: List<TodoChange> = emptyList(),

@@ -12,7 +12,7 @@ import io.kotest.matchers.string.shouldContain
 private fun overflow(depth: Int): Int = overflow(depth + 1) + 1
 
 class LogContentSpec : FunSpec({
-    test("whatever fails in the work on a file is reported for this file") {
+    test("any failure in the work on a file is reported for this file") {
         val file = LogFile.of(tempdir().toPath().put("1.bag", bag()))
         fun messageAfter(fail: () -> Unit) = LogContent.examined(file, emptyList(), SignalVocabulary.NONE) { content ->
             if (content is LogContent.None) content.why.message else null.also { fail() }

@@ -27,7 +27,7 @@ class FolderBatteriesSpec : FunSpec({
         FolderBatteries.of(listOf(one), top).usedFor(listOf(one), null).shouldBeNull()
     }
 
-    test("what was written down for a match is taken back, too, and nothing is written where there is nothing to take back") {
+    test("removing a match's record works, and without a record nothing is written") {
         val folder = tempdir().toPath()
         val log = folder.resolve("q1.bag")
         FolderBatteries.assign("", listOf(log), "Qualification 1", folder).shouldBeNull()

@@ -30,7 +30,7 @@ class FolderStoreSpec : FunSpec({
         store.save()
     }
 
-    test("what is stored comes back as it was, each text once, for that folder and that version") {
+    test("stored results are read back unchanged, each text once, for the same folder and version only") {
         val cache = tempdir().toPath().resolve("made/when/needed")
         filled(cache)
         val again = FolderStore(folder, cache, "1")
@@ -40,12 +40,12 @@ class FolderStoreSpec : FunSpec({
         FolderStore(folder, cache, "2")[entries[0].source].shouldBeNull()
     }
 
-    test("a file that has changed is not known") {
+    test("a changed file has no stored results") {
         val store = filled(tempdir().toPath())
         store[entries[0].source.copy(size = 1)].shouldBeNull()
     }
 
-    test("a store that is cut anywhere, or changed in any byte, is as none") {
+    test("a store that is cut or changed anywhere is ignored") {
         val cache = tempdir().toPath()
         filled(cache)
         val file = Files.list(cache).use { it.toList() }.single()
@@ -58,7 +58,7 @@ class FolderStoreSpec : FunSpec({
         }
     }
 
-    test("a log is read once for its summary and its findings, and not at all the next time") {
+    test("a log is read once for its summary and its findings, and never again") {
         val logs = tempdir().toPath()
         val cache = tempdir().toPath()
         logs.putSamples()
@@ -67,7 +67,7 @@ class FolderStoreSpec : FunSpec({
         val read = LogReading(store).read(file, runsRules = true)
         read.found?.rules.shouldNotBeNull() shouldContain FoundRule("Browned out", Severity.ERROR)
         store.save()
-        // What is not there cannot be read.
+        // A deleted file cannot be read.
         Files.delete(file.path)
         FolderStore(logs, cache, "1")[file] shouldBe read
         LogReading(FolderStore(logs, cache, "1")).found(file) shouldBe read.found
@@ -84,7 +84,7 @@ class FolderStoreSpec : FunSpec({
         store[diary]?.summary?.content shouldBe Content.NO_LOG
     }
 
-    test("two that store at the same time lose nothing of each other") {
+    test("two stores that save at the same time keep each other's results") {
         val cache = tempdir().toPath()
         val (one, other) = List(2) { FolderStore(folder, cache, "1") }
         one[entries[0].source] = entries[0].summary

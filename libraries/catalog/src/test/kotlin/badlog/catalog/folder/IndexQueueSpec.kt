@@ -28,7 +28,7 @@ class IndexQueueSpec : FunSpec({
         queue.state().entries.map { it.source }.toSet() shouldBe setOf(old, new)
     }
 
-    test("a file that is being read is not given out again") {
+    test("a file that is being read is not returned again") {
         val queue = IndexQueue()
         queue.found(listOf(new), Duration.ZERO)
         queue.take() shouldBe new
@@ -37,7 +37,7 @@ class IndexQueueSpec : FunSpec({
         queue.state().waiting shouldBe 1
     }
 
-    test("what was known before is not read unless it has changed") {
+    test("a known file is not read unless it has changed") {
         val queue = IndexQueue { file -> listOf(entry("old.bag", second = 1), entry("new.bag", second = 3), entry("gone.bag")).find { it.source == file } }
         queue.found(listOf(old, new), Duration.ZERO)
         queue.state().entries.map { it.source } shouldContainExactly listOf(old)
@@ -55,7 +55,7 @@ class IndexQueueSpec : FunSpec({
         read(queue) shouldBe grown
     }
 
-    test("what rules found is known until the file changes") {
+    test("findings are known until the file changes") {
         val queue = IndexQueue()
         queue.found(listOf(new), Duration.ZERO)
         read(queue)
@@ -69,7 +69,7 @@ class IndexQueueSpec : FunSpec({
         queue.state().entries.single().found.shouldBeNull()
     }
 
-    test("a file that is deleted is forgotten, also while it is read") {
+    test("a deleted file is forgotten, even while it is read") {
         val queue = IndexQueue()
         queue.found(listOf(old, new), Duration.ZERO)
         read(queue)
@@ -80,7 +80,7 @@ class IndexQueueSpec : FunSpec({
         queue.state().waiting shouldBe 0
     }
 
-    test("what is passed over is read when it changes, or when it is wanted after all") {
+    test("a skipped file is read when it changes or is requested") {
         val queue = IndexQueue()
         queue.found(listOf(old, new), Duration.ZERO)
         queue.passOverWaiting()

@@ -51,7 +51,7 @@ class LogReadingSpec : FunSpec({
         summaryOf(folder.resolve("elevator-bench.csv")).content shouldBe Content.SOMETHING
     }
 
-    test("only what surely is nothing counts as nothing") {
+    test("a log counts as empty only without samples, changes, enough time or an enabled robot") {
         contentOf(bag(rows = 0)) shouldBe Content.NO_SAMPLES
         contentOf("") shouldBe Content.NO_SAMPLES
         contentOf(bag(voltage = { 12.0 })) shouldBe Content.NOTHING_CHANGES
@@ -92,7 +92,7 @@ class LogReadingSpec : FunSpec({
         isLikelyLog(LogFile(file, Files.size(file), 0)) shouldBe true
     }
 
-    test("what is not a log is not listed unless its name says that it is one") {
+    test("a file that is not a log is only listed if its name looks like a log's") {
         contentOf("Dear diary\ntoday I was happy\n", "b.csv") shouldBe Content.NO_LOG
         val entry = summaryOf(folder.put("c.bag", "Dear diary\ntoday I was happy\n"))
         entry.content shouldBe Content.UNREADABLE
@@ -106,7 +106,7 @@ class LogReadingSpec : FunSpec({
         isRead shouldBe false
     }
 
-    test("a file that is gone becomes an entry with a sentence") {
+    test("a deleted file becomes an entry with a sentence") {
         reading().read(LogFile(folder.resolve("gone.bag"), 10, 0), runsRules = true).summary.trouble.shouldNotBeNull()
     }
 
@@ -116,7 +116,7 @@ class LogReadingSpec : FunSpec({
         summaryOf(folder.put("e.csv", "Time,Speed\n0,1\n2,3\n")).batteryMinimum.shouldBeNull()
     }
 
-    test("a match that browned out is found, the worst first, with the rules of its folder") {
+    test("the rules of its folder find a match with a brownout, the worst finding first") {
         val folder = tempdir().toPath()
         folder.putSamples()
         val match = folder.resolve("qualification-42.bag")
@@ -134,14 +134,14 @@ class LogReadingSpec : FunSpec({
         own.key shouldNotBe found.key
     }
 
-    test("a file that cannot be read is not said to have nothing, and cancelling is passed on") {
+    test("an unreadable file has unknown findings, and cancelling is passed on") {
         val folder = tempdir().toPath()
         reading(folder).found(LogFile(folder.resolve("gone.bag"), 10, 0)).rules.shouldBeNull()
         val log = folder.put("a.bag", bag())
         shouldThrow<CancellationException> { reading(folder).found(LogFile(log, Files.size(log), 0)) { throw CancellationException() } }
     }
 
-    test("the summary is there before the rules run, and a log with nothing to see is not searched") {
+    test("the summary is reported before the rules run, and rules skip an empty log") {
         val reported = ArrayList<LogEntry>()
         val file = folder.put("reported.bag", bag(voltage = { 6.0 + it * 0.001 }))
         val entry = reading().read(LogFile(file, Files.size(file), 0), runsRules = true) { reported += it }

@@ -10,7 +10,7 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 
 class SignalAssignmentSpec : FunSpec({
-    test("what another window writes into the file meanwhile stays there") {
+    test("changes by another window are kept") {
         val log = tempdir().toPath().resolve("match.csv")
         Files.writeString(log, "Time,Volts,Loop\n0,12,20\n1,12,20\n")
         val view = LogView.of(readRecording(log, LOG_FORMATS))

@@ -43,7 +43,7 @@ class ResultCacheSpec : FunSpec({
 
     fun cacheIn(folder: Path, pause: Duration) = ResultCache(folder.resolve("cache"), "q", String.serializer(), pause)
 
-    test("results are saved while others are still under way, but not every time") {
+    test("results are saved during a run, but not after every file") {
         for ((pause, kept) in listOf(Duration.ZERO to "found", 1.hours to null)) {
             val folder = tempdir().toPath()
             cacheIn(folder, pause).run {
@@ -54,7 +54,7 @@ class ResultCacheSpec : FunSpec({
         }
     }
 
-    test("stored results come back, whatever they consist of") {
+    test("stored results of any content are read back unchanged") {
         val folder = tempdir().toPath()
         fun cache() = ResultCache(folder, "q", Kept.serializer())
         val files = List(1000) { LogFile(Path.of("$it.bag"), 10, 20) }
@@ -83,7 +83,7 @@ class ResultCacheSpec : FunSpec({
         val whole = Files.readAllBytes(kept)
         for (place in whole.indices) {
             Files.write(kept, whole.copyOf().also { it[place] = (it[place] + 1).toByte() })
-            // A few bytes say nothing, such as which system packed it.
+            // A few bytes have no effect, such as the name of the system that packed the file.
             cacheIn(folder, Duration.ZERO)[file] shouldBeIn listOf(null, "found")
         }
         for (size in whole.indices) {
@@ -94,7 +94,7 @@ class ResultCacheSpec : FunSpec({
         cacheIn(folder, Duration.ZERO)[file] shouldBe "found"
     }
 
-    test("on Windows, a cache that is read-only or that another program has open stays whole, with nothing left beside it, and is renewed afterwards") {
+    test("on Windows, a cache that is read-only or open elsewhere stays intact without leftovers, and is updated later") {
         WindowsFiles().use { windows ->
             val folder = windows.folder.resolve("cache")
             fun names() = Files.newDirectoryStream(folder).use { all -> all.map { "${it.fileName}" } }

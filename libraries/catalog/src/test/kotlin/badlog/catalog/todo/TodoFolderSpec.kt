@@ -32,7 +32,7 @@ class TodoFolderSpec : FunSpec({
 
     fun texts(files: TodoFiles) = files.changes.map { (it.subject as OwnTask).text }
 
-    test("each computer appends to its own file, and all are read, also what a synced folder calls a conflict") {
+    test("each computer appends to its own file, and all files are read, including conflicted copies of a synced folder") {
         val folder = tempdir().toPath()
         val pit = TodoFolder(folder, "Pit Laptop")
         val drive = TodoFolder(folder, "drive")
@@ -51,7 +51,7 @@ class TodoFolderSpec : FunSpec({
         TodoList.of(all.changes, emptyList()).open.size shouldBe 4
     }
 
-    test("after a line that was cut off, the next one begins on a line of its own, and the rest stays as it is") {
+    test("after an incomplete line, the next one begins on a new line, and all other lines are kept") {
         val folder = TodoFolder(tempdir().toPath(), "pit")
         folder.append(change("Radio"))
         val cut = folder.file.readText() + "{\"id\":\"1\",\"ti"
@@ -63,7 +63,7 @@ class TodoFolderSpec : FunSpec({
         folder.file.readText() shouldContain cut + "\n"
     }
 
-    test("bytes that are not text cost only their line") {
+    test("invalid bytes invalidate only their own line") {
         val folder = TodoFolder(tempdir().toPath(), "pit")
         folder.append(change("Radio"))
         folder.file.writeBytes(folder.file.readText().encodeToByteArray() + byteArrayOf(-1, 0, -64, '\n'.code.toByte()))
@@ -72,7 +72,7 @@ class TodoFolderSpec : FunSpec({
         folder.read().problems.size shouldBe 1
     }
 
-    test("the team’s checklist is read, and what changes is noticed without reading") {
+    test("the team’s checklist is read, and changes are noticed without reading it") {
         val path = tempdir().toPath()
         val folder = TodoFolder(path, "pit")
         val empty = folder.stamp()
@@ -90,12 +90,12 @@ class TodoFolderSpec : FunSpec({
         folder.stamp() shouldNotBe three
     }
 
-    test("a folder that cannot be written says so") {
+    test("an unwritable folder is reported") {
         val missing = TodoFolder(tempdir().toPath().resolve("gone"), "pit")
         shouldThrow<UnwritableFileException> { missing.append(change("Radio")) }.message shouldContain "cannot be written"
     }
 
-    test("a change counts, however wrong the clocks are: it is later than those of the same subject, and takes no other along") {
+    test("a new change is later than all others of its subject, even if clocks are wrong, and affects no other subject") {
         val began = NOW - 3600
         val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), began, emptyList())
         val ahead = listOf("2099-01-01T00:00:00.000Z", "9999-12-31T23:59:59.998Z").map { change("Radio").copy(time = it) }
@@ -110,7 +110,7 @@ class TodoFolderSpec : FunSpec({
         newChange(NextMatch("Qualification 58"), TodoDeed.Open, "Ada", log, listOf(next), NOW).time shouldBe "2099-01-01T00:00:00.001Z"
     }
 
-    test("a log of days before says nothing of the matches that come: they have the same numbers at each event") {
+    test("a log of days ago does not determine the event of a new change") {
         val before = FoundLog("q78.bag", MatchOfLog("Mill Creek", "Qualification", "78"), NOW - 6 * 86_400, emptyList())
         val said = newChange(NextMatch("Qualification 1"), TodoDeed.Open, "Ada", before, now = NOW)
         said.event.shouldBeNull()
@@ -119,7 +119,7 @@ class TodoFolderSpec : FunSpec({
         TodoList.of(listOf(said), listOf(before, played)).next shouldBe "the match after Qualification 1"
     }
 
-    test("while no log is known, a change is of now") {
+    test("without a known log, a change has the current time") {
         change("Radio").seen shouldBe NOW
     }
 })

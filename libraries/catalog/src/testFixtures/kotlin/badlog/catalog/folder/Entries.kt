@@ -37,7 +37,7 @@ internal fun entry(
     ),
 )
 
-/** A topic whose course is a wave of [height]. */
+/** Returns a topic with a wave of [height] as its course. */
 internal fun topic(name: String, height: Double = 1.0): TopicSummary {
     val series = Series(DoubleArray(500) { it * 0.02 }, DoubleArray(500) { height * sin(it * 0.05) })
     val statistics = series.statistics()

@@ -5,7 +5,7 @@ import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import java.time.Instant
 
-/** A bag of [rows] rows at 50 Hz, in which the voltage falls from 12 V to 8 V; [values] as names and texts. */
+/** Returns a bag of [rows] rows at 50 Hz, with a voltage falling from 12 V to 8 V; [values] are names and texts. */
 internal fun bag(
     rows: Int = 200,
     values: Map<String, String> = emptyMap(),
@@ -19,7 +19,7 @@ internal fun bag(
     for (row in 0 until rows) appendLine("${row * 0.02},${voltage(row)},${if (isEnabled) 1 else 0}")
 }
 
-/** The values of qualification [number] at the Mill Creek Regional. */
+/** Returns the values of qualification [number] at the Mill Creek Regional. */
 internal fun matchValues(number: Int, alliance: String = "Red") = mapOf(
     "Event Name" to "Mill Creek Regional",
     "Match Type" to "Qualification",
@@ -43,7 +43,7 @@ internal val samples: Path = generateSequence(Path.of("").toAbsolutePath()) { it
 /**
  * Copies the project's samples into this folder.
  *
- * @param areSettled whether they are as if they had been written a minute ago: rules wait for logs that are younger, which may still grow.
+ * @param areSettled whether their times are a minute ago; rules wait for younger logs, which may still grow.
  */
 internal fun Path.putSamples(areSettled: Boolean = false) {
     val written = FileTime.from(Instant.now().minusSeconds(60))

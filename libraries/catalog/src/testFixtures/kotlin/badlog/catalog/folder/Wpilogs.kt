@@ -9,7 +9,7 @@ import badlog.formats.wpilog.WpilogFormat
 import badlog.formats.wpilog.WpilogWriter
 import java.io.ByteArrayOutputStream
 
-/** A topic of numbers as a WPILOG has it: each of [samples] a time in s and what was logged then. */
+/** Returns a WPILOG topic of numbers; each of [samples] is a time in s and a value. */
 internal fun loggedTopic(name: String, vararg samples: Pair<Double, Double>, unit: String = "V"): Topic = Topic(
     name,
     unit,
@@ -21,7 +21,7 @@ internal fun loggedTopic(name: String, vararg samples: Pair<Double, Double>, uni
     "double",
 )
 
-/** A topic of texts likewise. */
+/** Returns a WPILOG topic of texts, likewise. */
 internal fun loggedTexts(name: String, vararg samples: Pair<Double, String>): Topic {
     val texts = samples.map { it.second }.distinct()
     val column = TextColumn(IntArray(samples.size) { it }, IntArray(samples.size) { texts.indexOf(samples[it].second) }, texts)
@@ -29,7 +29,7 @@ internal fun loggedTexts(name: String, vararg samples: Pair<Double, String>): To
     return Topic(name, Topic.UNITLESS, emptyList(), DoubleArray(0), column, counts, DoubleArray(samples.size) { samples[it].first }, "string")
 }
 
-/** The bytes of a WPILOG of [topics] and [values]. */
+/** Returns the bytes of a WPILOG with [topics] and [values]. */
 internal fun wpilogOf(topics: List<Topic>, values: List<Value> = emptyList()): ByteArray {
     val out = ByteArrayOutputStream()
     WpilogWriter(Recording(WpilogFormat, null, values, topics, 0, emptyList())).write { bytes, size -> out.write(bytes, 0, size) }

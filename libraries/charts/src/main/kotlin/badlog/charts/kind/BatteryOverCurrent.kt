@@ -10,21 +10,21 @@ import badlog.charts.look.withLabels
 import badlog.charts.look.within
 import badlog.charts.match.ChartedMatch
 import badlog.charts.match.ChartedMatches
-import badlog.charts.match.LEAST_MATCHES
+import badlog.charts.match.MIN_MATCHES
 import badlog.rules.number.Measure
 import org.jetbrains.letsPlot.geom.geomLine
 import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
-/** Returns the lowest voltage of each match over the current that it drew. */
-internal fun batteryOverCurrent(matches: ChartedMatches): MadeChart {
+/** Returns a chart of each match's lowest voltage over the current drawn. */
+internal fun batteryOverCurrent(matches: ChartedMatches): ChartResult {
     val known = matches.all.filter { currentOf(it).isFinite() && voltageOf(it).isFinite() }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the battery’s voltage and the total current", known.size)
+    if (known.size < MIN_MATCHES) return lacking(TEXTS, "the battery’s voltage and the total current", known.size)
     val (currents, voltages) = known.map(::currentOf) to known.map(::voltageOf)
-    val usual = if (known.size >= LEAST_USUAL) UsualLine.through(currents, voltages) else null
+    val usual = if (known.size >= MIN_LINE_POINTS) TheilSenLine.through(currents, voltages) else null
     val reading = "each point is a match" + if (usual != null) " · far below the dashed line: weak battery, loose lead" else ""
-    val area = PlotArea(PlotArea.roomFor(currents), PlotArea.roomFor(voltages))
+    val area = PlotArea(PlotArea.paddedRange(currents), PlotArea.paddedRange(voltages))
     val plot = emptyPlot(TEXTS, matches, known.size, reading).withLine(usual, area) +
         geomPoint(mapOf("x" to currents, "y" to voltages), color = ChartColors.LINE, size = 3.0, tooltips = tooltipsNone) {
             x = "x"
@@ -34,11 +34,11 @@ internal fun batteryOverCurrent(matches: ChartedMatches): MadeChart {
     val labeled = if (known.size <= MANY) known else known.sortedBy(::voltageOf).take(LABELS_OF_MANY)
     val labels = labeled.sortedBy(::voltageOf).map { PointLabel(currentOf(it), voltageOf(it), it.label) }
     val marked = plot.withLabels(labels, currents.zip(voltages), area)
-    return MadeChart(Chart(TEXTS, reading, marked.within(area)))
+    return ChartResult(Chart(TEXTS, reading, marked.within(area)))
 }
 
-private fun Plot.withLine(usual: UsualLine?, area: PlotArea): Plot {
-    // Of a line that leaves the chart, the library draws nothing.
+private fun Plot.withLine(usual: TheilSenLine?, area: PlotArea): Plot {
+    // The library draws nothing of a line that leaves the chart.
     val (from, to) = usual?.within(area.x, area.y) ?: return this
     val ends = mapOf("x" to listOf(from, to), "y" to listOf(usual.at(from), usual.at(to)))
     return this + geomLine(ends, color = ChartColors.MUTED, linetype = "dashed", size = 0.6, tooltips = tooltipsNone) {
@@ -60,6 +60,6 @@ private val TEXTS = ChartTexts(
 )
 
 /** A line through fewer points would only follow them. */
-private const val LEAST_USUAL = 6
+private const val MIN_LINE_POINTS = 6
 private const val MANY = 30
 private const val LABELS_OF_MANY = 15

@@ -8,7 +8,7 @@ import badlog.charts.look.PointLabel
 import badlog.charts.look.emptyPlot
 import badlog.charts.look.withLabels
 import badlog.charts.match.ChartedMatches
-import badlog.charts.match.LEAST_MATCHES
+import badlog.charts.match.MIN_MATCHES
 import badlog.rules.number.Distribution
 import badlog.viewer.text.exactText
 import badlog.viewer.text.fixedText
@@ -21,18 +21,18 @@ import kotlin.math.floor
 import kotlin.math.log10
 import kotlin.math.pow
 
-/** Returns how long loops took, over all matches together. */
-internal fun loopHistogram(matches: ChartedMatches): MadeChart {
+/** Returns a histogram of loop times over all matches together. */
+internal fun loopHistogram(matches: ChartedMatches): ChartResult {
     val known = matches.all.mapNotNull { it.numbers.distributionOf(LOOP_TIME) }.filter { it.binWidth > 0 && it.seconds.sum() > 0 }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the loop time", known.size)
+    if (known.size < MIN_MATCHES) return lacking(TEXTS, "the loop time", known.size)
     val shares = sharesOf(known)
     val width = known.first().binWidth
     val last = shares.size - 1
-    // Empty bins at the right end only press the others together; the last one has everything larger.
+    // Empty bins at the right end would only squeeze the others; the last one contains everything larger.
     val end = maxOf((LOOP_LIMIT / width).toInt() + BINS_BEHIND, shares.indexOfLast { it > 0 } + 2)
     val shown = shares.take(end)
-    val late = shares.filterIndexed { bin, _ -> bin * width >= LATE }.sum()
-    val reading = "${shareText(late)} of the time in loops over ${LATE.toInt()} ms" +
+    val late = shares.filterIndexed { bin, _ -> bin * width >= LATE_MILLIS }.sum()
+    val reading = "${shareText(late)} of the time in loops over ${LATE_MILLIS.toInt()} ms" +
         if (shares[last] > 0) " · rightmost bar: all that took longer" else ""
     val floor = floorOf(shares)
     val bars = shown.indices.filter { shown[it] > floor }
@@ -41,7 +41,7 @@ internal fun loopHistogram(matches: ChartedMatches): MadeChart {
         "to" to bars.map { (it + 1 - GAP) * width },
         "floor" to bars.map { floor },
         "share" to bars.map { shown[it] },
-        "late" to bars.map { if (it * width >= LATE) "late" else "in time" },
+        "late" to bars.map { if (it * width >= LATE_MILLIS) "late" else "in time" },
     )
     val ticks = generateSequence(PERCENT) { it / TEN }.takeWhile { it > floor * HALF }.toList()
     val area = PlotArea(0.0..shown.size * width, log10(floor)..log10(PERCENT * HEADROOM))
@@ -59,13 +59,15 @@ internal fun loopHistogram(matches: ChartedMatches): MadeChart {
         // Without logarithms, the loops that a team looks for would be too rare to be seen.
         scaleYLog10(breaks = ticks, labels = ticks.map(::exactText), limits = floor to PERCENT * HEADROOM, expand = listOf(0, 0))
     val label = PointLabel(LOOP_LIMIT + area.xAt(LABEL_POINTS), log10(PERCENT), "a loop has 20 ms")
-    return MadeChart(Chart(TEXTS, reading, plot.withLabels(listOf(label), emptyList(), area, isLogarithmic = true)))
+    return ChartResult(Chart(TEXTS, reading, plot.withLabels(listOf(label), emptyList(), area, isLogarithmic = true)))
 }
 
-/** Returns what the axis begins at, in percent: the smallest of [shares] is above it, so that a single loop in a hundred matches has a bar. */
+/**
+ * Returns the start of the axis, in percent. The smallest of [shares] is above it, so that a single loop in a hundred matches has a bar.
+ */
 private fun floorOf(shares: List<Double>): Double {
     val least = shares.filter { it > 0 }.min()
-    return TEN.pow(floor(log10(least * HALF))).coerceIn(LEAST_FLOOR, MOST_FLOOR)
+    return TEN.pow(floor(log10(least * HALF))).coerceIn(MIN_FLOOR, MAX_FLOOR)
 }
 
 /** Returns the share of each bin in the time of all logs together, in percent. */
@@ -77,17 +79,19 @@ private fun sharesOf(known: List<Distribution>): List<Double> {
 
 private fun shareText(percent: Double): String = when {
     percent == 0.0 -> "none"
-    percent < LEAST_SHARE -> "less than 0.1 %"
+    percent < MIN_SHARE -> "less than 0.1 %"
     else -> "${fixedText(percent, 1)} %"
 }
 
 internal const val LOOP_TIME = "loop time"
 
-/** What a loop has, in ms. */
+/** The time available for a loop, in ms. */
 internal const val LOOP_LIMIT = 20.0
 
-/** A log may have the time between loops instead, which is a little more than 20 ms every other time. */
-private const val LATE = 21.0
+/**
+ * The time in ms above which a loop counts as late. Some logs have the time between loops instead, and half of those exceed 20 ms slightly.
+ */
+private const val LATE_MILLIS = 21.0
 private val TEXTS = ChartTexts(
     "loop-times",
     "Loop times of all matches",
@@ -97,21 +101,21 @@ private val TEXTS = ChartTexts(
 )
 private const val PERCENT = 100.0
 
-/** In percent; a smaller share is said in words. */
-private const val LEAST_SHARE = 0.1
+/** In percent; a smaller share is described in words. */
+private const val MIN_SHARE = 0.1
 
-/** What the axis begins at, in percent: at most, so that charts of few loops look like others; and at least. */
-private const val MOST_FLOOR = 0.001
-private const val LEAST_FLOOR = 0.00001
+/** The limits for the start of the axis, in percent. The upper one makes charts of few loops look like others. */
+private const val MAX_FLOOR = 0.001
+private const val MIN_FLOOR = 0.00001
 private const val TEN = 10.0
 private const val HALF = 0.5
 
-/** Behind the limit, there are as many bins at least. */
+/** The minimum number of bins after the limit. */
 private const val BINS_BEHIND = 5
 
 /** Half of the gap between two bars, as a share of a bar. */
 private const val GAP = 0.05
 private const val HEADROOM = 1.6
 
-/** How far the label of the limit is from its line. */
+/** The distance of the limit's label from its line, in points. */
 private const val LABEL_POINTS = 70.0

@@ -10,7 +10,7 @@ import badlog.charts.look.matchAxis
 import badlog.charts.look.matchRange
 import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatches
-import badlog.charts.match.LEAST_MATCHES
+import badlog.charts.match.MIN_MATCHES
 import badlog.charts.match.distinctNames
 import badlog.rules.number.Measure
 import badlog.rules.number.NumberKey
@@ -19,12 +19,14 @@ import org.jetbrains.letsPlot.geom.geomPoint
 import org.jetbrains.letsPlot.scale.scaleColorManual
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
-/** Returns how hot motors became in each match: the hottest ones, each as a line. */
-internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
+/** Returns a chart of the highest temperatures in each match, with a line for each of the hottest motors. */
+internal fun motorTemperatures(matches: ChartedMatches): ChartResult {
     val known = matches.all.filter { match -> match.numbers.keys.any(::isTemperature) }
-    if (known.size < LEAST_MATCHES) return lacking(TEXTS, "the temperature of a motor", known.size)
+    if (known.size < MIN_MATCHES) return lacking(TEXTS, "the temperature of a motor", known.size)
     val keys = known.flatMapTo(LinkedHashSet()) { match -> match.numbers.keys.filter(::isTemperature) }
-    val hottest = keys.sortedByDescending { key -> known.maxOf { it.numbers[key].takeIf(Double::isFinite) ?: COLD } }.take(MAX_MOTORS)
+    val hottest = keys.sortedByDescending { key ->
+        known.maxOf { it.numbers[key].takeIf(Double::isFinite) ?: ABSOLUTE_ZERO }
+    }.take(MAX_MOTORS)
     val names = hottest.zip(distinctNames(hottest.map { it.topic })).toMap()
     val points = hottest.flatMap { key ->
         known.map { Point(it.place, it.numbers[key], names.getValue(key)) }
@@ -34,7 +36,7 @@ internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
     val limit = HOT.takeIf { it.isShownWith(values, isWorseBelow = false) }
     val motors = if (keys.size > hottest.size) "the ${hottest.size} hottest of ${keys.size} motors" else "each line is a motor"
     val reading = listOfNotNull(motors, limit?.reading).joinToString(" · ")
-    val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + listOfNotNull(limit?.value)))
+    val area = PlotArea(matchRange(matches.all), PlotArea.paddedRange(values + listOfNotNull(limit?.value)))
     val plot = emptyPlot(TEXTS, matches, known.size, reading).withLimit(limit) +
         geomLine(data, size = 0.8, tooltips = tooltipsNone) {
             x = "x"
@@ -49,7 +51,7 @@ internal fun motorTemperatures(matches: ChartedMatches): MadeChart {
         scaleColorManual(hottest.indices.map { ChartColors.line(it) }, breaks = hottest.map { names.getValue(it) }) +
         matchAxis(matches.all, AXIS_SHARE) +
         area.yScale()
-    return MadeChart(Chart(TEXTS, reading, plot))
+    return ChartResult(Chart(TEXTS, reading, plot))
 }
 
 private class Point(val place: Int, val celsius: Double, val motor: String)
@@ -63,8 +65,8 @@ private val TEXTS = ChartTexts(
     "Which motor gets hot, and does it cool down between matches?",
     y = "Highest while enabled (°C)",
 )
-private const val COLD = -273.15
+private const val ABSOLUTE_ZERO = -273.15
 private const val MAX_MOTORS = 6
 
-/** Beside the legend, there is less room for the matches. */
+/** The share of the width for the matches beside the legend. */
 private const val AXIS_SHARE = 0.7

@@ -1,18 +1,18 @@
 package badlog.charts.kind
 
 /**
- * The middle of some numbers.
+ * The quartiles of some numbers.
  *
- * @property lower the number below which a quarter of them is.
- * @property median the number below which half of them is.
- * @property upper the number above which a quarter of them is.
+ * @property lower a quarter of the numbers is below this one.
+ * @property median half of the numbers is below this one.
+ * @property upper a quarter of the numbers is above this one.
  */
 internal class Quartiles(val lower: Double, val median: Double, val upper: Double) {
-    /** The distance from a quartile from which on a number is called an outlier: Tukey's. */
+    /** The distance from a quartile beyond which a number is an outlier, according to Tukey. */
     val fence: Double get() = 1.5 * (upper - lower)
 
     companion object {
-        /** Returns those of [values], at least one. */
+        /** Returns the quartiles of [values], which must not be empty. */
         fun of(values: List<Double>): Quartiles = values.sorted().let { Quartiles(it.at(0.25), it.at(0.5), it.at(0.75)) }
 
         private fun List<Double>.at(share: Double): Double {

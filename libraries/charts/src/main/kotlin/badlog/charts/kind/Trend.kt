@@ -13,7 +13,7 @@ import badlog.charts.look.withLabels
 import badlog.charts.look.withLimit
 import badlog.charts.match.ChartedMatch
 import badlog.charts.match.ChartedMatches
-import badlog.charts.match.LEAST_MATCHES
+import badlog.charts.match.MIN_MATCHES
 import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
 import org.jetbrains.letsPlot.geom.geomErrorBar
@@ -25,12 +25,12 @@ import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
 /**
- * A number over the matches, with its median and the band in which the middle half of the matches is.
+ * A chart of a number over the matches, with its median and the band of the middle half.
  *
  * @property texts its texts.
- * @property what what a log must show for it.
- * @property isWorseBelow whether a small value, rather than a large one, is worth a look.
- * @property limit the value at which it becomes a problem, with its name; null for none.
+ * @property what the measurement that a log needs for it, as part of a sentence.
+ * @property isWorseBelow whether small values are the bad ones; otherwise large ones are.
+ * @property limit the value at which the number becomes a problem; null for none.
  * @property uncertainty returns the uncertainty of the number; NaN for none.
  * @property number returns the number; NaN for none.
  */
@@ -65,7 +65,7 @@ internal val LINK_TREND = Trend(
     isWorseBelow = false,
 ) { it.of("packet loss", Measure.ENABLED) }
 
-/** Returns the labels of the matches that are far on the wrong side of the others, the farthest first. */
+/** Returns the labels of the outliers on the bad side, the farthest first. */
 private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: Quartiles, isWorseBelow: Boolean): List<PointLabel> {
     val sign = if (isWorseBelow) -1 else 1
     val fence = if (isWorseBelow) middle.lower - middle.fence else middle.upper + middle.fence
@@ -73,14 +73,14 @@ private fun outliersOf(known: List<ChartedMatch>, values: List<Double>, middle: 
         .map { PointLabel(known[it].place.toDouble(), values[it], known[it].label) }
 }
 
-internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
+internal fun trendOf(matches: ChartedMatches, trend: Trend): ChartResult {
     val known = matches.all.filter { trend.number(it.numbers).isFinite() }
-    if (known.size < LEAST_MATCHES) return lacking(trend.texts, trend.what, known.size)
+    if (known.size < MIN_MATCHES) return lacking(trend.texts, trend.what, known.size)
     val values = known.map { trend.number(it.numbers) }
     val middle = Quartiles.of(values)
     val limit = trend.limit?.takeIf { it.isShownWith(values, trend.isWorseBelow) }
     val ends = known.flatMap { trend.ends(it.numbers) }
-    val area = PlotArea(matchRange(matches.all), PlotArea.roomFor(values + ends + listOfNotNull(limit?.value), least = 0.0))
+    val area = PlotArea(matchRange(matches.all), PlotArea.paddedRange(values + ends + listOfNotNull(limit?.value), least = 0.0))
     val bars = if (ends.isEmpty()) null else "bars: 95 % uncertainty"
     val reading = listOfNotNull("band: the middle half", "dashed: the median", bars, limit?.reading).joinToString(" · ")
     val data = mapOf("x" to known.map { it.place }, "y" to values)
@@ -96,7 +96,7 @@ internal fun trendOf(matches: ChartedMatches, trend: Trend): MadeChart {
         }
     val points = known.indices.map { known[it].place.toDouble() to values[it] }
     val labeled = plot.withLabels(outliersOf(known, values, middle, trend.isWorseBelow), points, area, isBelow = trend.isWorseBelow)
-    return MadeChart(Chart(trend.texts, reading, labeled + matchAxis(matches.all) + area.yScale()))
+    return ChartResult(Chart(trend.texts, reading, labeled + matchAxis(matches.all) + area.yScale()))
 }
 
 /** Returns the ends of the number's uncertainty in [numbers]; nothing if it has none. */

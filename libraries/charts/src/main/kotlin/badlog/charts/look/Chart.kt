@@ -6,19 +6,19 @@ import org.jetbrains.letsPlot.intern.Plot
  * A chart of many logs. It has a white background and needs nothing else: no script, no font, no network.
  *
  * @property name its name in names of files: lower-case letters and `-`.
- * @property title what it shows.
+ * @property title its title.
  * @property question the question of a team that it answers.
- * @property reading how to read it, as a sentence.
+ * @property reading a sentence about how to read it.
  */
 class Chart private constructor(val name: String, val title: String, val question: String, val reading: String, private val plot: Plot) {
     internal constructor(texts: ChartTexts, reading: String, plot: Plot) : this(texts.name, texts.title, texts.question, reading, plot)
 
     private val svg by lazy { svgOf(plot, title) }
 
-    /** Returns it as a document of SVG, [WIDTH] × [HEIGHT] points large. */
+    /** Returns the chart as an SVG document of [WIDTH] × [HEIGHT] points. */
     fun svg(): String = svg
 
-    /** Returns it as a picture in PNG, with [scale] pixels per point. Takes a second the first time, so do not call it on a window's thread. */
+    /** Returns the chart as a PNG with [scale] pixels per point. The first call takes a second, so do not call it on a window's thread. */
     fun png(scale: Int = PICTURE_SCALE): ByteArray = SvgRaster.png(svg, WIDTH * scale, HEIGHT * scale)
 
     companion object {
@@ -28,7 +28,7 @@ class Chart private constructor(val name: String, val title: String, val questio
         /** The height in points. */
         const val HEIGHT: Int = 420
 
-        /** The number of pixels per point that is sharp in print, and on screens of a high density. */
+        /** The number of pixels per point for print and high-density screens. */
         const val PICTURE_SCALE: Int = 2
     }
 }

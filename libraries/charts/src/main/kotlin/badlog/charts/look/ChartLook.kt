@@ -15,7 +15,7 @@ import org.jetbrains.letsPlot.themes.elementText
 import org.jetbrains.letsPlot.themes.margin
 import org.jetbrains.letsPlot.themes.theme
 
-/** The colors of charts: those of page and window in their light theme, which also suits paper. */
+/** The colors of charts, as in the light theme of page and window, which also suits paper. */
 internal object ChartColors {
     val LINE = cssColor(lineColor(0, isDark = false))
     val TEXT = cssColor(Shade.TEXT.of(isDark = false))
@@ -34,18 +34,18 @@ internal object ChartColors {
  * The texts of a kind of chart.
  *
  * @property name its name in names of files.
- * @property title what it shows.
+ * @property title its title.
  * @property question the question that it answers.
  * @property x the label of the horizontal axis, with the unit; empty for the matches, which need none.
- * @property y the label of the vertical axis, likewise.
+ * @property y the label of the vertical axis, with the unit.
  */
 internal class ChartTexts(val name: String, val title: String, val question: String, val y: String, val x: String = "")
 
 /**
  * Returns a chart of [matches] without marks: its texts, its size and the look that all charts share.
  *
- * @param shown how many of the matches it shows.
- * @param reading how to read it.
+ * @param shown the number of matches that it shows.
+ * @param reading a sentence about how to read it.
  */
 internal fun emptyPlot(texts: ChartTexts, matches: ChartedMatches, shown: Int, reading: String): Plot = letsPlot() +
     labs(

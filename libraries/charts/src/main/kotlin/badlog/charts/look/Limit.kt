@@ -4,11 +4,11 @@ import org.jetbrains.letsPlot.geom.geomHLine
 import org.jetbrains.letsPlot.intern.Plot
 import org.jetbrains.letsPlot.tooltips.tooltipsNone
 
-/** A [value] at which something becomes a problem, and what it is called in the [text] below a chart. */
+/** A [value] at which something becomes a problem, with its [text] below a chart. */
 internal class Limit(val value: Double, val text: String) {
     /**
-     * Returns whether a chart of [values] shows it: a limit far from all of them would press them together, unless one is a problem. Those
-     * below it are if [isWorseBelow], otherwise those above it.
+     * Returns whether a chart of [values] shows the limit. A limit far from all of them would squeeze them together, so it is shown only if
+     * it is near, or a value is a problem: below the limit if [isWorseBelow], otherwise above it.
      */
     fun isShownWith(values: List<Double>, isWorseBelow: Boolean): Boolean {
         val span = values.max() - values.min()
@@ -20,6 +20,6 @@ internal class Limit(val value: Double, val text: String) {
     val reading: String get() = "red: $text"
 }
 
-/** Returns this chart with a line at [limit], which the text below the chart explains; without if it is null. */
+/** Returns this chart with a line at [limit], which the text below the chart explains; unchanged if [limit] is null. */
 internal fun Plot.withLimit(limit: Limit?): Plot =
     if (limit == null) this else this + geomHLine(yintercept = limit.value, color = ChartColors.LIMIT, size = 0.6, tooltips = tooltipsNone)

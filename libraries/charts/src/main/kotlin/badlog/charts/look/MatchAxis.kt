@@ -4,11 +4,11 @@ import badlog.charts.match.ChartedMatch
 import org.jetbrains.letsPlot.intern.Scale
 import org.jetbrains.letsPlot.scale.scaleXContinuous
 
-/** The part of the horizontal axis that [matches] take: a place each, in the order of play. */
+/** Returns the range of [matches] on the horizontal axis: one unit for each, in the order of play. */
 internal fun matchRange(matches: List<ChartedMatch>): ClosedFloatingPointRange<Double> =
     matches.first().place - BESIDE..matches.last().place + BESIDE
 
-/** Returns the axis of [matches]: each has a tick with its label; if there are many, every few of them. It takes [share] of the width. */
+/** Returns the axis of [matches] with a labeled tick for each, or at regular intervals if there are many. It takes [share] of the width. */
 internal fun matchAxis(matches: List<ChartedMatch>, share: Double = 1.0): Scale {
     val longest = matches.maxOf { it.label.length }
     val room = maxOf(1, (share * AXIS_CHARACTERS).toInt() / (longest + 2))
@@ -26,5 +26,5 @@ internal fun matchAxis(matches: List<ChartedMatch>, share: Double = 1.0): Scale 
 /** The number of characters that fit on an axis. */
 private const val AXIS_CHARACTERS = 95
 
-/** The room beside the first and the last match. */
+/** The space beside the first and the last match. */
 private const val BESIDE = 0.6

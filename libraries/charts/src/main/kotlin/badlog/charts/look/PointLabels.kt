@@ -10,11 +10,12 @@ import kotlin.math.pow
 internal class PointLabel(val x: Double, val y: Double, val text: String)
 
 /**
- * Returns this chart with [labels], each above or below its point, or where there is room beside it; those that have none are left out, the last first.
+ * Returns this chart with [labels], each above or below its point, or beside it. Labels without free space are left out, the last ones
+ * first.
  *
  * @param points all points, which no label may cover.
- * @param isBelow whether labels are rather below their points.
- * @param isLogarithmic whether the y of labels, points and area are logarithms of what the vertical axis shows.
+ * @param isBelow whether a place below the points is preferred.
+ * @param isLogarithmic whether the y of labels, points and area are logarithms of the values on the vertical axis.
  */
 internal fun Plot.withLabels(
     labels: List<PointLabel>,
@@ -38,7 +39,7 @@ internal fun Plot.withLabels(
     }
 }
 
-/** What is taken of an area, in points. */
+/** The occupied space of an area, in points. */
 private class LabelSpace(private val area: PlotArea, points: List<Pair<Double, Double>>) {
     private val taken = points.mapTo(ArrayList()) { (x, y) -> Box(area.across(x), area.up(y), DOT, DOT) }
     private val all =
@@ -49,7 +50,7 @@ private class LabelSpace(private val area: PlotArea, points: List<Pair<Double, D
             area.up(area.y.endInclusive),
         )
 
-    /** Returns [label] with the place of its middle; [first] points above its point, or where there is room; null if there is none. */
+    /** Returns [label] with the position of its middle, [first] points above its point or at another free place; null if none is free. */
     fun place(label: PointLabel, first: Double): PointLabel? {
         val (x, y) = area.across(label.x) to area.up(label.y)
         val width = label.text.length * CHARACTER
@@ -71,10 +72,10 @@ private class Box(val x: Double, val y: Double, private val width: Double, priva
     fun contains(other: Box) = abs(x - other.x) <= (width - other.width) / 2 && abs(y - other.y) <= (height - other.height) / 2
 }
 
-/** Of texts in a chart, in the unit of its library. */
+/** The font size of texts in a chart, in the unit of its library. */
 internal const val LABEL_SIZE = 6.5
 
-/** In points: of a letter, a line and a dot, and the distances of a text from its dot. */
+/** Sizes in points: of a letter, a line and a dot, and the distances of a text from its dot. */
 private const val CHARACTER = 8.5
 private const val LINE = 14.0
 private const val DOT = 7.0

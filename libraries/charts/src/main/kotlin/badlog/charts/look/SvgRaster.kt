@@ -11,7 +11,7 @@ import java.awt.font.FontRenderContext
 import java.io.ByteArrayOutputStream
 import java.io.StringReader
 
-/** Makes pictures of SVG with Java's own fonts. */
+/** Renders SVG as pictures, with Java's own fonts. */
 object SvgRaster {
     private val screen = FontRenderContext(null, true, true)
 
@@ -20,7 +20,7 @@ object SvgRaster {
         val transcoder = ExactTranscoder()
         transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_WIDTH, width.toFloat())
         transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_HEIGHT, height.toFloat())
-        // No drawing has any of these; a text from a log must not become one either.
+        // Drawings have no scripts or external resources; a text from a log must not add one.
         transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_ALLOW_EXTERNAL_RESOURCES, false)
         transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_ALLOWED_SCRIPT_TYPES, "")
         transcoder.addTranscodingHint(SVGAbstractTranscoder.KEY_EXECUTE_ONLOAD, false)
@@ -34,7 +34,7 @@ object SvgRaster {
         Font(Font.SANS_SERIF, if (isBold) Font.BOLD else Font.PLAIN, 1).deriveFont(letters.toFloat()).getStringBounds(text, screen).width
 }
 
-/** Draws lines where they are: Java otherwise moves them to the middle of a pixel. */
+/** Draws lines at their exact positions: by default, Java moves them to the middle of a pixel. */
 private class ExactTranscoder : PNGTranscoder() {
     override fun createRenderer(): ImageRenderer = super.createRenderer().apply {
         renderingHints[RenderingHints.KEY_STROKE_CONTROL] = RenderingHints.VALUE_STROKE_PURE

@@ -1,22 +1,22 @@
 package badlog.charts.match
 
 /**
- * Returns a short name for each of [topics]: without what all of them begin or end with, as far as that is whole words. `/Drive/LeftTemp` and
- * `/Arm/Temp` are `Drive/Left` and `Arm`; no two are equal.
+ * Returns a short, unique name for each of [topics], without the whole words that all of them begin or end with. `/Drive/LeftTemp` and
+ * `/Arm/Temp` become `Drive/Left` and `Arm`.
  */
 internal fun distinctNames(topics: List<String>): List<String> {
     val taken = HashSet<String>()
     val begin = if (topics.size < 2) "" else topics.reduce { one, other -> one.commonPrefixWith(other) }
     val end = if (topics.size < 2) "" else topics.reduce { one, other -> one.commonSuffixWith(other) }
-    val (before, after) = begin.dropLastWhile { it !in EDGES } to end.dropWhile { !it.isUpperCase() && it !in EDGES }
+    val (before, after) = begin.dropLastWhile { it !in SEPARATORS } to end.dropWhile { !it.isUpperCase() && it !in SEPARATORS }
     return topics.map { topic ->
-        val own = topic.removePrefix(before).removeSuffix(after).trim(*EDGES)
-        val name = plainText(own.ifEmpty { topic.trim(*EDGES) }, MAX_NAME).ifEmpty { "motor" }
+        val own = topic.removePrefix(before).removeSuffix(after).trim(*SEPARATORS)
+        val name = plainText(own.ifEmpty { topic.trim(*SEPARATORS) }, MAX_NAME).ifEmpty { "motor" }
         generateSequence(1) { it + 1 }.map { if (it == 1) name else "$name ($it)" }.first(taken::add)
     }
 }
 
-private val EDGES = charArrayOf('/', ' ', '_', '.', ':')
+private val SEPARATORS = charArrayOf('/', ' ', '_', '.', ':')
 
-/** As long as a name may be in a legend. */
+/** The maximum length of a name in a legend. */
 private const val MAX_NAME = 22

@@ -22,9 +22,10 @@ private fun numberOf(log: ChartedLog) = log.match.number?.let { plainText(it, MA
 
 private fun shortName(log: ChartedLog, hasDay: Boolean): String {
     val number = numberOf(log)
-    if (number.isNotEmpty()) return (typeOf(log)?.letters ?: "M") + number
-    // Names of logs without a match differ in what is too long for an axis: mostly the time.
-    return log.began?.let { timeText(it, hasDay) } ?: middleCut(plainText(log.file.substringBefore('.'), MAX_FILE)).ifEmpty { "log" }
+    if (number.isNotEmpty()) return (typeOf(log)?.prefix ?: "M") + number
+    // Names of logs without a match differ mostly in the time, and are too long for an axis.
+    return log.began?.let { timeText(it, hasDay) }
+        ?: shortenedInMiddle(plainText(log.file.substringBefore('.'), MAX_FILE)).ifEmpty { "log" }
 }
 
 /** Returns the time of [second] as `12:34`, or, with its day, as `16 Mar, 12:34`. */
@@ -33,21 +34,21 @@ private fun timeText(second: Long, hasDay: Boolean): String {
     return if (hasDay) "${date.substringBeforeLast(' ')}, $time" else time
 }
 
-/** Returns [name], if it is too long without its middle: names of logs differ at their end. */
-private fun middleCut(name: String): String =
+/** Returns [name], shortened in the middle if it is too long, because names of logs differ at their end. */
+private fun shortenedInMiddle(name: String): String =
     if (name.length <= MAX_LABEL) name else name.take(BEGIN_OF_NAME).trim() + "…" + name.takeLast(MAX_LABEL - BEGIN_OF_NAME - 1).trim()
 
 /**
- * Returns [text], which comes from a file, with nothing in it that a chart could take for markup, and shortened to [max] characters. Charts are
- * drawn by a library that knows tags and formulas in texts.
+ * Returns [text] from a file without characters of markup, shortened to [max] characters. The library that draws charts interprets tags and
+ * formulas in texts.
  */
 internal fun plainText(text: String, max: Int): String {
     val plain = text.map { if (it.isLetterOrDigit() || it in PLAIN) it else ' ' }.joinToString("").replace(Regex(" {2,}"), " ").trim()
     return if (plain.length <= max) plain else plain.take(max - 1).trim() + "…"
 }
 
-/** How The Blue Alliance and teams call matches of this type; a practice match is not P1, which could also be a playoff. */
-private val MatchType.letters: String
+/** The prefix that The Blue Alliance and teams use for matches of this type. Practice is not P, because P1 could also be a playoff. */
+private val MatchType.prefix: String
     get() = when (this) {
         MatchType.PRACTICE -> "Pr"
         MatchType.TEST -> "T"

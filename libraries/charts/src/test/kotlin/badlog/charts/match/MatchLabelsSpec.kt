@@ -28,12 +28,12 @@ class MatchLabelsSpec : FunSpec({
         label(number = "7") shouldBe "M7"
     }
 
-    test("a log of no match is called by its time, with the day if there are others") {
+    test("a log without a match is labeled with its time, and with the day if there are several") {
         fun labels(vararg began: Long) = labelsOf(began.map { log(file = "FRC_20240316_104100.wpilog", began = it) })
         val morning = 1_710_585_660L
         labels(morning, morning + 3600, morning + 3601) shouldContainExactly listOf("10:41", "11:41", "11:41 (2)")
         labels(morning, morning + 86_400) shouldContainExactly listOf("16 Mar, 10:41", "17 Mar, 10:41")
-        // The day of a match says nothing of it.
+        // The day of a match is not needed in its label.
         labelsOf(listOf(log(began = morning), log("Qualification", "1", began = 0))) shouldContainExactly listOf("10:41", "Q1")
     }
 
@@ -47,7 +47,7 @@ class MatchLabelsSpec : FunSpec({
         labelsOf(listOf(log("Qualification", "42"), log("Qualification", "42"), log("Qualification", "42"))) shouldContainExactly listOf("Q42", "Q42 (2)", "Q42 (3)")
     }
 
-    test("names in logs stay texts: no markup, no formula, and never longer than there is room") {
+    test("names from logs are plain, short texts without markup or formulas") {
         val hostile = listOf("<script>alert(1)</script>", "</text><script>x</script>", "\\(x^2\\)", "<a href=\"http://x.example\">x</a>", "é".repeat(300), "a\nb\u0000c", "&amp;&#60;", "\uD83D\uDE00")
         hostile.forAll { name ->
             val logs = (1..4).map { log("Qualification", "$name$it", "$name.bag", event = name) } + (5..8).map { log(file = "$name$it.bag", event = name) }

@@ -18,8 +18,8 @@ private class Bounds(val low: Double, val high: Double) {
 }
 
 /**
- * Determines whether parts of an expression may hold, without looking at samples, from the bounds of each topic's samples
- * ([ofTopic], null if not known). If the result is false, they never hold.
+ * Determines from the bounds of each topic's samples whether parts of an expression may hold. If the result is false, they never hold.
+ * [ofTopic] returns the bounds, or null if they are not known.
  */
 internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     /** Returns whether the condition [node] may be true at some time. */
@@ -37,7 +37,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
         val argument = call.arguments[0]
         return when {
             call.function == Function.MISSING && argument is Node.Topic -> ofTopic(argument.signal.name)?.hasGaps != false
-            call.function !in KEEPING || argument.type.kind != Kind.CONDITION -> true
+            call.function !in RANGE_PRESERVING || argument.type.kind != Kind.CONDITION -> true
             else -> mayHold(argument)
         }
     }
@@ -101,7 +101,7 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
         if (topic != null && !topic.hasGaps && call.function == Function.MIN) return Bounds(topic.low, topic.low)
         if (topic != null && !topic.hasGaps && call.function == Function.MAX) return Bounds(topic.high, topic.high)
         if (call.function == Function.ABS) return of(call.arguments[0]).let { Bounds(0.0, maxOf(abs(it.low), abs(it.high))) }
-        if (call.function in KEEPING) return of(call.arguments[0])
+        if (call.function in RANGE_PRESERVING) return of(call.arguments[0])
         if (call.function !in COUNTING || call.arguments[0].type.kind != Kind.CONDITION) return Bounds.ALL
         return if (mayHold(call.arguments[0])) Bounds.ALL else Bounds(0.0, 0.0)
     }
@@ -110,8 +110,8 @@ internal class BoundsCheck(private val ofTopic: (String) -> SampleBounds?) {
     private fun bounds(low: Double, high: Double) = if (low.isNaN() || high.isNaN()) Bounds.ALL else Bounds(low, high)
 
     private companion object {
-        /** Functions whose results stay within the values of their first operand. */
-        val KEEPING = setOf(
+        /** The functions with results within the values of their first operand. */
+        val RANGE_PRESERVING = setOf(
             Function.MIN, Function.MAX, Function.FIRST, Function.LAST, Function.WINDOW_MIN, Function.WINDOW_MAX, Function.PREVIOUS,
             Function.HOLD, Function.SHIFT_TIME, Function.ANY,
         )

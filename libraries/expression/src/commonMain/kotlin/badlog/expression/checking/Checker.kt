@@ -9,7 +9,7 @@ import badlog.expression.syntax.Parameter
 import badlog.expression.syntax.Type
 import badlog.expression.syntax.mistake
 
-/** Finds the type of each node, or the first that does not fit. */
+/** Determines the type of each node; fails at the first node that does not fit. */
 internal object Checker {
     /** Checks [node], assigns ids to it and all nodes below it from [firstId] on, and returns the next free id. */
     fun check(node: Node, firstId: Int = 0): Int {
@@ -55,7 +55,7 @@ internal object Checker {
         if (!needCondition(node.condition).isOverTime) {
             mistake(node.condition, "“for” needs a condition that changes over time before it.")
         }
-        needLasting(node.condition)
+        requireLasting(node.condition)
         if (node.time.seconds <= 0) mistake(node.time, "“for” needs a time above 0 after it.")
         return node.condition.type
     }
@@ -117,13 +117,13 @@ internal object Checker {
         for ((index, argument) in node.arguments.withIndex()) {
             val parameter = function.parameters[index]
             if (!parameter.accepts(argument)) {
-                val isOfTwo = parameter == Parameter.WINDOW && argument.type.isOverTime && argument.type.kind.isNumeric
-                val hint = if (isOfTwo) "; to choose between two, use if(a < b, a, b)" else ""
+                val comparesTwo = parameter == Parameter.WINDOW && argument.type.isOverTime && argument.type.kind.isNumeric
+                val hint = if (comparesTwo) "; to choose between two, use if(a < b, a, b)" else ""
                 mistake(argument, "${function.title} needs ${parameter.needed}, not ${described(argument)}$hint.")
             }
         }
         val arguments = node.arguments
-        if (function.needsLasting) needLasting(arguments[0])
+        if (function.needsLasting) requireLasting(arguments[0])
         val isOverTime = arguments.any { it.type.isOverTime }
         return when (function.result) {
             Function.Result.NUMBER -> Type(Kind.NUMBER, false)
@@ -159,7 +159,7 @@ internal object Checker {
         return node.type
     }
 
-    private fun needLasting(node: Node) {
+    private fun requireLasting(node: Node) {
         if (!node.type.isMomentary) return
         mistake(node, "A moment has no duration; count(c) counts moments, and hold(x) keeps the text of an event until the next.")
     }

@@ -9,7 +9,7 @@ import badlog.expression.syntax.Operator
 import badlog.expression.syntax.PhysicalUnit
 import badlog.expression.syntax.mistake
 
-/** What is known about the unit of some numbers. */
+/** The knowledge about the unit of some numbers. */
 private sealed interface UnitOf {
     /** Literal numbers, which fit any unit. */
     object Any : UnitOf
@@ -20,16 +20,16 @@ private sealed interface UnitOf {
     /** A known unit, called [text]. */
     class Known(val measure: PhysicalUnit, val text: String) : UnitOf
 
-    /** An unknown unit, called [text] if even that is known. */
+    /** An unknown unit, called [text]; null if even its name is not known. */
     class Other(val text: String?) : UnitOf
 }
 
 /**
- * Finds comparisons between different units, and converts them if both are known. A literal with a unit needs a unit on the other
- * side; nothing is guessed.
+ * Finds operations on different units, and converts them if both are known. A literal with a unit needs a unit on the other side; nothing
+ * is guessed.
  */
 internal object UnitChecker {
-    /** Checks [node], the types of which are known. */
+    /** Checks the units in [node], which already has its types. */
     fun check(node: Node) {
         unitOf(node)
     }
@@ -107,7 +107,7 @@ internal object UnitChecker {
         }
     }
 
-    /** Returns the common unit of both, one of which may have to be converted. */
+    /** Returns the common unit of both; converts one of them if necessary. */
     private fun reconciled(left: Node, leftUnit: UnitOf, right: Node, rightUnit: UnitOf): UnitOf {
         if (leftUnit === UnitOf.Any) return rightUnit
         if (rightUnit === UnitOf.Any) return leftUnit

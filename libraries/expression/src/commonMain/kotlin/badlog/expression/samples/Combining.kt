@@ -2,12 +2,12 @@ package badlog.expression.samples
 
 import kotlin.math.abs
 
-/** Calculates with two samples. Not a function type, because that would box each number on the JVM. */
+/** A calculation with two samples. Not a function type, because that would box each number on the JVM. */
 internal fun interface Operation {
     fun of(left: Double, right: Double): Double
 
     companion object {
-        /** The left where the right holds, otherwise a gap. */
+        /** The left sample where the right one holds, otherwise a gap. */
         val WHEN: Operation = Operation { x, on -> if (on == 1.0) x else Double.NaN }
 
         /** Whether both are the same; not known beside a gap. */
@@ -28,7 +28,7 @@ internal fun known(a: Double, b: Double, holds: Boolean): Double = if (a.isNaN()
     0.0
 }
 
-/** Calculates with each two samples of [left] and [right] at their common times; for [absent] and [isEither] see [Joined]. */
+/** Applies [operation] to [left] and [right] at their common times; for [absent] and [isEither] see [Joined]. */
 internal fun combined(left: Value, right: Value, operation: Operation, absent: Double = Double.NaN, isEither: Boolean = false): Value {
     if (left is Scalar && right is Scalar) return Scalar(operation.of(left.value, right.value), timeOf(left, right))
     val joined = Joined(listOf(left, right), absent, isEither)
@@ -38,7 +38,7 @@ internal fun combined(left: Value, right: Value, operation: Operation, absent: D
     return Column(x, samples, null, joined.isMomentary, joined.stretches)
 }
 
-/** If one of the two is a constant, the result has the time of the other. */
+/** If one of the two has no time, the result has the time of the other. */
 private fun timeOf(left: Scalar, right: Scalar) = when {
     left.time.isNaN() -> right.time
     right.time.isNaN() -> left.time
@@ -87,21 +87,21 @@ internal class Operand(private val samples: DoubleArray?, private val constant: 
 }
 
 /**
- * Several values at common times. Values with equal times stay sample by sample. Otherwise the common times are all times of any of
- * them, each once, and each value is that of its last sample up to then: a gap before its first one; if it is
- * [momentary][Column.isMomentary], [absent] at all times but its own. If one clock was set back and another was not, the samples of
- * the other count each time that their time occurs.
+ * Several values at common times. Values with equal times stay sample by sample. Otherwise the common times are the times of all values,
+ * each once. At each of them, a value has its last sample up to then, and a gap before its first one. A [momentary][Column.isMomentary]
+ * value is [absent] at all times but its own. If only some clocks were set back, the samples on the others count each time that their time
+ * occurs.
  *
  * A combination of moments and lasting values exists only at the moments; with [isEither], it lasts, and each moment is over at once.
  *
  * @property x the times; null if no value is over time.
  */
 internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
-    /** The stretches of those whose clock was set back. */
+    /** The stretches of a clock that was set back; null if there is none. */
     val stretches: Stretches? = values.firstNotNullOfOrNull { (it as? Column)?.stretches }
 
-    private val alike = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
-    private val columns = alike.filterIsInstance<Column>()
+    private val onCommonClock = values.map { if (it is Column && stretches != null && it.stretches == null) stretches.spread(it) else it }
+    private val columns = onCommonClock.filterIsInstance<Column>()
     private val moments = columns.filter { it.isMomentary }
 
     /** Whether their combination exists only at moments. */
@@ -114,7 +114,7 @@ internal class Joined(values: List<Value>, absent: Double, isEither: Boolean) {
     }
 
     /** The values, in order. */
-    val operands: List<Operand> = alike.map {
+    val operands: List<Operand> = onCommonClock.map {
         when (it) {
             is Scalar -> Operand(null, it.value)
             is Column -> Operand(if (isSame(it.x, x!!)) it.y else held(it, x, absent), 0.0)

@@ -7,14 +7,14 @@ import badlog.core.analysis.Span
 /** Returns the moments at which this condition becomes true. */
 internal fun Column.rises(range: Span?): Column = occurrences(end(range)).let { moments(it.map(Span::from)) { 1.0 } }
 
-/** Returns the moments at which it is no longer true. */
+/** Returns the moments at which this condition stops being true. */
 internal fun Column.falls(range: Span?): Column {
     val end = end(range)
     val places = (1 until size).filter { y[it] == 0.0 && y[it - 1] == 1.0 && !isMomentary && x[it] <= end }
     return moments(places.map { x[it] }) { 1.0 }
 }
 
-/** Returns, at each moment at which it becomes true, for how long. */
+/** Returns, at each moment at which it becomes true, how long it stays true. */
 internal fun Column.lengths(range: Span?): Column = occurrences(end(range)).let { all -> moments(all.map(Span::from)) { all[it].width } }
 
 /** Returns, at each moment at which it becomes true again, the time since the previous one. */
@@ -23,25 +23,25 @@ internal fun Column.cycleTimes(range: Span?): Column {
     return moments(begins.drop(1)) { begins[it + 1] - begins[it] }
 }
 
-/** Returns a condition that is true while this is, and for [length] after. */
+/** Returns a condition that is true while this one is, and for [length] after. */
 internal fun Column.after(length: Double, range: Span?): Column = within(range) { Span(it.from, it.to + length) }
 
-/** Returns a condition that is true for [length] before this becomes true. */
+/** Returns a condition that is true for [length] before this one becomes true. */
 internal fun Column.before(length: Double, range: Span?): Column = within(range) { Span(it.from - length, it.from) }
 
-/** Returns a condition that is true for the first [length] of the first time that this is true. */
+/** Returns a condition that is true for the first [length] of the first time that this one holds. */
 internal fun Column.firstPart(length: Double, range: Span?): Column {
     val first = occurrences(end(range)).firstOrNull()
     return within(range) { if (it == first) Span(it.from, minOf(it.to, it.from + length)) else null }
 }
 
-/** Returns a condition that is true for the last [length] of the last time that this is true. */
+/** Returns a condition that is true for the last [length] of the last time that this one holds. */
 internal fun Column.lastPart(length: Double, range: Span?): Column {
     val last = occurrences(end(range)).lastOrNull()
     return within(range) { if (it == last) Span(maxOf(it.from, it.to - length), it.to) else null }
 }
 
-/** Returns when it holds, on the clock of [Column.x]. */
+/** Returns the times at which it holds, on the clock of [Column.x]. */
 private fun Column.occurrences(end: Double): List<Span> {
     val spans = ArrayList<Span>()
     for (i in 0 until size) {
@@ -55,7 +55,7 @@ private fun Column.occurrences(end: Double): List<Span> {
 private inline fun Column.moments(times: List<Double>, value: (Int) -> Double): Column =
     Column(times.toDoubleArray(), DoubleArray(times.size) { value(it) }, null, isMomentary = true, stretches)
 
-/** Returns a condition that is true in the [part] of each time that this condition holds; unknown if this is never known. */
+/** Returns a condition that is true in the [part] of each time that this one holds. It is unknown if this one is never known. */
 private inline fun Column.within(range: Span?, part: (Span) -> Span?): Column {
     val start = stretches?.begin ?: range?.from ?: return unknown(range)
     if (!isMomentary && y.all { it.isNaN() }) return Column(doubleArrayOf(start), doubleArrayOf(Double.NaN), stretches = stretches)

@@ -2,13 +2,13 @@ package badlog.expression.samples
 
 import badlog.core.analysis.AreaSum
 
-// Functions of a value and those before or after it. A value that is logged again and again is one that holds: the results
-// do not depend on how often it was logged. Next to a gap, the result is a gap.
+// Functions of a value and its neighbors in time. A value that is logged repeatedly counts as one that holds: the results do not depend on
+// how often it was logged. Next to a gap, the result is a gap.
 
-/** Returns by how much it changes, at each moment at which it does. */
+/** Returns the change at each moment at which the value changes. */
 internal fun Column.delta(): Column = atChanges { if (it == 0) Double.NaN else y[it] - y[it - 1] }
 
-/** Returns a condition that is true at each moment at which it changes. */
+/** Returns a condition that is true at each moment at which the value changes. */
 internal fun Column.changed(): Column = atChanges { if (it > 0 && !y[it].isNaN() && !y[it - 1].isNaN() && y[it] != y[it - 1]) 1.0 else 0.0 }
 
 /** Returns moments: the first sample, and each that differs from the previous one. */
@@ -51,7 +51,7 @@ private fun Column.slope(from: Int, to: Int): Double {
     return if (isBroken) Double.NaN else (y[to] - y[from]) / run
 }
 
-/** Returns the integral so far. */
+/** Returns the integral up to each sample. */
 internal fun Column.area(): Column {
     val sum = AreaSum()
     return with(
@@ -89,9 +89,7 @@ internal fun Column.shifted(time: Double): Column = Column(DoubleArray(size) { x
 /** Returns whether each sample is a gap or not finite. */
 internal fun Column.missing(): Column = with(DoubleArray(size) { if (y[it].isFinite()) 0.0 else 1.0 })
 
-/**
- * Returns a condition that is true wherever this condition holds for [length] or longer without a break; the last sample holds until [end].
- */
+/** Returns a condition that is true wherever this one holds for [length] or longer without a break. The last sample holds until [end]. */
 internal fun Column.heldFor(length: Double, end: Double): Column {
     val states = y.copyOf()
     var begin = 0
@@ -105,15 +103,15 @@ internal fun Column.heldFor(length: Double, end: Double): Column {
 }
 
 /**
- * Returns the same with a sample every [step] where one holds for longer, until [end], so that results calculated from topics' own
- * times follow time in the same way as those from rows.
+ * Returns these samples, with additional ones every [step] where a sample holds for longer, until [end]. So results from topics' own times
+ * follow time in the same way as results from rows.
  */
 internal fun Column.refined(step: Double, end: Double): Column {
     if (size == 0 || isMomentary) return this
-    val apart = maxOf(step, (end - x[0]) / MOST_STEPS)
+    val interval = maxOf(step, (end - x[0]) / MAX_STEPS)
     fun stepsAfter(index: Int): Int {
         val width = (if (index + 1 < size) minOf(x[index + 1], end) else end) - x[index]
-        return if (width > apart * LONG) (width / apart - HALF).toInt() else 0
+        return if (width > interval * LONG) (width / interval - HALF).toInt() else 0
     }
     var count = size
     for (i in 0 until size) count += stepsAfter(i)
@@ -123,7 +121,7 @@ internal fun Column.refined(step: Double, end: Double): Column {
     var next = 0
     for (i in 0 until size) {
         for (k in 0..stepsAfter(i)) {
-            times[next] = x[i] + k * apart
+            times[next] = x[i] + k * interval
             samples[next++] = y[i]
         }
     }
@@ -131,8 +129,8 @@ internal fun Column.refined(step: Double, end: Double): Column {
 }
 
 /**
- * Returns these moments as samples that hold: each is in the first of [rows] that is not before it; all other rows have [rest].
- * Without rows, each is a pulse without width: its value, immediately followed by [rest].
+ * Returns these moments as samples that hold. Each is in the first of [rows] that is not before it; all other rows have [rest]. Without
+ * rows, each is a pulse without width: its value, immediately followed by [rest].
  */
 internal fun Column.pulses(rows: DoubleArray?, rest: Double): Column {
     if (rows != null && rows.all { it.isFinite() }) return inRows(stretches?.steady(rows) ?: rows, rest)
@@ -153,7 +151,7 @@ private fun Column.inRows(rows: DoubleArray, rest: Double): Column {
     return Column(rows, samples, texts, stretches = stretches)
 }
 
-private const val MOST_STEPS = 200_000
+private const val MAX_STEPS = 200_000
 
 // Allows for jitter in the times of rows.
 private const val LONG = 1.5

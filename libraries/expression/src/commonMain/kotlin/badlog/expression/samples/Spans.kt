@@ -5,7 +5,7 @@ import badlog.core.analysis.Span
 /**
  * Spans of time, in chronological order.
  *
- * @property times their number, where one during which the clock was set back counts once.
+ * @property times the number of spans, where one during which the clock was set back counts once.
  */
 internal class Spans(private val from: DoubleArray, private val to: DoubleArray, val times: Int = from.size) : AbstractList<Span>() {
     override val size: Int get() = from.size
@@ -21,8 +21,8 @@ internal class Spans(private val from: DoubleArray, private val to: DoubleArray,
 }
 
 /**
- * Returns when this condition holds: from its first true sample to the next one that is not, or to [end], after which nothing is
- * known. Each true sample of a momentary condition is a span without width.
+ * Returns the spans in which this condition holds. Each lasts from a true sample to the next one that is not, or to [end], after which
+ * nothing is known. Each true sample of a momentary condition is a span without width.
  */
 internal fun Column.spans(end: Double): Spans {
     var known = size

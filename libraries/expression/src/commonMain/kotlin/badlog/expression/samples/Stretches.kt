@@ -4,16 +4,15 @@ import badlog.core.analysis.Series
 import kotlin.math.ulp
 
 /**
- * The time of a recording whose clock was set back during logging: a sequence of stretches in which it goes forward. Expressions
- * see them as if the clock had run on, so that later samples of the recording are also later for them; times are shown as they
- * were logged.
+ * The time of a recording after its clock was set back: a sequence of stretches in which it goes forward. Expressions use a continuous
+ * clock, on which later samples also have later times. Times are shown as they were logged.
  *
  * @param positions the x of each row; may hold gaps.
  */
 class Stretches internal constructor(positions: DoubleArray) {
     private val rows = if (positions.all { it.isFinite() }) positions else positions.filter { it.isFinite() }.toDoubleArray()
 
-    // For each stretch: its first row, how far its times are ahead of the continuous clock, and that clock's first and last time in it.
+    // For each stretch: its first row, the lead of its times over the continuous clock, and that clock's first and last time in it.
     private val firstRows = ArrayList<Int>()
     private val leads = ArrayList<Double>()
     private val begins = ArrayList<Double>()
@@ -73,8 +72,8 @@ class Stretches internal constructor(positions: DoubleArray) {
     }
 
     /**
-     * Returns [logged] on the continuous clock. Times of unknown rows belong to the first stretch that has them, but not to one
-     * before that of the previous sample.
+     * Returns [logged] on the continuous clock. Times of unknown rows belong to the first stretch that has them, but never to a stretch
+     * before the previous sample's.
      */
     internal fun steady(logged: DoubleArray): DoubleArray {
         steadyOf[logged]?.let { return it }
@@ -84,7 +83,7 @@ class Stretches internal constructor(positions: DoubleArray) {
             while (stretch + 1 < count && logged[it] > lastOf(stretch)) stretch++
             logged[it] - leads[stretch]
         }
-        // Times that go back more often than the rows do have no stretch of their own.
+        // Times that go back more often than the rows have no stretch of their own.
         for (i in 1 until times.size) if (times[i] < times[i - 1]) times[i] = times[i - 1]
         keep(logged, times)
         return times
@@ -135,8 +134,8 @@ class Stretches internal constructor(positions: DoubleArray) {
     }
 
     /**
-     * Returns the samples of [column], which has another clock that was never set back, at the same times on this one: each
-     * stretch gets the samples of its times.
+     * Returns the samples of [column] at the same times on this clock: each stretch gets the samples of its times. [column] has another
+     * clock, which was never set back.
      */
     internal fun spread(column: Column): Column {
         val own = Series(column.x, column.y)
@@ -177,7 +176,7 @@ class Stretches internal constructor(positions: DoubleArray) {
     }
 
     internal companion object {
-        /** Returns null if [positions] never go back. */
+        /** Returns the stretches of [positions]; null if these never go back. */
         fun of(positions: DoubleArray): Stretches? {
             var last = Double.NEGATIVE_INFINITY
             for (position in positions) {

@@ -6,8 +6,8 @@ import badlog.core.analysis.Span
 import badlog.core.analysis.select
 import badlog.core.analysis.weightedPercentile
 
-// Functions that reduce a whole recording to one number. Samples without a finite value are ignored; if there are no others, there is no
-// number.
+// Functions that reduce a whole recording to one number. Samples without a finite value are ignored; without any other sample, the result
+// has no number.
 
 internal fun Column.minimum(): Scalar {
     var place = -1
@@ -23,7 +23,7 @@ internal fun Column.maximum(): Scalar {
 
 internal fun Column.first(): Scalar = at(y.indexOfFirst { it.isFinite() })
 
-/** Returns the last value, at the time until which it holds. */
+/** Returns the last value; its time is the end of that value. */
 internal fun Column.last(range: Span?): Scalar {
     val place = y.indexOfLast { it.isFinite() }
     return if (place < 0) at(place) else Scalar(y[place], logged(until(place, end(range))))
@@ -39,7 +39,7 @@ internal fun Column.standardDeviation(range: Span?): Scalar = Scalar(momentsByTi
 
 internal fun Column.sampleMean(): Scalar = Scalar(momentsOfSamples().mean)
 
-/** Returns the standard deviation of a sample, dividing by one less than the count. */
+/** Returns the sample standard deviation, with the count minus one as its divisor. */
 internal fun Column.sampleStandardDeviation(): Scalar = Scalar(momentsOfSamples().sampleStandardDeviation)
 
 private fun Column.momentsByTime(range: Span?): Moments {
@@ -60,7 +60,7 @@ private fun Column.momentsOfSamples(): Moments {
     return moments
 }
 
-/** Returns the value below which it is for [percent] % of the time, see [weightedPercentile]; moments have equal weights. */
+/** Returns the value that the samples stay below for [percent] % of the time, see [weightedPercentile]; moments have equal weights. */
 internal fun Column.percentile(percent: Double, range: Span?): Scalar {
     val end = end(range)
     val values = DoubleArray(size)
@@ -80,7 +80,9 @@ internal fun Column.percentile(percent: Double, range: Span?): Scalar {
     return Scalar(weightedPercentile(values, weights, count, percent / 100))
 }
 
-/** Returns the value below which [percent] % of the samples lie, interpolated linearly between neighbors (type 7 of Hyndman and Fan). */
+/**
+ * Returns the value below which [percent] % of the samples lie. It is interpolated linearly between neighbors (type 7 of Hyndman and Fan).
+ */
 internal fun Column.samplePercentile(percent: Double): Scalar {
     val values = DoubleArray(size)
     var count = 0

@@ -2,7 +2,7 @@ package badlog.expression.samples
 
 import badlog.core.text.isLetterOrDigit
 
-/** Returns 1 where [holds] is true for the text of [column], 0 where it is false, and a gap where there is no text. */
+/** Returns 1 where [holds] is true for the text of [column], and 0 where it is false. A missing text is a gap. */
 internal fun whereText(column: Column, holds: (String) -> Boolean): Column {
     val results = DoubleArray(column.texts!!.size) { if (holds(column.texts[it])) 1.0 else 0.0 }
     return column.with(DoubleArray(column.size) { column.y[it].let { id -> if (id.isNaN()) id else results[id.toInt()] } })
@@ -18,8 +18,8 @@ internal fun equalTexts(left: Column, right: Column): Value {
 }
 
 /**
- * Returns whether all of [text] matches [pattern], in which `*` stands for any characters and `?` for one; case is ignored.
- * Not a regular expression: those differ between platforms, and some take forever.
+ * Returns whether all of [text] matches [pattern], in which `*` stands for any characters and `?` for one. Case is ignored. Not a regular
+ * expression: those differ between platforms, and some take forever.
  */
 internal fun matches(text: String, pattern: String): Boolean {
     var at = 0
@@ -30,7 +30,7 @@ internal fun matches(text: String, pattern: String): Boolean {
         if (patternAt < pattern.length && pattern[patternAt] == '*') {
             star = patternAt++
             starText = at
-        } else if (patternAt < pattern.length && isLike(text[at], pattern[patternAt])) {
+        } else if (patternAt < pattern.length && matchesCharacter(text[at], pattern[patternAt])) {
             at++
             patternAt++
         } else if (star >= 0) {
@@ -45,7 +45,7 @@ internal fun matches(text: String, pattern: String): Boolean {
     return patternAt == pattern.length
 }
 
-private fun isLike(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)
+private fun matchesCharacter(character: Char, wanted: Char) = wanted == '?' || character.equals(wanted, ignoreCase = true)
 
 /** Returns the first number after [mark] in each text; a gap where there is none. */
 internal fun numbers(column: Column, mark: String): Column {

@@ -8,11 +8,11 @@ internal sealed interface Value
 /**
  * One number for the whole recording, NaN if there is none; for a condition 1, 0 or NaN.
  *
- * @property time where it was found; NaN if it has no place.
- * @property spans when the condition that it is about held, or null.
+ * @property time its time; NaN if it has none.
+ * @property spans the spans of the condition that the number describes; null for none.
  */
 internal class Scalar(val value: Double, val time: Double = Double.NaN, val spans: Spans? = null) : Value {
-    /** Returns the time as the value. */
+    /** Returns a scalar with the time as its number. */
     fun timeAlone(): Scalar = Scalar(time, time)
 }
 
@@ -21,9 +21,9 @@ internal class Scalar(val value: Double, val time: Double = Double.NaN, val span
  *
  * @property x the times, ascending.
  * @property y numbers, conditions as 1 and 0, or indices into [texts]; NaN is a gap.
- * @property texts what the samples stand for, or null if they are numbers.
+ * @property texts the texts that the samples stand for; null if they are numbers.
  * @property isMomentary whether each sample is over at once, like an event.
- * @property stretches how [x], which runs on where the clock was set back, was logged; null if it is as logged.
+ * @property stretches the logged times of [x], if the clock was set back and [x] is on the continuous clock; otherwise null.
  */
 internal class Column(
     val x: DoubleArray,
@@ -34,13 +34,13 @@ internal class Column(
 ) : Value {
     val size: Int get() = x.size
 
-    /** Returns when sample [index] was taken, as it was logged. */
+    /** Returns the logged time of sample [index]. */
     fun time(index: Int): Double = stretches?.logged(x[index]) ?: x[index]
 
-    /** Returns when [position], one of x, was logged. */
+    /** Returns the logged time of [position], one of x. */
     fun logged(position: Double): Double = stretches?.logged(position) ?: position
 
-    /** Until when sample [index] holds: until the next one, or [end]. A moment is over at once. */
+    /** Returns the time until which sample [index] holds: the next sample's time, or [end]. A moment is over at once. */
     fun until(index: Int, end: Double): Double = when {
         isMomentary -> x[index]
         index + 1 < x.size && x[index + 1] < end -> x[index + 1]
@@ -61,6 +61,6 @@ internal class Column(
     /** Returns other samples at the same times. */
     fun with(samples: DoubleArray): Column = Column(x, samples, null, isMomentary, stretches)
 
-    /** Returns samples of the same sort at the same times. */
+    /** Returns other samples of the same kind at the same times. */
     fun withAlike(samples: DoubleArray): Column = Column(x, samples, texts, isMomentary, stretches)
 }

@@ -5,8 +5,8 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns, for each sample, the smallest finite value in the time of [width] up to it, or the largest if [isLargest]; a gap if
- * there is none. An earlier value still holds into the window.
+ * Returns, for each sample, the smallest finite value in the window of [width] that ends at it, or the largest if [isLargest]. The result
+ * is a gap if the window has no value. An earlier value still holds into the window.
  *
  * Two halves meet at a fixed sample: for the older one, the results up to there are known for every start; the newer one grows.
  * When the start passes the meeting point, that moves to the newest sample. So each sample is visited twice, however wide the
@@ -41,9 +41,9 @@ private fun better(known: Double, other: Double, isLargest: Boolean): Double =
     if (other - other != 0.0 || (if (isLargest) other <= known else other >= known)) known else other
 
 /**
- * Returns, for each sample, the mean over the time of [width] up to it, weighted by time; gaps, and the time before the first
- * sample, do not count. If no time is left, it is the sample's own value. No value is ever subtracted from a sum, which would leave
- * its rounding error behind, see [windowExtreme].
+ * Returns, for each sample, the mean over the window of [width] that ends at it, weighted by time. Gaps, and the time before the first
+ * sample, do not count. If no time is left, it is the sample's own value. No value is ever subtracted from a sum, which would leave its
+ * rounding error behind, see [windowExtreme].
  */
 internal fun Column.windowMean(width: Double): Column {
     val olderSums = DoubleArray(size)
@@ -57,7 +57,7 @@ internal fun Column.windowMean(width: Double): Column {
     // The first index since which the value has been the same.
     var sameFrom = 0
 
-    // For sample j, which holds until the next: how long it is known, and that time multiplied by its value.
+    // For sample j, which holds until the next: the time for which it is known, and that time multiplied by its value.
     fun weight(j: Int) = if (y[j].isFinite()) x[j + 1] - x[j] else 0.0
     fun area(j: Int) = if (y[j].isFinite()) y[j] * (x[j + 1] - x[j]) else 0.0
     for (i in 0 until size) {
@@ -118,7 +118,7 @@ internal fun perSecond(unit: String): Double {
 }
 
 /**
- * Returns by how much a span of [length] up to [time] may appear too long: times in a file are rounded to decimals, and 0.5
- * after 9.52 must be 10.02, despite binary fractions.
+ * Returns the amount by which a span of [length] up to [time] may appear too long. Times in a file are rounded to decimals, and 0.5 after
+ * 9.52 must be 10.02, despite binary fractions.
  */
 internal fun slack(length: Double, time: Double): Double = length * 1e-9 + abs(time) * 1e-15

@@ -4,12 +4,12 @@ package badlog.expression.signals
  * Something that an expression can name.
  *
  * @property name the full name; `/` makes folders.
- * @property kind what its samples are.
+ * @property kind the kind of its samples.
  * @property unit the unit; `ul` or empty for none.
  */
 data class Signal(val name: String, val kind: SignalKind, val unit: String = "")
 
-/** What the samples of a [Signal] are. */
+/** The kinds of samples of a [Signal]. */
 enum class SignalKind {
     /** Numbers. */
     NUMBER,

@@ -19,24 +19,24 @@ interface Signals {
     /** Returns the texts that the samples of the state or event signal [name] stand for. */
     fun states(name: String): List<String>
 
-    /** When the robot was enabled, in the order of time; null if the recording does not show it. */
+    /** The times at which the robot was enabled, in the order of time. Null if the recording does not show them. */
     val enabled: List<EnabledSpan>?
 
     /** Whether [enabled] distinguishes autonomous and teleop. */
     val knowsAutonomous: Boolean get() = enabled != null
 
-    /** The x axis as a signal: a sample at each of its positions, which is that position. */
+    /** The x axis as a signal: at each position, the sample is that position. */
     val axis: Series
 
-    /** The x of each row of the recording, the same array that the series of topics in rows have; null if there are no rows. */
+    /** The x of each row, in the same array that the series of topics in rows have. Null if there are no rows. */
     val rows: DoubleArray?
 
-    /** From the first sample of the recording to the last, or null if there are none. */
+    /** The range from the first sample of the recording to the last; null if there are none. */
     val range: Span?
 
     /** The unit of x; `ul` or empty for none. If the [vocabulary] has time, no unit means seconds. */
     val timeUnit: String
 
-    /** How time ran if the clock of the rows was set back; null if it never was, or if the samples alone show it. */
+    /** The course of time if the clock of the rows was set back. Null if it never was, or if the samples alone show it. */
     val stretches: Stretches? get() = null
 }

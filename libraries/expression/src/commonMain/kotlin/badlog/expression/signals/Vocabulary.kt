@@ -13,7 +13,7 @@ import badlog.core.text.isLetterOrDigit
  * @property hasTime whether x is a time; if not, an expression with a time, such as `0.5 s`, is a mistake.
  * @property meanings names that mean the same in every recording, whatever the names of its topics. A virtual topic may have such a
  *   name, and then takes precedence; one that is not among [signals] means nothing in this recording.
- * @property thing what messages call a signal.
+ * @property thing the word for a signal in messages.
  * @property several names that mean several signals in this recording, at least two; they cannot refer to one of them alone.
  */
 class Vocabulary(
@@ -45,38 +45,41 @@ class Vocabulary(
     internal fun find(name: String): List<Signal> = entries.find(name, ignoreCase = true)
 
     /**
-     * Returns the signals that have the words of [name] and no others at the end of their paths, in any order and however they are joined:
-     * `voltage of the battery` for `/SystemStats/BatteryVoltage`.
+     * Returns the signals that have exactly the words of [name] at the end of their paths. The words may be in any order and joined in any
+     * way: `voltage of the battery` for `/SystemStats/BatteryVoltage`.
      */
     internal fun withWordsOf(name: String): List<Signal> {
         val wanted = wordsOf(name)
         return if (wanted.size < 2) emptyList() else byWords[wanted].orEmpty()
     }
 
-    /** Returns the length of the longest name at [from] in [text] that ends at a word boundary; 0 if there is none. */
+    /** Returns the length of the longest name at [from] in [text] that ends at a word boundary. Returns 0 if there is none. */
     internal fun longestAt(text: String, from: Int, ignoreCase: Boolean): Int = entries.lengths.firstOrNull { length ->
         val until = from + length
         until <= text.length && isWordEnd(text, until) && entries.find(text.substring(from, until), ignoreCase).isNotEmpty()
     } ?: 0
 
-    /** Returns which of [meanings] [name] is, regardless of case, if the recording lacks it; otherwise null. */
-    internal fun lacking(name: String): String? =
+    /** Returns the one of [meanings] that equals [name], regardless of case, if the recording lacks it; otherwise null. */
+    internal fun missingMeaning(name: String): String? =
         meanings.find { it.equals(name, ignoreCase = true) }?.takeIf { meaning -> signals.none { it.name == meaning } }
 
-    /** Returns the signal whose name is most similar to [name], or null if none is similar. */
+    /** Returns the signal with the name most similar to [name]; null if none is similar. */
     internal fun nearest(name: String): Signal? = nearestOf(signals, name)
 
-    /** Returns the topic whose name is most similar to [name], or null if none is similar. */
+    /** Returns the topic with the name most similar to [name]; null if none is similar. */
     internal fun nearestTopic(name: String): Signal? = nearestOf(signals.filter { it.name !in meanings }, name)
 
-    /** Returns the one of [meanings] in this recording that [name] may stand for: it is similar, or all its words are in [name]; or null. */
+    /**
+     * Returns the one of [meanings] in this recording that [name] may stand for. It is similar, or all of its words are in [name]. Null if
+     * there is none.
+     */
     internal fun nearestMeaning(name: String): Signal? {
         val known = signals.filter { it.name in meanings }
         val words = wordsOf(name)
         return nearestOf(known, name) ?: known.filter { words.containsAll(wordsOf(it.name)) }.maxByOrNull { it.name.length }
     }
 
-    /** What each name means; created on first use, since most vocabularies are only compared. */
+    /** The signals of each name. Created on first use, because most vocabularies are only compared. */
     private class Entries(signals: List<Signal>) {
         private val full = HashMap<String, Signal>()
         private val ends = HashMap<String, MutableList<Signal>>()
@@ -131,7 +134,10 @@ internal fun isWordEnd(text: String, at: Int): Boolean =
 
 internal fun isWordCharacter(character: Char): Boolean = isLetterOrDigit(character) || character == '_'
 
-/** Returns the one of [signals] whose name is most similar to [name]: as it is written, or by its words in any order; null if none is. */
+/**
+ * Returns the one of [signals] with the name most similar to [name]. Names are compared as written, and by their words in any order. Null
+ * if none is similar.
+ */
 private fun nearestOf(signals: List<Signal>, name: String): Signal? {
     val shown = name.take(MAX_COMPARED)
     val wanted = folded(shown)
@@ -154,7 +160,7 @@ private fun nearestOf(signals: List<Signal>, name: String): Signal? {
     return best
 }
 
-/** Returns the words of [name] in the order of the alphabet: those of `BatteryVoltage` are `battery voltage`. */
+/** Returns the words of [name] in alphabetical order: `battery voltage` for `BatteryVoltage`. */
 private fun inOrder(name: String) = wordsOf(name).sorted().joinToString(" ")
 
 private const val MAX_COMPARED = 80
@@ -182,10 +188,7 @@ private fun folded(text: String): String {
     return characters.concatToString()
 }
 
-/**
- * Returns how many characters must be inserted, deleted or replaced to turn [one] into [other] (Levenshtein 1966), but at
- * most [limit].
- */
+/** Returns the number of characters to insert, delete or replace to turn [one] into [other] (Levenshtein 1966), but at most [limit].  */
 internal fun editDistance(one: String, other: String, limit: Int): Int {
     if (kotlin.math.abs(one.length - other.length) >= limit) return limit
     var last = IntArray(other.length + 1) { it }

@@ -278,7 +278,7 @@ internal enum class Function(
     /** Whether the result of a function over time exists only at moments. */
     enum class Timing { AS_OPERANDS, AT_MOMENTS, LASTING }
 
-    /** The unit of a function's result: that of its first operand, that of x, none, or a special one. */
+    /** The unit of a function's result: the first operand's, the unit of x, none, or a special one. */
     enum class UnitOfResult { AS_FIRST, AXIS, NONE, UNKNOWN }
 
     /** The kind of a function's result. */

@@ -4,23 +4,23 @@ import badlog.expression.signals.Vocabulary
 import badlog.expression.signals.editDistance
 import badlog.expression.signals.isWordCharacter
 
-/** Words that are keywords when written exactly like this. */
+/** The words that are keywords in exactly this spelling. */
 internal val KEYWORDS = setOf("not", "true", "false", AXIS) + Mode.entries.map { it.word }
 
 /** The meaning of a word where an operand is allowed. */
 internal sealed interface Meaning {
     class Topic(val node: Node.Topic) : Meaning
 
-    /** The scanner is still before [name], which is as written. */
+    /** A function call. The scanner is still before [name], which is as written. */
     class Call(val name: String) : Meaning
 
-    /** The scanner is still before it. */
+    /** A keyword. The scanner is still before it. */
     class Keyword(val word: String) : Meaning
 }
 
 /** Distinguishes names of topics from functions and keywords. */
 internal class NameReader(private val text: String, private val scanner: Scanner, private val vocabulary: Vocabulary) {
-    /** Returns what begins at the scanner's position. */
+    /** Returns the meaning of the text at the scanner's position. */
     fun read(): Meaning {
         val from = afterNeedlessSlash(scanner.at)
         val word = scanner.wordAt(from)
@@ -33,7 +33,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             return Meaning.Call(word)
         }
         byWords(from, length)?.let { return it }
-        failLonger(from, length)
+        failUnlessComplete(from, length)
         if (length > 0) {
             scanner.at = from + length
             return Meaning.Topic(topic(text.substring(from, scanner.at), from, scanner.at))
@@ -42,7 +42,10 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         failUnknown(from, word, key)
     }
 
-    /** Returns the topic that is meant by the words at [from], if they are more than the name of [length] there, and no name themselves. */
+    /**
+     * Returns the topic meant by the words at [from]. The words must be longer than the name of [length] there, and must not be a name
+     * themselves.
+     */
     private fun byWords(from: Int, length: Int): Meaning.Topic? {
         val until = nameEnd(from)
         if (until <= from + length || isCalled(until)) return null
@@ -51,8 +54,10 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         return Meaning.Topic(Node.Topic(from, until, found))
     }
 
-    /** Fails if a name at [from] seems to be longer than the one of [length] there: `battery` is not all of `battery voltge`. */
-    private fun failLonger(from: Int, length: Int) {
+    /**
+     * Fails if a name at [from] seems to be longer than the one of [length] there. For example, `battery` is not all of `battery voltge`.
+     */
+    private fun failUnlessComplete(from: Int, length: Int) {
         val until = nameEnd(from)
         var next = from + length
         while (next < until && text[next] == ' ') next++
@@ -94,7 +99,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             from,
             until,
             ExpressionErrorKind.UNKNOWN_TOPIC,
-            "${notA(name)}.$nearest To divide, put spaces around the slash: $divided.",
+            "${unknownNameText(name)}.$nearest To divide, put spaces around the slash: $divided.",
         )
     }
 
@@ -126,8 +131,8 @@ internal class NameReader(private val text: String, private val scanner: Scanner
             }
 
             isCalled(from + word.length) -> {
-                val nearest = CALLED_ELSEWHERE[key] ?: Function.entries.minBy { editDistance(key, it.title, NEVER) }.title
-                val isNear = key in CALLED_ELSEWHERE || editDistance(key, nearest, NEVER) <= maxOf(1, key.length / 3)
+                val nearest = NAMES_IN_OTHER_TOOLS[key] ?: Function.entries.minBy { editDistance(key, it.title, NO_LIMIT) }.title
+                val isNear = key in NAMES_IN_OTHER_TOOLS || editDistance(key, nearest, NO_LIMIT) <= maxOf(1, key.length / 3)
                 val suggestion = if (isNear) "; did you mean $nearest?" else "."
                 fail(from, from + word.length, "There is no function “$word”$suggestion")
             }
@@ -142,7 +147,7 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         }
     }
 
-    /** Returns where an intended name seems to end: names have spaces and slashes, but operators written as words are not part of them. */
+    /** Returns where an intended name seems to end. Names have spaces and slashes, but no operators that are written as words. */
     private fun nameEnd(from: Int): Int {
         var until = from
         while (until < text.length) {
@@ -160,8 +165,8 @@ internal class NameReader(private val text: String, private val scanner: Scanner
         return maxOf(until, from + 1)
     }
 
-    private fun severalText(signal: String, topics: List<String>): String {
-        // Whole words, as a person would write it.
+    private fun ambiguityText(signal: String, topics: List<String>): String {
+        // Cut to whole words, as a person would write the pattern.
         val start = topics.reduce { one, other -> one.commonPrefixWith(other) }.dropLastWhile(::isWordCharacter)
         val rest = topics.map { it.substring(start.length) }
         val end = rest.reduce { one, other -> one.commonSuffixWith(other) }.dropWhile(::isWordCharacter)
@@ -170,34 +175,34 @@ internal class NameReader(private val text: String, private val scanner: Scanner
     }
 
     private fun failUnknownTopic(name: String, from: Int, until: Int): Nothing {
-        vocabulary.lacking(name)?.let {
+        vocabulary.missingMeaning(name)?.let {
             val message = "The log has no topic for the signal “$it”; name yours in badlog-signals.toml."
             throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, message)
         }
         vocabulary.several.entries.find { it.key.equals(name, ignoreCase = true) }?.let { (signal, topics) ->
-            throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, severalText(signal, topics))
+            throw Mistake(from, until, ExpressionErrorKind.AMBIGUOUS_TOPIC, ambiguityText(signal, topics))
         }
         val near = near(name)
         val suggestion = if (near.isEmpty()) "" else " Did you mean ${near.joinToString(" or ")}?"
-        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${notA(name)}.$suggestion")
+        throw Mistake(from, until, ExpressionErrorKind.UNKNOWN_TOPIC, "${unknownNameText(name)}.$suggestion")
     }
 
-    /** Returns what [name] may have been meant to be, for people. */
+    /** Returns names that [name] may have been meant to be, for a message. */
     private fun near(name: String) = listOfNotNull(
         vocabulary.nearestTopic(name)?.let { "“${it.name}”" },
         vocabulary.nearestMeaning(name)?.let { "`${it.name}`" },
     )
 
     /** Returns the beginning of a sentence that says that [name] means nothing here. */
-    fun notA(name: String): String =
+    fun unknownNameText(name: String): String =
         "“$name” is not a ${vocabulary.thing}${if (vocabulary.meanings.isEmpty()) "" else " or signal"} of this log"
 
     private fun fail(from: Int, until: Int, message: String): Nothing = throw Mistake(from, until, ExpressionErrorKind.SYNTAX, message)
 
     private companion object {
         const val MAX_NAMED = 3
-        const val NEVER = 1000
-        val CALLED_ELSEWHERE =
+        const val NO_LIMIT = 1000
+        val NAMES_IN_OTHER_TOOLS =
             mapOf("sum" to "integral", "avg" to "mean", "average" to "mean", "std" to "stddev", "diff" to "delta", "length" to "duration")
         val INFIX_WORDS = setOf("and", "or", "for", "when", "within", "contains", "matches")
     }

@@ -5,8 +5,8 @@ import badlog.expression.signals.Signal
 /**
  * A part of an expression.
  *
- * @property from where it begins in the text, with its parentheses.
- * @property until where it ends.
+ * @property from the index in the text at which it begins, with its parentheses.
+ * @property until the index at which it ends.
  * @property children its operands.
  */
 internal sealed class Node(var from: Int, var until: Int, val children: List<Node>) {
@@ -19,7 +19,7 @@ internal sealed class Node(var from: Int, var until: Int, val children: List<Nod
     /** The type of its result, once checked. */
     lateinit var type: Type
 
-    /** How its numbers are converted to another required unit. */
+    /** The conversion of its numbers to another required unit; null for none. */
     var conversion: Conversion? = null
 
     class Number(from: Int, until: Int, val value: Double, val digits: String) : Node(from, until, emptyList())
@@ -70,7 +70,7 @@ internal enum class Kind(val title: String) {
     /** A time written with its unit; elsewhere it is a number. */
     TIME("a time"),
 
-    /** Counts as 0 and 1 where a number is needed. */
+    /** A condition; it counts as 0 and 1 where a number is needed. */
     CONDITION("a condition"),
     TEXT("a text"),
     ;

@@ -50,7 +50,7 @@ internal enum class Operator(
     }
 }
 
-/** How tightly operators bind; the larger, the tighter. */
+/** The precedence of operators; larger numbers bind more tightly. */
 internal object Precedence {
     const val WHEN = 1
     const val OR = 2

@@ -1,6 +1,6 @@
 package badlog.expression.syntax
 
-/** What a function accepts, and its name in errors. */
+/** The operands that a function accepts, and their name in errors. */
 internal enum class Parameter(val needed: String) {
     VARYING("something that changes over time"),
     VARYING_NUMBERS("numbers that change over time"),
@@ -18,7 +18,7 @@ internal enum class Parameter(val needed: String) {
     SHARE("a number from 0 to 100"),
     ;
 
-    /** Returns whether [node], whose type is known, is accepted. */
+    /** Returns whether [node], which already has its type, is accepted. */
     fun accepts(node: Node): Boolean {
         val type = node.type
         return when (this) {

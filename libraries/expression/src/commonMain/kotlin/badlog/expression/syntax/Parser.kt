@@ -6,8 +6,8 @@ import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 
 /**
- * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, since the vocabulary and the
- * positions where operands are allowed decide what is a name, which a table of tokens cannot express.
+ * Reads an expression by the precedence of its operators (Pratt 1973). Written by hand, because names depend on the vocabulary and on where
+ * operands are allowed, which a table of tokens cannot express.
  */
 internal class Parser(private val text: String, private val vocabulary: Vocabulary) {
     private val scanner = Scanner(text)
@@ -24,12 +24,12 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
             fail(Limits.LENGTH, text.length, "An expression has at most ${Limits.LENGTH} characters.", ExpressionErrorKind.LIMIT)
         }
         val node = expression(Precedence.WHEN, 0)
-        if (!scanner.isAtEnd()) failAtRest()
+        if (!scanner.isAtEnd()) failAtUnexpected()
         return node
     }
 
     private fun expression(least: Int, nesting: Int): Node {
-        if (nesting > Limits.NESTING) tooDeep(scanner.at, scanner.at)
+        if (nesting > Limits.NESTING) failTooDeep(scanner.at, scanner.at)
         var left = operand(nesting)
         while (true) {
             scanner.skipSpace()
@@ -55,7 +55,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
                 left = made(Node.Measured(left.from, operatorUntil, left.value, left.digits, "%"))
                 continue
             }
-            // Except for ^, an operator that binds equally tightly begins the next round.
+            // Except for ^, an operator of the same precedence begins the next round.
             val right = try {
                 expression(operator.precedence + if (operator == Operator.POWER) 0 else 1, nesting + 1)
             } catch (mistake: Mistake) {
@@ -65,7 +65,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         }
     }
 
-    /** Text written as a path, such as `Arm/Angle`, is not treated as a division if it is not a topic's name. */
+    /** Fails if the division is written like a path, such as `Arm/Angle`, and is not a topic's name. */
     private fun requireNoPath(slash: Int) {
         val isPath = plainNameUntil == slash && slash + 1 < text.length && (isLetter(text[slash + 1]) || text[slash + 1] == '_')
         if (isPath && !names.isCallAt(slash + 1)) names.failPath(plainNameFrom)
@@ -82,7 +82,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun asText(mistake: Mistake): Mistake = mistake.run {
         val name = text.substring(from, until).trim('"', '`')
-        Mistake(from, until, kind, "${names.notA(name)}; put a text in single quotes, as in '$name'.")
+        Mistake(from, until, kind, "${names.unknownNameText(name)}; put a text in single quotes, as in '$name'.")
     }
 
     // An operand in parentheses extends beyond its parts.
@@ -97,7 +97,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         return number() as? Node.Time ?: fail(from, scanner.at, message)
     }
 
-    /** Reads what follows the word “within” at [wordFrom], as in `a within 1 s after b`, which is `a and after(b, 1 s)`. */
+    /** Reads the text after the word “within” at [wordFrom]. For example, `a within 1 s after b` is `a and after(b, 1 s)`. */
     private fun readNearness(left: Node, wordFrom: Int, nesting: Int): Node {
         val time = readTime(wordFrom)
         scanner.skipSpace()
@@ -111,7 +111,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         }
         val other = expression(Precedence.NOT, nesting + 1)
         val call = made(Node.Call(from, scanner.at, function, listOf(other, time)))
-        countMove(call)
+        countTimeMove(call)
         return Node.Binary(Operator.AND, left, call)
     }
 
@@ -141,7 +141,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 
     private fun close(open: Int) {
         if (scanner.isAtEnd()) fail(open, open + 1, "This parenthesis is never closed.")
-        if (text[scanner.at] != ')') failAtRest()
+        if (text[scanner.at] != ')') failAtUnexpected()
         scanner.at++
     }
 
@@ -214,7 +214,7 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
         val function = functions.find { it.parameters.size == arguments.size }
             ?: fail(from, scanner.at, "${functions[0].title} takes ${countsOf(functions)}, not ${arguments.size}.")
         val node = made(Node.Call(from, scanner.at, function, arguments))
-        if (function.movesTimes) countMove(node)
+        if (function.movesTimes) countTimeMove(node)
         return node
     }
 
@@ -224,24 +224,24 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
     }
 
     private fun <T : Node> made(node: T): T {
-        if (node.depth > Limits.DEPTH) tooDeep(node.from, node.until)
+        if (node.depth > Limits.DEPTH) failTooDeep(node.from, node.until)
         if (++nodes > Limits.NODES) {
             fail(node.from, node.until, "An expression has at most ${Limits.NODES} parts.", ExpressionErrorKind.LIMIT)
         }
         return node
     }
 
-    private fun countMove(node: Node) {
+    private fun countTimeMove(node: Node) {
         if (++moves > Limits.MOVES) {
             val message = "An expression can use during, shift, after, before, first and last with a time at most ${Limits.MOVES} times."
             fail(node.from, node.until, message, ExpressionErrorKind.LIMIT)
         }
     }
 
-    private fun tooDeep(from: Int, until: Int): Nothing =
+    private fun failTooDeep(from: Int, until: Int): Nothing =
         fail(minOf(from, text.length), until, "This is nested too deeply.", ExpressionErrorKind.LIMIT)
 
-    private fun failAtRest(): Nothing {
+    private fun failAtUnexpected(): Nothing {
         val from = scanner.at
         val found = scanner.restWord()
         fail(
@@ -266,8 +266,8 @@ internal class Parser(private val text: String, private val vocabulary: Vocabula
 }
 
 /**
- * The limits of an expression. They keep expressions from untrusted sources from overflowing the stack, and bound the work:
- * each node costs a pass over the samples, and only functions that move times create more of them.
+ * The limits of an expression. They keep untrusted expressions from overflowing the stack, and bound the work: each node costs a pass over
+ * the samples, and only functions that move times create more of them.
  */
 internal object Limits {
     const val LENGTH = MAX_EXPRESSION_LENGTH

@@ -7,9 +7,9 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * What a unit measures.
+ * The quantity that a unit measures, and its size.
  *
- * @property dimension what sort of quantity; only numbers of the same dimension can be compared.
+ * @property dimension the kind of quantity; only numbers of the same dimension can be compared.
  * @property size its size in the dimension's base unit.
  * @property axisPower the power of the x axis' unit of time that it also contains.
  */
@@ -27,7 +27,7 @@ internal class PhysicalUnit(val dimension: String, val size: Double, val axisPow
         /** The unit of the x axis. */
         val AXIS: PhysicalUnit = PhysicalUnit("time", 1.0, axisPower = 1)
 
-        /** Returns what [unit] measures; null if it is not known. */
+        /** Returns the unit called [unit]; null if it is not known. */
         fun of(unit: String): PhysicalUnit? =
             Units.secondsIn(unit)?.let { PhysicalUnit("time", it) } ?: KNOWN[unit] ?: KNOWN[unit.lowercase()]
 

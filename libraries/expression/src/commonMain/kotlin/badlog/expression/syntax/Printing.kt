@@ -1,6 +1,8 @@
 package badlog.expression.syntax
 
-/** Returns the text of [node], which is read as the same expression again: full names in quotes, and parentheses only where necessary. */
+/**
+ * Returns the text of [node], which is read as the same expression again. Full names are in quotes, and parentheses only where necessary.
+ */
 internal fun printed(node: Node): String = when (node) {
     is Node.Number -> node.digits
 

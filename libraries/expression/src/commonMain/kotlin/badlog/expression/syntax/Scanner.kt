@@ -103,7 +103,7 @@ internal class Scanner(private val text: String) {
         while (isDigit(at)) at++
     }
 
-    /** Reads the text between two [quote]s, the first of which comes next; a doubled one stands for one. */
+    /** Reads the text between two [quote]s; the first one comes next. A doubled quote stands for one. */
     fun quoted(quote: Char, what: String): String {
         val from = at++
         val content = StringBuilder()

@@ -4,30 +4,30 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** Something that happened on the connection [link]. */
+/** An event on the connection [link]. */
 internal sealed interface Incoming {
     val link: Link
 
-    /** It is open. */
+    /** The connection is open. */
     class Opened(override val link: Link) : Incoming
 
     class Text(override val link: Link, val text: String) : Incoming
 
-    /** @property localMicros when it arrived. */
+    /** @property localMicros the arrival time. */
     class Values(override val link: Link, val frame: ByteArray, val localMicros: Long) : Incoming
 
     /**
-     * It is closed, because of [reason].
+     * The connection is closed because of [reason].
      *
-     * @property localMicros when its last message arrived.
+     * @property localMicros the arrival time of its last message.
      */
     class Closed(override val link: Link, val reason: String, val localMicros: Long) : Incoming
 }
 
 /**
- * What arrived and is not written yet, in limited memory: if the disk is too slow, values are dropped and counted. Thread-safe.
+ * A queue of events to write, in limited memory: if the disk is too slow, values are dropped and counted. Thread-safe.
  *
- * @param limit the number of bytes of values that may wait.
+ * @param limit the maximum size of waiting values, in bytes.
  */
 internal class Inbox(private val limit: Long) {
     private val waiting = ArrayDeque<Incoming>()
@@ -35,7 +35,7 @@ internal class Inbox(private val limit: Long) {
     private val arrival = lock.newCondition()
     private var bytes = 0L
 
-    /** The number of values that were dropped. */
+    /** The number of dropped values. */
     var dropped: Long = 0
         get() = lock.withLock { field }
         private set
@@ -53,7 +53,7 @@ internal class Inbox(private val limit: Long) {
         true
     }
 
-    /** Removes and returns the first; null if nothing comes within [millis]. */
+    /** Removes and returns the first event; null if none arrives within [millis]. */
     fun next(millis: Long): Incoming? = lock.withLock {
         var left = TimeUnit.MILLISECONDS.toNanos(millis)
         while (waiting.isEmpty()) {

@@ -15,9 +15,9 @@ import java.util.concurrent.TimeoutException
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * One connection to the server [source] at [address], which puts everything that arrives into [inbox].
+ * A connection to the server [source] at [address]. Everything received goes into [inbox].
  *
- * @param clock returns this computer's time in µs, from any moment.
+ * @param clock returns this computer's time in µs, from an arbitrary origin.
  */
 internal class Link(val source: Source, val address: ServerAddress, private val inbox: Inbox, private val clock: () -> Long) :
     WebSocket.Listener {
@@ -29,7 +29,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
     @Volatile
     private var socket: WebSocket? = null
 
-    /** When anything last arrived. */
+    /** The arrival time of the last message. */
     @Volatile
     var receivedMicros: Long = clock()
         private set
@@ -48,30 +48,30 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
         } catch (_: ExecutionException) {
             false
         } catch (_: TimeoutException) {
-            // It may open later; nobody needs it then.
+            // It may still open later, when it is no longer needed.
             opening.thenAccept(WebSocket::abort)
             false
         }
     }
 
-    /** Asks for the server's time. The answer also shows that the server is there. */
+    /** Requests the server's time. The answer also shows that the server is alive. */
     fun askTime(): Unit = send { it.sendBinary(timeRequest(clock()), true) }
 
     fun send(text: String): Unit = send { it.sendText(text, true) }
 
-    /** Ends it at once because of [reason], part of a sentence. */
+    /** Ends the connection immediately because of [reason], part of a sentence. */
     fun close(reason: String) {
         if (isOver.compareAndSet(false, true)) inbox.add(Incoming.Closed(this, reason, receivedMicros))
         socket?.abort()
     }
 
-    /** Ends it at once and says nothing, since nobody wants it any more. */
+    /** Ends the connection immediately without reporting it, because it is no longer needed. */
     fun end() {
         isOver.set(true)
         socket?.abort()
     }
 
-    // A message may only be sent when the one before has gone.
+    // A message may only be sent after the previous one.
     @Synchronized
     private fun send(message: (WebSocket) -> CompletableFuture<WebSocket>) {
         val socket = socket ?: return
@@ -126,7 +126,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
     private companion object {
         const val CONNECT_SECONDS = 2L
 
-        /** Bytes, or characters. */
+        /** In bytes or characters. */
         const val MAX_MESSAGE = 16 shl 20
         const val MAX_REASON = 100
     }

@@ -3,7 +3,7 @@ package badlog.networktables.record
 import java.net.http.HttpClient
 import java.time.Duration
 
-/** Keeps [source] connected: looks for the server, connects, asks it for its time, and begins again when it is gone. */
+/** Keeps [source] connected: finds the server, connects, requests its time, and starts over after a lost connection. */
 internal class LinkThread(
     private val source: Source,
     private val client: HttpClient,
@@ -24,7 +24,7 @@ internal class LinkThread(
                 sleep(RETRY_MILLIS)
             }
         } catch (_: InterruptedException) {
-            // Ended.
+            // The thread was ended.
         }
     }
 
@@ -42,7 +42,7 @@ internal class LinkThread(
         }
     }
 
-    /** Ends it and its connection, without waiting for that. */
+    /** Ends the thread and its connection without waiting. */
     fun end() {
         isEnded = true
         interrupt()

@@ -15,8 +15,8 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A log that is being written. Its name is that of WPILib's `DataLogManager`: `FRC_yyyyMMdd_HHmmss.wpilog`, in UTC, and with event and match
- * when these are known. What was [flushed][flush] is on the disk a tenth of a second later. Use it on one thread.
+ * A log that is being written. It is named as WPILib's `DataLogManager` would: `FRC_yyyyMMdd_HHmmss.wpilog`, in UTC, with event and match
+ * if known. [Flushed][flush] data is on the disk a tenth of a second later. Use it on one thread.
  *
  * @param path its first name; the file exists and is empty.
  * @property startMicros the robot's time at its start.
@@ -26,7 +26,7 @@ internal class LogFile private constructor(path: Path, private val channel: File
     var path: Path = path
         private set
 
-    /** Its size in bytes, without what was not flushed. */
+    /** Its size in bytes, without unflushed data. */
     @Volatile
     var bytes: Long = 0
         private set
@@ -50,18 +50,18 @@ internal class LogFile private constructor(path: Path, private val channel: File
 
     fun finish(entry: Int, micros: Long): Unit = stream.finish(entry, micros)
 
-    /** Passes everything on to the system. */
+    /** Passes all written data to the operating system. */
     fun flush(): Unit = stream.flush()
 
-    /** Adds [end] to its name, once. If the system refuses that now, it [may be tried again][isTriedAgain] when it is closed. */
-    fun rename(end: String, isTriedAgain: Boolean) {
+    /** Adds [end] to the file's name, once. If the system refuses, closing the file tries again if [retriesOnClose]. */
+    fun rename(end: String, retriesOnClose: Boolean) {
         if (nameEnd != null) return
         nameEnd = end
         move()
-        if (!isTriedAgain) nameEnd = ""
+        if (!retriesOnClose) nameEnd = ""
     }
 
-    /** Writes the rest, and closes it. */
+    /** Writes the remaining data and closes the file. */
     override fun close() {
         try {
             flush()
@@ -82,7 +82,7 @@ internal class LogFile private constructor(path: Path, private val channel: File
             Files.move(path, target)
             path = target
         } catch (_: IOException) {
-            // It keeps its first name.
+            // The file keeps its first name.
         }
     }
 
@@ -110,14 +110,14 @@ internal class LogFile private constructor(path: Path, private val channel: File
         private const val SYNC_MILLIS = 100L
         private val NAME = DateTimeFormatter.ofPattern("yyyyMMdd_HHmmss").withZone(ZoneOffset.UTC)
 
-        /** Creates a log in [folder], named after [now], or a second later if there is one already. Throws [IOException]. */
+        /** Creates a log in [folder], named after [now], or after a later second if that name is taken. Throws [IOException]. */
         fun create(folder: Path, now: Instant, startMicros: Long): LogFile {
             Files.createDirectories(folder)
             var time = now
             while (true) {
                 val stem = "FRC_${NAME.format(time)}"
                 time = time.plusSeconds(1)
-                // It may have got its match's name.
+                // A log of that second may already be named after its match.
                 val isTaken = Files.newDirectoryStream(folder, "$stem*").use { it.iterator().hasNext() }
                 if (isTaken) continue
                 val path = folder.resolve(stem + ENDING)

@@ -6,11 +6,11 @@ import java.time.Instant
 import java.time.temporal.ChronoUnit
 
 /**
- * Writes topics, and what the recorder itself has to say, into one log after another in the folder of [options]. Times are the robot's, in µs. Without an
- * open file, nothing is written.
+ * Writes topics and the recorder's own entries into one log after another in the folder of [options]. Times are the robot's, in µs. Without
+ * an open file, nothing is written.
  *
- * Its own entries: `messages`, as WPILib's `DataLogManager` has, `systemTime`, and in `Recorder/` when servers were connected and how many
- * values were dropped.
+ * Its own entries: `messages` and `systemTime`, as in WPILib's `DataLogManager`; in `Recorder/`, the servers' connections and the number of
+ * dropped values.
  */
 internal class LogOutput(private val options: RecordOptions) {
     private class Open(val file: LogFile, val messages: Int, val systemTime: Int, val dropped: Int, val droppedBefore: Long) {
@@ -28,26 +28,26 @@ internal class LogOutput(private val options: RecordOptions) {
 
     val isOpen: Boolean get() = open != null
 
-    /** How far it is; [isConnected] says whether the robot's server is connected. */
+    /** Returns the current progress; [isConnected] is whether the robot's server is connected. */
     fun progress(isConnected: Boolean): RecordProgress {
         val open = open
         return RecordProgress(valuesBefore + (open?.values ?: 0), open?.topics ?: 0, open?.file?.bytes ?: 0, open?.file?.path, isConnected)
     }
 
     /**
-     * Begins a file at [micros] with the topics of [sources] and their values, which hold from there on.
+     * Begins a file at [micros] with the topics of [sources] and their current values.
      *
      * @param dropped the number of values dropped so far.
-     * @param logMicros returns a time of a server in the robot's.
-     * @throws java.io.IOException if the file cannot be written, as all other functions.
+     * @param logMicros converts a server's time to the robot's.
+     * @throws java.io.IOException if the file cannot be written; the other functions throw it, too.
      */
     fun open(sources: List<Source>, micros: Long, dropped: Long, logMicros: (Source, Long) -> Long) {
         val file = LogFile.create(options.folder, Instant.now(), micros)
         val open = Open(
             file,
-            file.start("messages", "string", OWN, micros),
+            file.start("messages", "string", OWN_METADATA, micros),
             file.start("systemTime", "int64", "{\"source\":\"badlog\",\"format\":\"time_t_us\"}", micros),
-            file.start("Recorder/Dropped Values", "int64", OWN, micros),
+            file.start("Recorder/Dropped Values", "int64", OWN_METADATA, micros),
             dropped,
         )
         this.open = open
@@ -58,7 +58,7 @@ internal class LogOutput(private val options: RecordOptions) {
             source.byName.values.forEach(::forget)
             val isCurrent = source.byId.values.toSet()
             for (topic in source.byName.values) {
-                // Topics that went while the server was away are not those of this file.
+                // Topics that the server no longer had after reconnecting are left out.
                 if (source.link != null && topic !in isCurrent) continue
                 announced(topic, micros)
                 if (topic.latest != null) value(topic, logMicros(source, topic.latestMicros))
@@ -67,7 +67,7 @@ internal class LogOutput(private val options: RecordOptions) {
         tick(micros, dropped)
     }
 
-    /** Ends the file and returns it; null if there is none. [micros] is the time now, [ignored] the number of values that could not be read. */
+    /** Ends the file and returns it; null if none is open. [micros] is the current time, [ignored] the number of unreadable values. */
     fun close(micros: Long, dropped: Long, ignored: Long): RecordedFile? {
         val open = open ?: return null
         tick(micros, dropped)
@@ -81,28 +81,28 @@ internal class LogOutput(private val options: RecordOptions) {
         return RecordedFile(open.file.path, open.values, open.topics, open.file.bytes, lost, open.late, open.gaps)
     }
 
-    /** The topic exists from [micros] on. */
+    /** Records that [topic] exists from [micros] on. */
     fun announced(topic: RecordedTopic, micros: Long) {
         val file = open?.file ?: return
         if (topic.entry == 0) topic.entry = file.start(topic.logName, topic.logType, topic.metadata, micros)
     }
 
-    /** The topic no longer exists. */
+    /** Records that [topic] no longer exists. */
     fun unannounced(topic: RecordedTopic, micros: Long) {
         val file = open?.file ?: return
         if (topic.entry != 0) file.finish(topic.entry, micros)
         forget(topic)
     }
 
-    /** The topic has other properties. */
+    /** Records the new properties of [topic]. */
     fun described(topic: RecordedTopic, micros: Long) {
         val file = open?.file ?: return
         if (topic.entry != 0) file.changeMetadata(topic.entry, topic.metadata, micros)
     }
 
     /**
-     * Writes the latest value of [topic], which it has since [micros]; a value from before the file holds at its start. Returns false if it
-     * is earlier than the one before, and the first such value of the file.
+     * Writes the latest value of [topic], set at [micros]; an older value is written at the file's start. Returns false for the file's
+     * first value that is earlier than the previous one of its topic.
      */
     fun value(topic: RecordedTopic, micros: Long): Boolean {
         val open = open ?: return true
@@ -118,18 +118,18 @@ internal class LogOutput(private val options: RecordOptions) {
         return !(isLate && open.late == 1L)
     }
 
-    /** Returns whether the value [payload] of [topic] at [micros] is in the file already. */
+    /** Returns whether the file already contains the value [payload] of [topic] at [micros]. */
     fun has(topic: RecordedTopic, micros: Long, payload: ByteArray): Boolean {
         val start = open?.file?.startMicros ?: return false
         val before = topic.writtenMicros ?: return false
         return maxOf(micros, start) <= before && topic.latest.contentEquals(payload)
     }
 
-    /** The server of [source] is connected since [micros], or is not. */
+    /** Records whether the server of [source] is connected from [micros] on. */
     fun connected(source: Source, isConnected: Boolean, micros: Long) {
         val open = open ?: return
         if (!isConnected && source.connectedEntry == 0 && !source.isRobot) return
-        if (source.connectedEntry == 0) source.connectedEntry = open.file.start(source.connectedName, "boolean", OWN, micros)
+        if (source.connectedEntry == 0) source.connectedEntry = open.file.start(source.connectedName, "boolean", OWN_METADATA, micros)
         open.file.record(source.connectedEntry, maxOf(micros, open.file.startMicros), byteArrayOf(if (isConnected) 1 else 0))
         if (source.isRobot && !isConnected) open.gaps++
     }
@@ -138,15 +138,15 @@ internal class LogOutput(private val options: RecordOptions) {
         open?.run { file.record(messages, micros, text.encodeToByteArray()) }
     }
 
-    /** The log is of the match whose name ends in [nameEnd]. */
+    /** Names the log after its match by appending [nameEnd]. */
     fun match(nameEnd: String) {
         val open = open ?: return
         if (open.isMatchKnown) return
         open.isMatchKnown = true
-        open.file.rename(nameEnd, isTriedAgain = options.isRenamed)
+        open.file.rename(nameEnd, retriesOnClose = options.isRenamed)
     }
 
-    /** Writes what is due at [micros], and passes everything on to the disk. */
+    /** Writes entries due at [micros], and flushes all data to the disk. */
     fun tick(micros: Long, dropped: Long) {
         val open = open ?: return
         val lost = dropped - open.droppedBefore
@@ -169,7 +169,7 @@ internal class LogOutput(private val options: RecordOptions) {
     private fun bytesOf(number: Long) = ByteBuffer.allocate(Long.SIZE_BYTES).order(ByteOrder.LITTLE_ENDIAN).putLong(number).array()
 
     private companion object {
-        const val OWN = "{\"source\":\"badlog\"}"
+        const val OWN_METADATA = "{\"source\":\"badlog\"}"
 
         /** The time between records of the time of day, as in WPILib's logs. */
         const val WALL_MICROS = 5_000_000L

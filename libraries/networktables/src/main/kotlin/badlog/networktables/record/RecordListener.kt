@@ -4,35 +4,39 @@ import java.nio.file.Path
 
 /** Receives the events of a recorder, on its thread. */
 interface RecordListener {
-    /** The server [name] answers at [address], and its values are recorded from now on. */
+    /** Called when the server [name] answers at [address]. Its values are recorded from now on. */
     fun connected(name: String, address: ServerAddress) {}
 
-    /** The connection to the server [name] ended because of [reason], part of a sentence; it is looked for again. */
+    /**
+     * Called when the connection to the server [name] ends because of [reason], part of a sentence. The recorder looks for the server
+     * again.
+     */
     fun disconnected(name: String, reason: String) {}
 
-    /** A file is finished. */
+    /** Called when a file is finished. */
     fun finished(file: RecordedFile) {}
 
-    /** Something that a person should know: [message] is a sentence, which is also in the log. */
+    /** Called with a [message] for people, a sentence that is also in the log. */
     fun noted(message: String) {}
 }
 
-/** Returns that the server [name] answers at [address], as a sentence. */
+/** Returns a sentence about the connection to the server [name] at [address]. */
 fun connectedText(name: String, address: ServerAddress): String = "Connected to the $name at $address."
 
-/** Returns that the connection to the server [name] ended because of [reason], as a sentence. */
+/** Returns a sentence about the connection to the server [name], lost because of [reason]. */
 fun lostText(name: String, reason: String): String = "The connection to the $name was lost ($reason); looking for it."
 
 /**
- * A log that was recorded.
+ * A recorded log.
  *
- * @property path where it is.
+ * @property path its file.
  * @property values the number of values in it.
  * @property topics the number of topics that have values.
- * @property bytes its size.
- * @property dropped the number of values that arrived while it was written, but are missing because the disk was too slow.
- * @property late the number of values whose time is before that of the value before them; a program on the robot's network has another clock.
- * @property gaps how many times the connection to the robot was lost.
+ * @property bytes its size in bytes.
+ * @property dropped the number of received values that are missing because the disk was too slow.
+ * @property late the number of values that are earlier than the previous one of their topic, because a program on the robot's network has
+ *   another clock.
+ * @property gaps the number of times that the connection to the robot was lost.
  */
 class RecordedFile internal constructor(
     val path: Path,
@@ -45,12 +49,12 @@ class RecordedFile internal constructor(
 )
 
 /**
- * How far a recording is.
+ * The progress of a recording.
  *
  * @property values the number of values written since the start, in all files.
  * @property topics the number of topics that have values in the current file.
- * @property bytes the size of the current file.
- * @property file the current file, or null.
+ * @property bytes the size of the current file in bytes.
+ * @property file the current file; null if none is open.
  * @property isConnected whether the robot's server is connected.
  */
 class RecordProgress internal constructor(val values: Long, val topics: Int, val bytes: Long, val file: Path?, val isConnected: Boolean)

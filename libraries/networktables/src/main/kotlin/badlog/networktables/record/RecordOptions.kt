@@ -3,15 +3,15 @@ package badlog.networktables.record
 import java.nio.file.Path
 
 /**
- * What is recorded, and where to.
+ * The settings of a recorder: its folder, files and topics.
  *
- * @property folder the folder of the logs; it is created.
- * @property isPerEnable whether each time that the robot is enabled gets a file of its own, rather than the whole session.
- * @property isWanted returns whether a topic with this name in the log, such as `NT:/SmartDashboard/Speed`, is recorded; null for all.
- *   Type descriptions and `/FMSInfo` always are.
- * @property isRenamed whether a file that was begun gets its match's name as soon as the robot says it. False where somebody else has it
- *   open: then only a match that is known when its file begins is in the name.
- * @property maxWaitingBytes the size of the values that may wait for the disk before further ones are dropped.
+ * @property folder the folder for the logs; created if it does not exist.
+ * @property isPerEnable whether each enabled period gets a file of its own; otherwise the whole session is one file.
+ * @property isWanted returns whether a topic with this name in the log, such as `NT:/SmartDashboard/Speed`, is recorded; null for all. Type
+ *   descriptions and `/FMSInfo` always are.
+ * @property isRenamed whether an open file is renamed as soon as the robot reports its match. Set it to false if another program has the
+ *   file open: the name then includes only a match known when the file begins.
+ * @property maxWaitingBytes the maximum size of values waiting for the disk, in bytes; further values are dropped.
  */
 class RecordOptions(
     val folder: Path,

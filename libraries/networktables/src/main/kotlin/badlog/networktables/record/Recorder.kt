@@ -8,14 +8,14 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * Writes what NetworkTables servers publish into WPILOGs, while they publish it. It subscribes to all values, and publishes none. Entries are
- * named, typed and described as WPILib's own `DataLogManager` does; times are those of the robot's server, to which the times of other
- * servers are converted. A value that was set before its file began is written at the file's start, where it holds.
+ * Records the values of NetworkTables servers live into WPILOGs. It subscribes to all values and publishes none. Entries have the names,
+ * types and metadata of WPILib's own `DataLogManager`. Times are the robot server's; times of other servers are converted. A value set
+ * before its file began is written at the file's start.
  *
  * Thread-safe. Its threads end with [close], and do not keep a program running.
  *
- * @param servers the servers; the first is the robot's. Nothing is written before that was connected.
- * @param clock returns this computer's time in µs, from any moment.
+ * @param servers the servers; the first is the robot's. Nothing is written until it has connected.
+ * @param clock returns this computer's time in µs, from an arbitrary origin.
  * @throws IllegalArgumentException if there are none.
  */
 class Recorder internal constructor(
@@ -29,7 +29,7 @@ class Recorder internal constructor(
 
     private val inbox = Inbox(options.maxWaitingBytes)
     private val sources = servers.mapIndexed { index, server -> Source(server, isRobot = index == 0) }
-    private val session: Session
+    private val session: RecordSession
     private val links: List<LinkThread>
     private val writer = thread(start = false, isDaemon = true, name = "record") { write() }
     private val lock = ReentrantLock()
@@ -41,22 +41,22 @@ class Recorder internal constructor(
 
     init {
         require(servers.isNotEmpty()) { "A recorder needs a server." }
-        session = Session(sources, options, listener, inbox::dropped, clock)
+        session = RecordSession(sources, options, listener, inbox::dropped, clock)
         val client = LinkThread.client()
         links = sources.map { LinkThread(it, client, inbox, clock) }
     }
 
-    /** How far it is, a moment ago at most. */
+    /** The current progress, at most a moment old. */
     @Volatile
     var progress: RecordProgress = session.progress
         private set
 
-    /** Why it ended by itself: a sentence. Null if it did not. */
+    /** The reason why the recorder stopped by itself, as a sentence; null if it did not. */
     @Volatile
     var failure: String? = null
         private set
 
-    /** Starts to look for the servers. */
+    /** Starts looking for the servers. */
     fun start() {
         lock.withLock {
             check(!isStarted && !isEnding) { "A recorder starts once." }
@@ -66,13 +66,13 @@ class Recorder internal constructor(
         links.forEach { it.start() }
     }
 
-    /** Waits for [millis], or until it ends by itself. Returns false if it has ended. */
+    /** Waits for [millis], or until the recorder stops by itself. Returns false if it has stopped. */
     fun await(millis: Long): Boolean = lock.withLock {
         if (failure == null) ended.await(millis, TimeUnit.MILLISECONDS)
         failure == null
     }
 
-    /** Ends all connections, writes what has arrived, and closes the file. Waits for that. */
+    /** Ends all connections, writes all received values, and closes the file. Blocks until that is done. */
     override fun close() {
         links.forEach { it.end() }
         if (lock.withLock { !isStarted }) return
@@ -104,7 +104,7 @@ class Recorder internal constructor(
         try {
             session.finish()
         } catch (_: IOException) {
-            // What could not be written before is still lost.
+            // Data from an earlier failed write stays lost.
         }
         links.forEach { it.end() }
         lock.withLock {

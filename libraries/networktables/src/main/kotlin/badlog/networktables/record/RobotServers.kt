@@ -1,16 +1,16 @@
 package badlog.networktables.record
 
 /**
- * Returns the server of a robot, and with [isOfAll] also those that a robot of 2027 and its Driver Station have.
+ * Returns a robot's server and, if [isOfAll], the other servers of a 2027 robot and its Driver Station.
  *
- * @param find returns where the robot's server answers now, or null if it does not; see [RecordedServer.find].
+ * @param find returns the current address of the robot's server, or null if it does not answer; see [RecordedServer.find].
  */
 fun robotServers(isOfAll: Boolean, find: () -> ServerAddress?): List<RecordedServer> {
-    val place = LastPlace(find)
-    val robot = RecordedServer("robot", "NT:", find = place::find)
+    val lastAddress = LastAddress(find)
+    val robot = RecordedServer("robot", "NT:", find = lastAddress::find)
     if (!isOfAll) return listOf(robot)
     val systemcore = RecordedServer("Systemcore", "Systemcore:") {
-        place.found?.let { ServerAddress(it.host, RecordedServer.SYSTEMCORE_PORT) }
+        lastAddress.found?.let { ServerAddress(it.host, RecordedServer.SYSTEMCORE_PORT) }
     }
     val station = RecordedServer("Driver Station", "DS:", isMirror = true) {
         ServerAddress("localhost", RecordedServer.DRIVER_STATION_PORT)
@@ -18,8 +18,8 @@ fun robotServers(isOfAll: Boolean, find: () -> ServerAddress?): List<RecordedSer
     return listOf(robot, systemcore, station)
 }
 
-/** Where the robot answered last: its other server is there, too. */
-private class LastPlace(private val search: () -> ServerAddress?) {
+/** The address at which the robot last answered. Its other server has the same host. */
+private class LastAddress(private val search: () -> ServerAddress?) {
     @Volatile
     var found: ServerAddress? = null
         private set

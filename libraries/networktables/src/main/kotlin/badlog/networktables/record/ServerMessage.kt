@@ -7,10 +7,10 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.longOrNull
 
-/** What a server says about its topics. */
+/** A server's message about its topics. */
 internal sealed interface ServerMessage {
     /**
-     * The topic [name] exists, and its values have the number [id].
+     * The topic [name] exists, and its values are sent with [id].
      *
      * @property type its type, such as `double` or `struct:Pose2d`.
      */
@@ -19,11 +19,11 @@ internal sealed interface ServerMessage {
     /** The topic [name] no longer exists. */
     class Unannounce(val name: String, val id: Long) : ServerMessage
 
-    /** The properties of the topic [name] change: those in [update]; null removes one. */
+    /** The properties of the topic [name] that change; a null in [update] removes one. */
     class Properties(val name: String, val update: JsonObject) : ServerMessage
 }
 
-/** Returns the messages in the text frame [text]. What is not understood is passed to [ignore], as part of a sentence, and skipped. */
+/** Returns the messages in the text frame [text]. Unknown content is skipped and passed to [ignore], as part of a sentence. */
 internal fun serverMessages(text: String, ignore: (String) -> Unit): List<ServerMessage> = try {
     messagesIn(text).mapNotNull { message ->
         val method = (message as? JsonObject)?.get("method").text()

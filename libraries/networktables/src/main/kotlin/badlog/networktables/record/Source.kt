@@ -5,17 +5,17 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 
 /**
- * What is known of one server. Used on the recorder's thread only, except for [server].
+ * The state of one server. Use it only on the recorder's thread, except for [server].
  *
- * @property isRobot whether its clock is that of the log.
+ * @property isRobot whether it is the robot's server, with the clock that the log uses.
  */
 internal class Source(val server: RecordedServer, val isRobot: Boolean) {
     val sync = TimeSync()
 
-    /** The current connection, or null. */
+    /** The current connection; null if there is none. */
     var link: Link? = null
 
-    /** Whether it has answered and sends values. */
+    /** Whether the server has answered and sends values. */
     var isSubscribed = false
 
     /** The number of the entry that says whether it is connected; 0 for none. */
@@ -28,7 +28,7 @@ internal class Source(val server: RecordedServer, val isRobot: Boolean) {
     val connectedName: String get() = if (isRobot) "Recorder/Connected" else "Recorder/Connected ${server.prefix.trimEnd(':')}"
 
     companion object {
-        /** As many as a reader takes. */
+        /** The maximum that readers of logs accept. */
         const val MAX_TOPICS = 65_536
     }
 }
@@ -43,24 +43,24 @@ internal class Source(val server: RecordedServer, val isRobot: Boolean) {
 internal class RecordedTopic(val name: String, val typeName: String, val logName: String, properties: JsonObject) {
     val type: TopicType = TopicType.of(typeName)
 
-    /** Its type in a WPILOG, which calls an integer by its size. */
+    /** Its type in a WPILOG, where integer types include their size. */
     val logType: String get() = if (typeName == "int" || typeName == "int[]") typeName.replace("int", "int64") else typeName
 
     var properties: JsonObject = properties
         private set
 
-    /** What WPILib's own logger writes for a topic of NetworkTables. */
+    /** Its entry's metadata, as WPILib's own logger writes it. */
     val metadata: String get() = "{\"properties\":$properties,\"source\":\"NT\"}"
 
-    /** Its last value, as in a record, and since when it holds, in the server's time; null before the first. */
+    /** Its last value as a record's payload, and the server's time when it was set; null before the first value. */
     var latest: ByteArray? = null
     var latestMicros = 0L
 
-    /** The number of its entry in the current file, 0 for none; and the time of its last record there, or null. */
+    /** The number of its entry in the current file, 0 for none; and the time of its last record there, null for none. */
     var entry = 0
     var writtenMicros: Long? = null
 
-    /** Whether the server is about to send its current value, which may be known already. */
+    /** Whether the next value may repeat one already received. */
     var isRepeating = true
 
     fun update(changes: JsonObject) {

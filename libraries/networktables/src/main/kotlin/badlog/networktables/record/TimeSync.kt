@@ -3,9 +3,9 @@ package badlog.networktables.record
 import kotlin.math.abs
 
 /**
- * Follows a server's clock, from answers to requests for its time. Times are in µs; those of this computer count from any moment.
+ * Tracks a server's clock by its answers to requests for the time. Times are in µs; this computer's have an arbitrary origin.
  *
- * The quickest of the last answers counts: what a request waits for on its way makes the clock uncertain by half of that.
+ * Only the quickest of the last answers counts: the clock's uncertainty is half of the round trip.
  */
 internal class TimeSync {
     private class Answer(val offset: Long, val roundTrip: Long, val local: Long)
@@ -17,8 +17,8 @@ internal class TimeSync {
         private set
 
     /**
-     * Takes the answer [server], which arrived at [local] to a request of [sent]. Returns whether the server's clock is another one than
-     * before: it was set, or has started anew. It then counts from this answer on.
+     * Handles the answer [server], received at [local] to a request sent at [sent]. Returns whether the server's clock was set or
+     * restarted; only answers from this one on count then.
      */
     fun answered(sent: Long, server: Long, local: Long): Boolean {
         val roundTrip = local - sent
@@ -31,12 +31,12 @@ internal class TimeSync {
         if (answers.size > KEPT) answers.removeFirst()
         val now = checkNotNull(best).offset
         val was = offset
-        // Each answer moves it a little; times that follow it should not tremble.
-        if (was == null || isAnother || abs(now - was) > TREMBLE) offset = now
+        // Small corrections are skipped, so that converted times do not jitter.
+        if (was == null || isAnother || abs(now - was) > JITTER_MICROS) offset = now
         return isAnother
     }
 
-    /** Forgets the answers, which a later connection may not confirm, except for the last one to compare with. */
+    /** Forgets all answers but the quickest, with which the next connection is compared. */
     fun disconnected() {
         val last = best ?: return
         answers.clear()
@@ -50,9 +50,9 @@ internal class TimeSync {
     private companion object {
         const val KEPT = 10
 
-        const val TREMBLE = 2_000L
+        const val JITTER_MICROS = 2_000L
 
-        /** Robots that restart are gone for longer. */
+        /** A restarting robot is away for longer. */
         const val SLACK = 250_000L
 
         /** Clocks of computers differ by less than 1 in 5,000. */

@@ -13,22 +13,22 @@ import java.nio.ByteOrder
 
 /** Receives the values of a frame. */
 internal interface ValueSink {
-    /** Returns the type of the topic [id], or null if its values are not wanted. */
+    /** Returns the type of the topic [id]; null if its values are not recorded. */
     fun typeOf(id: Long): TopicType?
 
-    /** Receives a value of topic [id] with the server's time, its [payload] as in a record of a WPILOG. */
+    /** Receives a value of topic [id] with the server's time and its [payload] as in a WPILOG record. */
     fun value(id: Long, micros: Long, payload: ByteArray)
 
-    /** The server answers that its time is [serverMicros] to a request of [sentMicros]. */
+    /** Receives the server's time [serverMicros], in answer to a request sent at [sentMicros]. */
     fun time(serverMicros: Long, sentMicros: Long)
 
-    /** A value is left out because of [what], as part of a sentence. */
+    /** Called when a value is left out because of [what], part of a sentence. */
     fun ignored(what: String)
 }
 
 /**
  * Reads the binary frame [frame] of NetworkTables 4: MessagePack arrays of a topic's id, the server's time, a type's code and a value.
- * Whatever follows something that is not such an array is ignored.
+ * Everything after the first invalid array is ignored.
  */
 internal fun readValues(frame: ByteArray, sink: ValueSink) {
     val unpacker = MessagePack.newDefaultUnpacker(frame)
@@ -51,12 +51,12 @@ internal fun countValues(frame: ByteArray): Int {
             count++
         }
     } catch (_: MessagePackException) {
-        // What cannot be read is not a value.
+        // Unreadable content does not count.
     }
     return count
 }
 
-/** Returns a frame that asks for the server's time, and comes back with [micros]. */
+/** Returns a frame that requests the server's time; the answer repeats [micros]. */
 internal fun timeRequest(micros: Long): ByteBuffer {
     val packer = MessagePack.newDefaultBufferPacker()
     packer.packArrayHeader(ELEMENTS).packLong(TIME_ID).packLong(0).packInt(TopicType.INT.code).packLong(micros)
@@ -88,7 +88,7 @@ private fun readValue(unpacker: MessageUnpacker, frameSize: Int, sink: ValueSink
     if (payload != null) {
         sink.value(id, micros, payload)
     } else {
-        // Half of an array may be read, so that nothing behind it can be.
+        // The array may be half read, so everything after it is unreadable.
         if (type.code != code) unpacker.skipValue()
         sink.ignored("a value of another type than its topic")
         return type.code != code
@@ -96,7 +96,7 @@ private fun readValue(unpacker: MessageUnpacker, frameSize: Int, sink: ValueSink
     return true
 }
 
-/** Returns the value of [type] here as in a record of a WPILOG, or null if it is another value, or a longer one than [left] bytes hold. */
+/** Returns the next value as a WPILOG payload of [type]; null if it has another type, or does not fit in [left] bytes. */
 private fun payload(unpacker: MessageUnpacker, type: TopicType, left: Long): ByteArray? = when (type) {
     TopicType.BOOLEAN -> boolean(unpacker)?.let { byteArrayOf(it) }
     TopicType.DOUBLE -> double(unpacker)?.let { bytes(Double.SIZE_BYTES).putDouble(it).array() }
@@ -114,7 +114,7 @@ private fun payload(unpacker: MessageUnpacker, type: TopicType, left: Long): Byt
 private fun boolean(unpacker: MessageUnpacker): Byte? =
     if (unpacker.nextFormat.valueType == ValueType.BOOLEAN) (if (unpacker.unpackBoolean()) 1 else 0) else null
 
-/** Some programs send whole numbers as such, even for a topic of `double`. */
+/** Some programs send integers, even for a topic of `double`. */
 private fun double(unpacker: MessageUnpacker): Double? = when (unpacker.nextFormat.valueType) {
     ValueType.FLOAT -> unpacker.unpackDouble()
     ValueType.INTEGER -> unpacker.unpackLong().toDouble()
@@ -136,7 +136,7 @@ private fun raw(unpacker: MessageUnpacker, left: Long): ByteArray? {
     return if (size <= left) unpacker.readPayload(size) else null
 }
 
-/** Memory is taken only for what can be in the frame, whatever an array announces. */
+/** Reads an array. Its announced size is checked against the frame's before memory is allocated. */
 private inline fun array(unpacker: MessageUnpacker, left: Long, width: Int, read: (ByteBuffer) -> Any?): ByteArray? {
     if (unpacker.nextFormat.valueType != ValueType.ARRAY) return null
     val size = unpacker.unpackArrayHeader()
@@ -163,7 +163,7 @@ private fun strings(unpacker: MessageUnpacker, left: Long): ByteArray? {
 
 private fun bytes(size: Int) = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN)
 
-/** Readers of WPILOGs take longer payloads for damage. */
+/** Readers of WPILOGs treat longer payloads as damage. */
 private const val MAX_PAYLOAD = 16 shl 20
 
 private const val ELEMENTS = 4

@@ -5,7 +5,7 @@ import kotlinx.serialization.json.JsonObjectBuilder
 import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 
-/** Returns the properties of a recording's topic. It exists as long as the server, so it is retained. */
+/** Returns the properties of a recording's topic. It is marked as retained, because it exists as long as the server. */
 internal fun propertiesOf(signal: ReplayedTopic): JsonObject = buildJsonObject {
     signal.unit?.let { put("unit", it) }
     put("retained", true)
@@ -21,7 +21,7 @@ internal fun announce(name: String, id: Int, type: String, properties: JsonObjec
         put("properties", properties)
     }
 
-/** Announces that the topic no longer exists. */
+/** Announces that the topic [name] no longer exists. */
 internal fun unannounce(name: String, id: Int): JsonObject = message("unannounce") {
     put("name", name)
     put("id", id)

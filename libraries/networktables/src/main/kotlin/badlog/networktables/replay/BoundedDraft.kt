@@ -18,11 +18,11 @@ import java.net.URISyntaxException
 import java.nio.ByteBuffer
 
 /**
- * WebSockets of NT4, for programs on this computer: handshakes and messages are limited in length, and no web page from the
- * internet may connect.
+ * WebSockets of NT4, for programs on this computer: handshakes and messages are limited in length, and no web page from the internet may
+ * connect.
  *
  * @param ownHost the address at which the server listens, as pages on it would name it.
- * @param refuse called for what is refused, with the client and what it sent, as part of a sentence.
+ * @param refuse called for each refused message or handshake, with the client and a description as part of a sentence.
  */
 internal class BoundedDraft(private val ownHost: String, private val refuse: (client: String, what: String) -> Unit) :
     Draft_6455(emptyList(), SubProtocol.entries.map { Protocol(it.id) }, MAX_FRAME) {
@@ -54,7 +54,9 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
 
     override fun copyInstance(): Draft = BoundedDraft(ownHost, refuse)
 
-    /** Returns whether [origin] is foreign. Programs send no origin, or one on their own disk; pages served by this computer are fine. */
+    /**
+     * Returns whether [origin] is foreign. Programs send no origin, or one on their own disk; pages served by this computer are allowed.
+     */
     private fun isForeign(origin: String): Boolean {
         if (origin.isBlank()) return false
         val scheme = origin.substringBefore("://", "")
@@ -76,7 +78,7 @@ internal class BoundedDraft(private val ownHost: String, private val refuse: (cl
         private const val NOBODY = "somebody"
         private val LOOPBACK = listOf("localhost", "127.0.0.1", "[::1]", "::1")
 
-        /** Returns the result of [read] for a handshake of which [bytes] have arrived; calls [onEndless] if it is too long. */
+        /** Returns the result of [read] for the handshake [bytes] received so far; calls [onEndless] if it is too long. */
         inline fun bounded(bytes: ByteBuffer, onEndless: () -> Unit, read: () -> Handshakedata): Handshakedata {
             val size = bytes.remaining()
             return try {

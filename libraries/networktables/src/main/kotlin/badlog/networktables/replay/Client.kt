@@ -6,7 +6,7 @@ import java.util.BitSet
 /**
  * The subscriptions and pending values of one connected client. Use it on one thread at a time.
  *
- * @param ignore called for what was not understood or not done, as part of a sentence.
+ * @param ignore called for each request that was not understood or not performed, with a description as part of a sentence.
  */
 internal class Client(
     private val player: Player,
@@ -43,12 +43,12 @@ internal class Client(
         textFrames(answers).forEach(wire::send)
     }
 
-    /** Queues those of [updates] that are wanted. */
+    /** Queues the [updates] of subscribed topics. */
     fun offer(updates: List<Update>) {
         for (update in updates) if (subscriptions.wantsValues(update.signal)) offer(update)
     }
 
-    /** Sends what is due; nothing while the client has not taken what was sent before. Returns whether all that is due was sent. */
+    /** Sends due values, unless the client has not yet received earlier ones. Returns whether all due values were sent. */
     fun flush(nowMicros: Long): Boolean {
         if (outbox.isEmpty) return true
         if (wire.isBusy) return false

@@ -10,7 +10,7 @@ import java.nio.ByteBuffer
  * A client's WebSocket.
  *
  * @property name the client's own name.
- * @property receivedMicros when the client's last message arrived.
+ * @property receivedMicros the arrival time of the client's last message.
  */
 internal class Connection(private val socket: WebSocket, val protocol: SubProtocol, path: String, @Volatile var receivedMicros: Long) :
     Wire {
@@ -24,7 +24,7 @@ internal class Connection(private val socket: WebSocket, val protocol: SubProtoc
 
     fun ping() = whileOpen { socket.sendPing() }
 
-    /** Ends it at once, even if there is more to send. */
+    /** Ends the connection immediately, even with queued data. */
     fun end(why: String) = socket.closeConnection(GOING_AWAY, why)
 
     // It may be closed at any moment; that is reported elsewhere.

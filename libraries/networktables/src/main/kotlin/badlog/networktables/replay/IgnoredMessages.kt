@@ -14,7 +14,7 @@ internal class IgnoredMessages {
         if (count++ == 0) first = "“$client” sent $what"
     }
 
-    /** A sentence about them, or null if there are none. */
+    /** A sentence about messages that were not understood; null if there are none. */
     @get:Synchronized
     val note: String?
         get() = when (count) {
@@ -29,7 +29,7 @@ internal class IgnoredMessages {
         refused = refused ?: "“$client” was refused: there are $most connections already; close another dashboard first."
     }
 
-    /** A sentence about the first that was refused, or null. */
+    /** A sentence about the first refused connection; null if there is none. */
     @get:Synchronized
     val refusal: String?
         get() = refused

@@ -7,7 +7,7 @@ package badlog.networktables.replay
 internal class Outbox(signalCount: Int, private val limit: Int) {
     private val waiting = ArrayDeque<Update>()
 
-    // For topics of which only the latest value is wanted, in the order in which they changed.
+    // Values of topics subscribed to for their latest value only, in the order of their changes.
     private val latest = LinkedHashMap<Int, Update>()
     private val dueMicros = LongArray(signalCount)
 

@@ -3,8 +3,8 @@ package badlog.networktables.replay
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The topics that one client publishes besides those of the recording. The client gets the answers it expects; nobody else
- * sees these topics, and their values are dropped.
+ * The topics that one client publishes besides the recording's. The client gets the answers it expects; other clients do not see these
+ * topics, and their values are dropped.
  *
  * @param firstId the lowest id that no topic of the recording has.
  */
@@ -27,7 +27,7 @@ internal class OwnTopics(firstId: Int) {
         return announce(topic.name, topic.id, topic.type, topic.properties, request.id)
     }
 
-    /** Returns null while somebody else publishes it, and for an unknown publisher. */
+    /** Returns null while the topic has another publisher, and for an unknown publisher. */
     fun unpublish(request: Request.Unpublish): JsonObject? {
         val topic = byPublisher.remove(request.id) ?: return null
         topic.publishers -= request.id

@@ -4,14 +4,14 @@ package badlog.networktables.replay
  * Follows [playhead] through [signals], and knows the current value of each.
  */
 internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) {
-    // For each signal, the number of samples played, and when the last of these began to hold.
+    // For each signal, the number of samples played, and the time of the last one.
     private val played = IntArray(signals.size)
     private val sinceMicros = LongArray(signals.size)
 
     /** Returns the current value of signal [signal]; null before its first sample. */
     fun current(signal: Int): Update? = if (played[signal] == 0) null else Update(signal, played[signal] - 1, sinceMicros[signal])
 
-    /** Returns what changed until [nowNanos], in the order of time. After a jump, that is every signal. */
+    /** Returns the changes until [nowNanos], in the order of time. After a jump, every signal has changed. */
     fun advance(nowNanos: Long): List<Update> {
         val updates = ArrayList<Update>()
         playhead.advance(nowNanos) { stretch ->
@@ -48,7 +48,7 @@ internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) 
     private companion object {
         const val NANOS_PER_MICRO = 1000
 
-        /** The maximum reported at once, for example when a laptop wakes up after an hour: the earliest are skipped. */
+        /** The maximum number reported at once, for example when a laptop wakes up after an hour: the earliest are skipped. */
         const val MAX_OF_A_SIGNAL = 10_000
     }
 }
@@ -56,6 +56,6 @@ internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) 
 /**
  * A value to send: sample [index] of signal [signal].
  *
- * @property micros when it began to hold, in the server's time.
+ * @property micros its time on the server's clock.
  */
 internal class Update(val signal: Int, val index: Int, val micros: Long)

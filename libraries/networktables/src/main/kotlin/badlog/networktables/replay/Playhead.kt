@@ -4,11 +4,11 @@ import kotlin.math.floor
 import kotlin.math.roundToLong
 
 /**
- * The position of a replay in a recording. It has no clock: every function receives the time, in nanoseconds that never
- * go backwards. Positions are in the unit of the recording's x axis. Initially paused at the start of [range].
+ * The position of a replay in a recording. It has no clock: every function receives the time, in nanoseconds that never go backwards.
+ * Positions are in the unit of the recording's x axis. Initially paused at the start of [range].
  *
  * @property range the range that is played.
- * @property unitsPerSecond by how much x advances in a second of the recording.
+ * @property unitsPerSecond the advance of x in a second of the recording.
  * @property isLooping whether it continues at the start when it reaches the end; has no effect on a range without length.
  * @throws IllegalArgumentException when [range] is empty or not finite, or [speed] not above 0.
  */
@@ -76,8 +76,8 @@ internal class Playhead(
     }
 
     /**
-     * Passes what was played since the last call to [visit], in order and without repetition. Of laps that began and ended
-     * since then, only the last is reported, as nobody could have seen the others.
+     * Passes everything played since the last call to [visit], in order and without repetition. Of laps that began and ended since then,
+     * only the last is reported, as the others could not have been seen.
      */
     fun advance(nowNanos: Long, visit: (Stretch) -> Unit) {
         if (isPlaying && isLooping) {
@@ -85,7 +85,7 @@ internal class Playhead(
             if (laps >= 1) {
                 visit(stretchTo(range.endInclusive))
                 val lapBegan = anchorNanos + ((laps * length - (anchorPosition - range.start)) / unitsPerNano).roundToLong()
-                // Rounded up, it might not have begun yet.
+                // Rounded up, the lap would begin after [nowNanos].
                 seek(range.start, minOf(lapBegan, nowNanos))
             }
         }
@@ -116,7 +116,7 @@ internal fun requireSpeed(speed: Double): Double {
 /**
  * A part of a recording that was played without a jump: samples after [from] and not after [to].
  *
- * @property isFresh whether the playhead jumped to [from], so that values holding there are new.
+ * @property isFresh whether the playhead jumped to [from], so that the values there are new.
  */
 internal class Stretch(
     val from: Double,
@@ -126,6 +126,6 @@ internal class Stretch(
     private val anchorNanos: Long,
     private val unitsPerNano: Double,
 ) {
-    /** Returns when the playhead was at [position]. */
+    /** Returns the time when the playhead was at [position]. */
     fun nanosAt(position: Double): Long = anchorNanos + ((position - anchorPosition) / unitsPerNano).roundToLong()
 }

@@ -11,11 +11,11 @@ import badlog.core.text.UniqueNames
 import badlog.networktables.TopicType
 
 /**
- * Returns the topics of [view]'s recording, then its values below `Values/`, in the form of NetworkTables, and when the robot was
- * enabled, unless a topic shows it in the form that dashboards know.
+ * Returns the topics of [view]'s recording as NetworkTables topics, then its values below `Values/`. A control word is added if the log
+ * shows when the robot was enabled and no topic already says so in the form that dashboards know.
  *
- * @param logged the topics that are sent as logged; of the recording's topics, only those without a type, which are calculated, are
- * then added.
+ * @param logged the topics that are sent as logged; if there are any, only calculated topics of the recording, which have no type, are
+ *   added.
  */
 internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> = emptyList()): List<ReplayedTopic> {
     val names = TopicNames(prefix)
@@ -23,7 +23,7 @@ internal fun signalsOf(view: LogView, prefix: String, logged: List<LoggedTopic> 
     val signals = logged.map { signalOf(it, names.nameOf(it.name)) } +
         described.map { signalOf(it, view, names.nameOf(it.name)) } +
         view.recording.values.map { value ->
-            // Before every position, so that it holds from the start.
+            // Before every position, so that the value is there from the start.
             val sample = Series(doubleArrayOf(Double.NEGATIVE_INFINITY), doubleArrayOf(0.0))
             val name = names.nameOf("Values/" + value.name.trimStart('/'))
             ReplayedTopic(name, TopicType.STRING, Topic.UNITLESS, sample, listOf(value.text.encodeToByteArray()))
@@ -38,7 +38,7 @@ private fun signalOf(topic: LoggedTopic, name: String): ReplayedTopic {
     return ReplayedTopic(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
 }
 
-/** Returns when the robot was enabled, and in which mode, in the bits of a robot's own topic for it; null if the log does not show it. */
+/** Returns the robot's enabled state and mode as a control word, as a robot publishes it; null if the log does not show them. */
 private fun controlWordOf(view: LogView): ReplayedTopic? {
     val spans = view.enabledSpans()
     val start = view.xAxis.range?.start ?: return null
@@ -96,7 +96,7 @@ internal fun rangeOf(signals: List<ReplayedTopic>): ClosedFloatingPointRange<Dou
 }
 
 /**
- * Names of a recording in the form of NetworkTables: `/Folder/Name`, each unique, and all below [prefix] if there is one. Only type
+ * The NetworkTables names of a recording's topics: `/Folder/Name`, each unique, and all below [prefix] if there is one. Only type
  * descriptions stay where dashboards look for them.
  */
 internal class TopicNames(prefix: String) {
@@ -114,8 +114,8 @@ internal class TopicNames(prefix: String) {
     }
 }
 
-/** A recording without a time is played as if its robot had logged every 20 ms, as robots usually do. */
+/** Used for recordings without a time: robots usually log every 20 ms. */
 private const val ROWS_PER_SECOND = 50.0
 
-/** Returns by how much [axis] advances in a second. An x that is neither time nor index is taken for seconds. */
+/** Returns the advance of [axis] in a second. An x that is neither time nor index is treated as seconds. */
 internal fun unitsPerSecond(axis: XAxis): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: if (axis.isIndex) ROWS_PER_SECOND else 1.0

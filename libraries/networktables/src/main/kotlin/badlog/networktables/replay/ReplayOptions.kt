@@ -3,7 +3,7 @@ package badlog.networktables.replay
 import java.net.InetAddress
 
 /**
- * How a recording is replayed.
+ * Settings of a replay.
  *
  * @property port the port to which dashboards connect; 0 for any free one. Most dashboards only know [DEFAULT_PORT].
  * @property address the address at which dashboards can connect. Default: this computer only.

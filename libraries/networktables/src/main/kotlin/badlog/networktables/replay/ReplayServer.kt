@@ -9,17 +9,16 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.TimeUnit
 
 /**
- * Replays a recording in real time to dashboards that use WPILib's NetworkTables 4: it is a server of that protocol with the topics
- * of the recording. Numbers are `double`, truth values `boolean`, states and events `string`, and the header's values are strings
- * below `/Values/`. The unit is the property `unit`. `/FMSInfo/FMSControlData` shows when the robot was enabled, as on a robot.
+ * Replays a recording in real time to dashboards, as a NetworkTables 4 server with the recording's topics. Numbers are `double`, truth
+ * values `boolean`, states and events `string`, and the header's values are strings below `/Values/`. The unit is the property `unit`.
+ * `/FMSInfo/FMSControlData` shows when the robot was enabled, as on a robot.
  *
  * Thread-safe. Its own threads end with [close], and do not keep a program running.
  *
- * @property options how it is replayed.
- * @param logged topics that are sent as logged, with their original types, instead of the recording's; of those, only calculated
- *   ones remain.
- * @param nanos returns the time in ns, from any moment.
- * @param ticks calls, again and again, what sends values and checks the connections; ends with [close].
+ * @property options the settings of the replay.
+ * @param logged topics that are sent as logged, with their original types; they replace all topics of the recording but calculated ones.
+ * @param nanos returns the time in ns, from an arbitrary origin.
+ * @param ticks periodically sends values and checks the connections; ends with [close].
  */
 class ReplayServer internal constructor(
     view: LogView,
@@ -69,7 +68,7 @@ class ReplayServer internal constructor(
     /** The current position on the x axis. */
     val position: Double get() = synchronized(lock) { playhead.position(serverNanos()) }
 
-    /** Whether it is playing; at the end, it still is until [pause]. */
+    /** Whether it is playing; at the end, it still counts as playing until [pause]. */
     val isPlaying: Boolean get() = synchronized(lock) { playhead.isPlaying }
 
     /** Whether there is nothing left to play. Dashboards still see the last values. Never while looping. */
@@ -137,14 +136,14 @@ class ReplayServer internal constructor(
         sockets.stop(CLOSING_MILLIS)
     }
 
-    /** Sends what was played with the old settings before [action] changes them. */
+    /** Sends everything played with the old settings before [action] changes them. */
     private fun change(action: (nowNanos: Long) -> Unit) = synchronized(lock) {
         val now = serverNanos()
         offer(player.advance(now))
         action(now)
     }
 
-    /** Sends what is due. Returns whether that was all, because every client has taken what was sent before. */
+    /** Sends due values. Returns whether all were sent; a client that has not yet received earlier ones gets none. */
     internal fun tick(): Boolean = synchronized(lock) {
         val now = serverNanos()
         offer(player.advance(now))

@@ -9,11 +9,11 @@ import badlog.networktables.TopicType
  *
  * @property name its full name there; begins with `/`.
  * @property unit its unit, or null for none.
- * @property samples its values; ordered, and without gaps, except for a [TopicType.DOUBLE], for which NaN means that there is no
- *   number from then on.
- * @property texts what the samples of a [TopicType.STRING] stand for, in UTF-8; otherwise empty.
+ * @property samples its values; ordered, and without gaps, except for a [TopicType.DOUBLE], for which NaN means that there is no number
+ *   from then on.
+ * @property texts the texts for the samples of a [TopicType.STRING], in UTF-8; otherwise empty.
  * @property typeName the name of the type in its announcement.
- * @property payload returns the bytes of a sample, as in a WPILOG, if these are sent rather than numbers; otherwise null.
+ * @property payload returns the bytes of a sample, as in a WPILOG; null if numbers are sent instead.
  */
 internal class ReplayedTopic(
     val name: String,
@@ -37,9 +37,7 @@ internal fun Series.ordered(): Series {
     return Series(DoubleArray(size) { x[order[it]] }, DoubleArray(size) { y[order[it]] })
 }
 
-/**
- * Returns these samples with at most the first NaN of each gap, and not even that if [keepsFirst] is false or there is nothing before it.
- */
+/** Returns these samples with at most the first NaN of each gap. That is removed, too, if [keepsFirst] is false or nothing precedes it. */
 internal fun Series.withoutGaps(keepsFirst: Boolean): Series {
     fun isKept(i: Int) = !y[i].isNaN() || (keepsFirst && i > 0 && !y[i - 1].isNaN())
     val kept = (0 until size).count(::isKept)

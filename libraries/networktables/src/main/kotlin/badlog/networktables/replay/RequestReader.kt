@@ -10,13 +10,13 @@ import kotlinx.serialization.json.booleanOrNull
 import kotlinx.serialization.json.doubleOrNull
 import kotlinx.serialization.json.longOrNull
 
-/** Reads a client's text frames. Anything not understood is passed to [ignore], as part of a sentence, and skipped. */
+/** Reads a client's text frames. Unknown content is skipped and passed to [ignore], as part of a sentence. */
 internal class RequestReader(private val ignore: (String) -> Unit) {
     fun read(text: String): List<Request> {
         val messages = try {
             messagesIn(text)
         } catch (e: UnreadableFrameException) {
-            return nothing(e.what)
+            return noRequests(e.what)
         }
         return messages.mapNotNull(::request)
     }
@@ -71,7 +71,7 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
 
     private fun JsonElement?.number() = (this as? JsonPrimitive)?.takeIf { !it.isString }?.longOrNull
 
-    private fun nothing(why: String): List<Request> = emptyList<Request>().also { ignore(why) }
+    private fun noRequests(why: String): List<Request> = emptyList<Request>().also { ignore(why) }
 
     private fun refuse(why: String): Request? = null.also { ignore(why) }
 

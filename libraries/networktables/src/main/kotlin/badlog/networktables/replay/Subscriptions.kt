@@ -1,6 +1,6 @@
 package badlog.networktables.replay
 
-/** What one client subscribed to, worked out for each of [signals]. */
+/** The subscriptions of one client, evaluated for each of [signals]. */
 internal class Subscriptions(private val signals: List<ReplayedTopic>) {
     private class Subscription(val request: Request.Subscribe, val signals: IntArray)
 

@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
-/** A clock that stands still, at so many [micros], until a test advances it. */
+/** A clock that stands still at [micros] until a test advances it. */
 internal class StillClock(micros: Long = 1_000_000) {
     private val time = AtomicLong(micros)
 
@@ -28,7 +28,7 @@ internal class StillClock(micros: Long = 1_000_000) {
 }
 
 /**
- * A NetworkTables server that says what a test wants.
+ * A NetworkTables server under the control of a test.
  *
  * @property offset its time minus that of [clock], in µs; a test may set it.
  * @property clock the time of the computer of server and recorder.
@@ -45,11 +45,11 @@ internal class FakeServer(port: Int = 0, @Volatile var offset: Long = 4_000_000,
     /** The texts that clients sent. */
     val requests = ConcurrentLinkedQueue<String>()
 
-    /** What it sends to whoever subscribes. */
+    /** The first messages, sent to each client that subscribes. */
     @Volatile
     var greeting: FakeServer.() -> Unit = {}
 
-    /** How many clients were greeted. */
+    /** The number of greeted clients. */
     val greeted = AtomicInteger()
 
     /** Its time now, in µs. */
@@ -62,9 +62,9 @@ internal class FakeServer(port: Int = 0, @Volatile var offset: Long = 4_000_000,
         check(isOpen.await(60, TimeUnit.SECONDS)) { "The server did not start." }
     }
 
-    fun announce(name: String, id: Int, type: String, properties: String = "{}") = say("""[{"method":"announce","params":{"name":"$name","id":$id,"type":"$type","properties":$properties}}]""")
+    fun announce(name: String, id: Int, type: String, properties: String = "{}") = sendText("""[{"method":"announce","params":{"name":"$name","id":$id,"type":"$type","properties":$properties}}]""")
 
-    fun say(text: String) = connections.forEach { it.send(text) }
+    fun sendText(text: String) = connections.forEach { it.send(text) }
 
     fun send(bytes: ByteArray) = connections.forEach { it.send(bytes) }
 
@@ -74,7 +74,7 @@ internal class FakeServer(port: Int = 0, @Volatile var offset: Long = 4_000_000,
     /** Sends a value of a topic of `double`. */
     fun number(id: Int, number: Double, micros: Long = this.micros) = value(id, 1, micros) { packDouble(number) }
 
-    /** Says whether the robot is enabled; the topic has to be announced as 99. */
+    /** Sends whether the robot is enabled; the topic must be announced as 99. */
     fun enable(isEnabled: Boolean) = value(99, 2) { packLong(if (isEnabled) 33 else 32) }
 
     fun announceControl() = announce("/FMSInfo/FMSControlData", 99, "int")

@@ -12,20 +12,20 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
-/** A recorder at work, and what it says. Its time is that of [clock]; null for this computer's, as servers of WPILib have it. */
+/** A running recorder and its messages. It uses [clock], or this computer's clock if that is null, as WPILib's servers do. */
 internal class Running(val folder: Path, servers: List<RecordedServer>, options: RecordOptions, clock: StillClock?) :
     RecordListener,
     AutoCloseable {
-    val said = CopyOnWriteArrayList<String>()
+    val events = CopyOnWriteArrayList<String>()
     val files = CopyOnWriteArrayList<RecordedFile>()
     val recorder = if (clock == null) Recorder(servers, options, this) else Recorder(servers, options, this) { clock.micros }
 
     override fun connected(name: String, address: ServerAddress) {
-        said += "connected $name"
+        events += "connected $name"
     }
 
     override fun disconnected(name: String, reason: String) {
-        said += "disconnected $name: $reason"
+        events += "disconnected $name: $reason"
     }
 
     override fun finished(file: RecordedFile) {
@@ -33,10 +33,10 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
     }
 
     override fun noted(message: String) {
-        said += message
+        events += message
     }
 
-    fun count(what: String) = said.count { it.startsWith(what) }
+    fun count(what: String) = events.count { it.startsWith(what) }
 
     /** Ends it, and returns its files in the order in which they were begun. */
     fun logs(): List<RecordLog> {
@@ -45,18 +45,18 @@ internal class Running(val folder: Path, servers: List<RecordedServer>, options:
     }
 
     /**
-     * Waits until the only log on the disk [isSo], and lets the time of [clock] pass meanwhile, for the recorder writes now and then: so
-     * slowly that no server counts as silent.
+     * Waits until the only log on the disk [predicate]. It advances [clock] meanwhile, because the recorder flushes periodically, but slowly
+     * enough that no server counts as silent.
      */
-    fun awaitOnDisk(clock: StillClock, isSo: (RecordLog) -> Boolean) = eventually("what was sent to be on the disk") {
+    fun awaitOnDisk(clock: StillClock, predicate: (RecordLog) -> Boolean) = eventually("what was sent to be on the disk") {
         clock.advance(1_000)
-        isSo(folder.onlyLog())
+        predicate(folder.onlyLog())
     }
 
     override fun close() = recorder.close()
 }
 
-/** Records [servers], which have one clock, while [action] runs. */
+/** Records [servers], which share one clock, while [action] runs. */
 internal fun recording(
     vararg servers: FakeServer,
     isPerEnable: Boolean = false,

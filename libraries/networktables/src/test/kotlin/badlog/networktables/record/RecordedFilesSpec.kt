@@ -12,10 +12,10 @@ import java.nio.ByteOrder
 import kotlin.io.path.exists
 import kotlin.io.path.name
 
-/** Which files a recording makes, of which servers. */
+/** Tests of the number and content of recorded files. */
 @Tags("InCheck")
 class RecordedFilesSpec : FunSpec({
-    test("each time enabled gets a log, which begins with what holds, and has the name of its match") {
+    test("each enabled period gets a log with the current values at its start and the match in its name") {
         FakeServer().use { server ->
             server.greeting = {
                 announceControl()
@@ -45,7 +45,7 @@ class RecordedFilesSpec : FunSpec({
         }
     }
 
-    test("a log that somebody else has open keeps its name when the match becomes known, and one that begins in a match has it from the start") {
+    test("without renaming, only a log that begins during a match has the match in its name") {
         FakeServer().use { server ->
             server.greeting = {
                 announceControl()
@@ -104,7 +104,7 @@ class RecordedFilesSpec : FunSpec({
         }
     }
 
-    test("several servers with clocks of their own are one log with the robot's clock") {
+    test("several servers with different clocks are recorded into one log with the robot's clock") {
         val clock = StillClock()
         FakeServer(offset = 10_000_000, clock = clock).use { robot ->
             FakeServer(offset = 900_000_000, clock = clock).use { station ->
@@ -127,7 +127,7 @@ class RecordedFilesSpec : FunSpec({
         }
     }
 
-    test("what a mirror repeats is recorded once, whichever server announces it first") {
+    test("a topic that a mirror repeats is recorded once, from the robot, regardless of which server announces it first") {
         val clock = StillClock()
         FakeServer(clock = clock).use { robot ->
             FakeServer(clock = clock).use { mirror ->
@@ -160,7 +160,7 @@ class RecordedFilesSpec : FunSpec({
         }
     }
 
-    test("names of logs that are there already are not taken again") {
+    test("a new log does not take the name of an existing one") {
         FakeServer().use { server ->
             recording(server) { running ->
                 val names = ArrayList<String>()

@@ -32,8 +32,8 @@ class RecorderSpec : FunSpec({
             }
             recording(server) { running ->
                 eventually("the values to be written") { running.recorder.progress.values == 5L }
-                server.say("""[{"method":"properties","params":{"name":"/Arm/Angle","ack":true,"update":{"retained":null,"unit":"rad"}}}]""")
-                server.say("""[{"method":"unannounce","params":{"name":"/Count","id":2}}]""")
+                server.sendText("""[{"method":"properties","params":{"name":"/Arm/Angle","ack":true,"update":{"retained":null,"unit":"rad"}}}]""")
+                server.sendText("""[{"method":"unannounce","params":{"name":"/Count","id":2}}]""")
                 server.announce("/Count", 6, "double")
                 server.number(6, 9.0)
                 eventually("the values to be written") { running.recorder.progress.values == 6L }
@@ -50,7 +50,7 @@ class RecorderSpec : FunSpec({
                     topics shouldBe 6
                     gaps shouldBe 0
                 }
-                // Our own reader decodes it.
+                // badlog's own reader decodes the log.
                 val recording = readRecording(running.files.single().path, LOG_FORMATS)
                 recording.problems.map { it.message } shouldBe listOf("Two topics are named “NT:/Count”; the second is shown as “NT:/Count (2)”.")
                 recording.topics.single { it.name == "NT:/Pose/x" }.size shouldBe 1
@@ -60,7 +60,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("it only subscribes, and asks for the time") {
+    test("the recorder sends only subscriptions and requests for the time") {
         FakeServer().use { server ->
             recording(server) { eventually("the recorder to subscribe") { server.greeted.get() == 1 } }
             server.requests.toList().joinToString("") shouldBe
@@ -68,7 +68,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("times are the server's; what was set before the log began holds at its start") {
+    test("times are the server's, and a value set before the log began is written at its start") {
         FakeServer().use { server ->
             recording(server) { running ->
                 eventually("the recorder to subscribe") { server.greeted.get() == 1 }
@@ -88,7 +88,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("what was sent is on the disk while the recording goes on") {
+    test("sent values are on the disk during the recording") {
         FakeServer().use { server ->
             server.greeting = { announce("/A", 1, "double") }
             recording(server) { running ->
@@ -101,7 +101,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("a lost connection is a gap that the log shows; values that are sent again are not written again") {
+    test("the log shows a lost connection, and repeated values are not written twice") {
         FakeServer().use { server ->
             val times = HashMap<Int, Long>()
             server.greeting = {
@@ -128,7 +128,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("a robot whose clock begins anew gets a new log, whether it was away or not") {
+    test("a robot with a restarted clock gets a new log, with or without a lost connection") {
         FakeServer().use { server ->
             server.greeting = {
                 announce("/A", 1, "double")
@@ -159,7 +159,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("times that run backwards are written, counted and said") {
+    test("values with earlier times are written, counted and reported once") {
         FakeServer().use { server ->
             server.greeting = { announce("/A", 1, "double") }
             recording(server) { running ->
@@ -168,7 +168,7 @@ class RecorderSpec : FunSpec({
                 for (micros in listOf(3000, 2000, 4000, 1000)) server.number(1, 0.0, now + micros)
                 eventually("the values to be written") { running.recorder.progress.values == 4L }
                 val log = running.logs().single()
-                // Our reader sorts them.
+                // badlog's reader sorts the samples.
                 log.entry("NT:/A").times() shouldBe listOf(1000, 2000, 3000, 4000).map { (now + it) / 1e6 }
                 running.files.single().late shouldBe 2
                 log.entry("messages").texts().filter { "earlier" in it }.size shouldBe 2
@@ -176,7 +176,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("the topics that are wanted are subscribed to, and no others, but for what every log needs") {
+    test("only the selected topics and those that every log needs are subscribed to") {
         FakeServer().use { server ->
             server.greeting = {
                 announce("/A", 1, "double")
@@ -199,7 +199,7 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("a server that is not there is looked for, and nothing is written before") {
+    test("nothing is written until a missing server is found") {
         val tries = AtomicInteger()
         FakeServer().use { server ->
             val found = RecordedServer("robot", "NT:") { ServerAddress("127.0.0.1", server.port).takeIf { tries.incrementAndGet() > 2 } }
@@ -212,13 +212,13 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("whatever a server sends, the recording goes on, and says what it left out") {
+    test("invalid messages do not stop the recording, and are reported") {
         FakeServer().use { server ->
             server.greeting = {
                 announce("/A", 1, "double")
-                say("{")
-                say("[".repeat(100_000))
-                say("""[{"method":"announce","params":{"name":7}},{"method":"announce"},{"method":"later"},3,null]""")
+                sendText("{")
+                sendText("[".repeat(100_000))
+                sendText("""[{"method":"announce","params":{"name":7}},{"method":"announce"},{"method":"later"},3,null]""")
                 announce("", 2, "")
                 announce("/\\u0000\\n", 3, "double[]")
                 value(1, 4) { packString("x") }
@@ -239,19 +239,19 @@ class RecorderSpec : FunSpec({
         }
     }
 
-    test("a message without an end ends the connection, which is begun anew") {
+    test("an endless message closes the connection, and the recorder reconnects") {
         FakeServer().use { server ->
             server.greeting = { send(ByteArray(17 shl 20)) }
             recording(server) { running ->
                 eventually("the lost connection to be noticed") { running.count("disconnected") == 1 }
-                running.said.first { it.startsWith("disconnected") } shouldContain "more than 16 MiB"
+                running.events.first { it.startsWith("disconnected") } shouldContain "more than 16 MiB"
                 server.greeting = { announce("/A", 1, "double") }
                 eventually("the connection") { running.count("connected") >= 2 }
             }
         }
     }
 
-    test("a folder that cannot be written to ends it with a sentence") {
+    test("an unwritable folder stops the recorder with a sentence") {
         FakeServer().use { server ->
             val folder = kotlin.io.path.createTempDirectory("badlog")
             try {

@@ -10,10 +10,10 @@ import io.kotest.property.checkAll
 import kotlin.math.abs
 
 class TimeSyncSpec : FunSpec({
-    /** Asks at [local] a server whose time is [offset] ahead; the ways there and back take so long. */
+    /** Requests the time at [local] from a server that is [offset] ahead; the message and its answer travel for [there] and [back]. */
     fun TimeSync.ask(local: Long, offset: Long, there: Long = 1000, back: Long = 1000) = answered(local, local + there + offset, local + there + back)
 
-    test("the quickest answer decides") {
+    test("the quickest answer determines the offset") {
         val sync = TimeSync()
         sync.offset shouldBe null
         sync.ask(0, 7_000_000, there = 90_000) shouldBe false
@@ -24,7 +24,7 @@ class TimeSyncSpec : FunSpec({
         sync.offset shouldBe 7_000_000
     }
 
-    test("a clock that drifts as clocks do is followed; it never counts as another one") {
+    test("a drifting clock is followed and never counts as a new one") {
         val sync = TimeSync()
         for (second in 0L..36_000) {
             val drift = second * 50
@@ -33,7 +33,7 @@ class TimeSyncSpec : FunSpec({
         }
     }
 
-    test("however slow the network is, the same clock is recognized, and its offset is wrong by half of the delay at most") {
+    test("on a slow network the same clock is recognized, with an error of at most half of the delay") {
         checkAll(Arb.long(-1_000_000_000_000L..1_000_000_000_000L), Arb.list(Arb.int(0..2_000_000), 1..60)) { offset, delays ->
             val sync = TimeSync()
             var local = 0L
@@ -45,7 +45,7 @@ class TimeSyncSpec : FunSpec({
         }
     }
 
-    test("a clock that began anew is noticed, also after a while without a connection") {
+    test("a restarted clock is noticed, even after a lost connection") {
         val sync = TimeSync()
         sync.ask(0, 5_000_000_000)
         sync.ask(500_000, 0) shouldBe true

@@ -13,8 +13,8 @@ import io.kotest.property.arbitrary.long
 import io.kotest.property.checkAll
 import org.msgpack.core.MessageBufferPacker
 
-/** Takes down what a frame has, where every topic is of [type]. */
-private class Found(private val type: TopicType?) : ValueSink {
+/** Collects the content of a frame; every topic has [type]. */
+private class FrameContent(private val type: TopicType?) : ValueSink {
     val values = ArrayList<Triple<Long, Long, List<Byte>>>()
     val times = ArrayList<Pair<Long, Long>>()
     val ignored = ArrayList<String>()
@@ -34,7 +34,7 @@ private class Found(private val type: TopicType?) : ValueSink {
     }
 }
 
-private fun found(type: TopicType?, vararg frames: ByteArray) = Found(type).also { readValues(frames.fold(ByteArray(0), ByteArray::plus), it) }
+private fun found(type: TopicType?, vararg frames: ByteArray) = FrameContent(type).also { readValues(frames.fold(ByteArray(0), ByteArray::plus), it) }
 
 private fun payloadOf(type: TopicType, pack: MessageBufferPacker.() -> Unit): List<Int>? = found(type, frameOf(7, type.code, 9, pack)).values.singleOrNull()?.third?.map { it.toInt() }
 
@@ -55,7 +55,7 @@ class ValueFrameSpec : FunSpec({
             listOf(2, 0, 0, 0, 1, 0, 0, 0, 97, 0, 0, 0, 0)
     }
 
-    test("numbers, ids and times arrive to the last bit") {
+    test("numbers, ids and times are exact to the last bit") {
         checkAll(Arb.int(0..Int.MAX_VALUE), Arb.long(), Arb.double()) { id, micros, number ->
             val found = found(TopicType.DOUBLE, frameOf(id, 1, micros) { packDouble(number) })
             val bits = number.toRawBits()
@@ -63,7 +63,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("the server's time is not a value, and values that are not wanted are skipped") {
+    test("the server's time is not a value, and values of topics that are not recorded are skipped") {
         val time = frameOf(-1, 2, 77) { packLong(5) }
         val odd = frameOf(-1, 1, 77) { packString("x") }
         val value = frameOf(3, 1, 9) { packDouble(1.0) }
@@ -78,7 +78,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("a value of another type than its topic is left out, the next one is read") {
+    test("a value with another type than its topic is left out, and the next one is read") {
         val wrong = frameOf(3, 4, 9) { packString("x") }
         val right = frameOf(3, 1, 9) { packDouble(1.0) }
         found(TopicType.DOUBLE, wrong, right).run {
@@ -93,7 +93,7 @@ class ValueFrameSpec : FunSpec({
         }
     }
 
-    test("an array or a text that announces more than comes takes no memory") {
+    test("the announced size of an array or text allocates no memory") {
         for (type in listOf(TopicType.DOUBLES, TopicType.STRINGS, TopicType.BOOLEANS, TopicType.INTS)) {
             payloadOf(type) { packArrayHeader(Int.MAX_VALUE) } shouldBe null
         }
@@ -104,19 +104,19 @@ class ValueFrameSpec : FunSpec({
         payloadOf(TopicType.INTS) { packArrayHeader(3_000_000).apply { repeat(3_000_000) { packInt(1) } } } shouldBe null
     }
 
-    test("no bytes break the reader, and it says what it leaves out") {
+    test("any bytes are read without an exception, and ignored values are reported") {
         checkAll(Arb.byteArray(Arb.int(0..200), Arb.byte()), Arb.enum<TopicType>()) { bytes, type ->
             found(type, bytes)
             countValues(bytes)
         }
-        // So that more of it is understood.
+        // So that more of each frame is valid.
         checkAll(Arb.byteArray(Arb.int(0..60), Arb.byte()), Arb.enum<TopicType>()) { bytes, type ->
             val broken = found(type, frameOf(1, type.code, 2) {}, bytes)
             (broken.values.size + broken.ignored.size >= 1) shouldBe true
         }
     }
 
-    test("what is dropped is counted by values") {
+    test("dropped frames are counted by their values") {
         val value = frameOf(3, 1, 9) { packDouble(1.0) }
         countValues(ByteArray(0)) shouldBe 0
         countValues(value + value + value) shouldBe 3

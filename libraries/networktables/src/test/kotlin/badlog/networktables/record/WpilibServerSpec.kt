@@ -30,7 +30,7 @@ private class WpilibServer(val port: Int, vararg arguments: String) : AutoClosea
 
     fun line(): String = lines.readLine() ?: error("The server ended.")
 
-    /** Lets it do what it does for a line. */
+    /** Sends an empty line, on which the script continues. */
     fun go() = process.outputStream.run {
         write("\n".toByteArray())
         flush()
@@ -42,7 +42,7 @@ private class WpilibServer(val port: Int, vararg arguments: String) : AutoClosea
     }
 }
 
-/** Returns a free port, of those that systems give to nobody who asks for just any: it is free still when a server takes it (again). */
+/** Returns a free port outside the range that systems assign. It stays free until a server opens it, even repeatedly. */
 private fun freePort() = generateSequence { Random.nextInt(20_000, 32_000) }.first { port ->
     try {
         ServerSocket(port).close()
@@ -52,7 +52,7 @@ private fun freePort() = generateSequence { Random.nextInt(20_000, 32_000) }.fir
     }
 }
 
-/** What WPILib's own reader prints about [log], line by line. */
+/** Returns the output of WPILib's own reader for [log], by lines and words. */
 private fun read(log: Path): List<List<String>> {
     val process = PYTHON.running("../formats/src/jvmTest/python/read_wpilog.py", "$log")
     val lines = process.inputStream.bufferedReader().readLines().map { it.split('\t') }
@@ -126,7 +126,7 @@ class WpilibServerSpec : FunSpec({
                         "NT:/struct[]" to List(2) { "000000000000f03f000000000000004000000000000008400000000000001040" },
                     ),
                 )
-                // Our own reader.
+                // badlog's own reader.
                 val recording = readRecording(file.path, LOG_FORMATS)
                 recording.problems.filter { it.message.contains("lost") || it.message.contains("dropped") }.shouldBeEmpty()
                 recording.topics.single { it.name == "NT:/struct/y" }.samples.toList() shouldBe listOf(2.0, 2.0)
@@ -135,7 +135,7 @@ class WpilibServerSpec : FunSpec({
         }
     }
 
-    test("10,000 values a second arrive, each of them, in order").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("10,000 values a second are all recorded in order").config(enabledOrReasonIf = PYTHON.isHere) {
         val seconds = System.getProperty("badlog.record.loadSeconds", "3").toInt()
         WpilibServer(freePort(), "load", "10000", "$seconds").use { server ->
             recording(listOf(server.address)) { running ->
@@ -154,7 +154,7 @@ class WpilibServerSpec : FunSpec({
         }
     }
 
-    test("a server that is started anew is recorded again, in the same log if its clock goes on").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("a restarted server is recorded again, in the same log if its clock continues").config(enabledOrReasonIf = PYTHON.isHere) {
         val port = freePort()
         var server = WpilibServer(port, "types")
         try {
@@ -169,7 +169,7 @@ class WpilibServerSpec : FunSpec({
                 server.go()
                 // The description of Point is the same, with the same time.
                 eventually("the values to be written") { running.recorder.progress.values == 65L }
-                // Where no robot is, its clock is that of the computer, and goes on.
+                // Without a robot, WPILib's clock is the computer's and does not restart.
                 val log = running.logs().single()
                 log.entry("Recorder/Connected").truths() shouldBe listOf(true, false, true)
                 log.entry("NT:/double").numbers() shouldBe listOf(0.1, 0.1, 0.1, 0.1)

@@ -10,8 +10,7 @@ import java.util.Random
 import java.util.concurrent.TimeUnit
 
 /**
- * A connection whose handshake is done by hand, so that anything can be sent afterwards, and nothing be read. Its protocol is the one
- * whose clients are not ended for their silence.
+ * A connection with a hand-written handshake, so that a test can send anything and read nothing. Clients of its protocol may stay silent.
  */
 private fun rawClient(port: Int): Socket {
     val socket = Socket("127.0.0.1", port).apply { receiveBufferSize = 4096 }
@@ -31,7 +30,7 @@ private fun textFrame(text: String): ByteArray {
     return byteArrayOf(0x81.toByte(), 0xfe.toByte(), (bytes.size shr 8).toByte(), bytes.size.toByte(), 0, 0, 0, 0) + bytes
 }
 
-/** Ten topics of 100,000 rows, each of which counts as 20 ms. */
+/** Ten topics of 100,000 rows, 20 ms per row. */
 private val LONG_VIEW by lazy {
     val bag = StringBuilder("Time," + (1..10).joinToString(",") { "Topic $it" } + "\n")
     for (row in 0 until 100_000) bag.append(row).append(",$row".repeat(10)).append('\n')
@@ -46,7 +45,7 @@ private fun shouldStillServe(replay: TestReplay) = TestClient(replay).use { clie
 
 @Tags("InCheck")
 class BrokenClientsSpec : FunSpec({
-    test("Messages that are nonsense are counted and ignored; the client stays") {
+    test("invalid messages are counted and ignored, and the client stays connected") {
         TestReplay().use { replay ->
             val server = replay.server
             TestClient(replay).use { client ->
@@ -64,7 +63,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A frame that is too long ends its client, not the server") {
+    test("a frame that is too long disconnects its client, not the server") {
         TestReplay().use { replay ->
             val server = replay.server
             TestClient(replay).use { client ->
@@ -75,7 +74,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("Garbage in place of frames, and of a handshake, harms nobody") {
+    test("garbage instead of frames or a handshake leaves the server working") {
         TestReplay().use { replay ->
             val server = replay.server
             val random = Random(5)
@@ -91,14 +90,14 @@ class BrokenClientsSpec : FunSpec({
     fun handshake(vararg more: String) = "GET /nt/raw HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n" +
         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n" + more.joinToString("") { "$it\r\n" } + "\r\n"
 
-    /** What the server answers to [request] before it ends the connection. */
+    /** Returns the server's answer to [request] until it ends the connection. */
     fun answerTo(server: ReplayServer, request: String): String = Socket("127.0.0.1", server.port).use { socket ->
         socket.soTimeout = 60_000
         socket.getOutputStream().write(request.toByteArray())
         socket.getInputStream().readBytes().decodeToString()
     }
 
-    test("A handshake without an end is ended and reported") {
+    test("an endless handshake is ended and reported") {
         TestReplay().use { replay ->
             val server = replay.server
             Socket("127.0.0.1", server.port).use { socket ->
@@ -115,7 +114,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A message of pieces without an end is ended and reported, however small they are") {
+    test("an endless message of small pieces is ended and reported") {
         TestReplay().use { replay ->
             val server = replay.server
             rawClient(server.port).use { socket ->
@@ -133,7 +132,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("Web pages of the internet may not connect, programs and pages of this computer may") {
+    test("web pages of the internet may not connect, but programs and pages of this computer may") {
         TestReplay().use { replay ->
             val server = replay.server
             val protocol = "Sec-WebSocket-Protocol: ${TestClient.V4_1}"
@@ -150,7 +149,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("However many connect, 64 connections are kept, and the next one receives the reason") {
+    test("at most 64 connections are kept, and the next one receives the reason") {
         TestReplay().use { replay ->
             val server = replay.server
             val others = List(64) { rawClient(server.port) }
@@ -167,7 +166,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A connection that is refused is closed") {
+    test("a refused connection is closed") {
         TestReplay().use { replay ->
             val server = replay.server
             answerTo(server, handshake("Sec-WebSocket-Protocol: nonsense")).lines()[0] shouldContain "404"
@@ -176,7 +175,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A client that no longer reads neither delays the others nor fills the memory") {
+    test("a client that stops reading neither delays the others nor fills the memory") {
         TestReplay(LONG_VIEW, ReplayOptions(0, speed = 20.0)).use { replay ->
             val server = replay.server
             rawClient(server.port).use { stalled ->
@@ -190,7 +189,7 @@ class BrokenClientsSpec : FunSpec({
                     client.subscribe("/Topic 3", options = """{"all":true}""")
                     client.settle()
                     server.start()
-                    // Ten rows each time, of which the system keeps less than all for somebody who does not read.
+                    // Ten rows each time, more than the system buffers for a client that does not read.
                     repeat(6000) { replay.tick() }
                     eventually("all values") {
                         server.tick()
@@ -203,7 +202,7 @@ class BrokenClientsSpec : FunSpec({
         }
     }
 
-    test("A client that asks without end and never reads is ended") {
+    test("a client that sends requests endlessly and never reads is disconnected") {
         TestReplay().use { replay ->
             val server = replay.server
             rawClient(server.port).use { flooding ->

@@ -8,7 +8,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
 class OutboxSpec : FunSpec({
-    test("Each value goes out once and in order") {
+    test("each value is sent once and in order") {
         val outbox = Outbox(3, 100)
         repeat(10) { outbox.add(Update(it % 3, it, 0)) }
         outbox.take(0, 4, LongArray(3)).map { it.index } shouldBe listOf(0, 1, 2, 3)
@@ -16,7 +16,7 @@ class OutboxSpec : FunSpec({
         outbox.isEmpty shouldBe true
     }
 
-    test("Too many are thinned out, never by the last of a topic") {
+    test("too many values are thinned out, but the last one of each topic is kept") {
         checkAll(Arb.list(Arb.int(0..4), 0..200)) { signals ->
             val outbox = Outbox(5, 20)
             signals.forEachIndexed { index, signal -> outbox.add(Update(signal, index, 0)) }
@@ -30,7 +30,7 @@ class OutboxSpec : FunSpec({
         }
     }
 
-    test("Of a topic with a period the latest goes out when it is due") {
+    test("the latest value of a topic with a period is sent when it is due") {
         val outbox = Outbox(1, 100)
         val period = longArrayOf(100)
         outbox.replace(Update(0, 0, 0))
@@ -41,7 +41,7 @@ class OutboxSpec : FunSpec({
         outbox.take(1100, 100, period).map { it.index } shouldBe listOf(2)
     }
 
-    test("What is not wanted any longer is forgotten") {
+    test("values of topics without a subscription are removed") {
         val outbox = Outbox(2, 100)
         outbox.add(Update(0, 0, 0))
         outbox.replace(Update(1, 0, 0))

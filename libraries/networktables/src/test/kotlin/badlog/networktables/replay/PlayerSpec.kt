@@ -19,13 +19,13 @@ private fun List<Update>.seen() = map { Triple(it.signal, it.index, it.micros) }
 private const val SECOND = 1_000_000_000L
 
 class PlayerSpec : FunSpec({
-    test("At the start every signal has the value that holds there") {
+    test("at the start every signal has its current value") {
         val player = player(signal(-2.0, -1.0, 5.0), signal(1.0), signal(0.0, 0.0))
         player.advance(0).seen() shouldBe listOf(Triple(0, 1, 0L), Triple(2, 1, 0L))
         player.current(1) shouldBe null
     }
 
-    test("Samples come at their times, those of all signals in one order") {
+    test("samples of all signals are sent at their times, in one order") {
         val player = player(signal(1.0, 3.0), signal(2.0, 3.5))
         player.playhead.play(0)
         player.advance(3 * SECOND).seen() shouldBe
@@ -34,7 +34,7 @@ class PlayerSpec : FunSpec({
         player.advance(10 * SECOND) shouldBe emptyList()
     }
 
-    test("Every sample comes exactly once, however time is cut") {
+    test("every sample is sent exactly once for any steps of time") {
         checkAll(
             200,
             Arb.list(Arb.double(0.0, 10.0, includeNaNs = false), 0..60),
@@ -53,14 +53,14 @@ class PlayerSpec : FunSpec({
         }
     }
 
-    test("A new lap begins with what holds at the start, at the moment of the jump") {
+    test("a new lap begins with the values at the start, at the time of the jump") {
         val player = player(signal(0.0, 4.0, 9.0), isLooping = true, range = 3.0..5.0)
         player.advance(0)
         player.playhead.play(0)
         player.advance(SECOND * 5 / 2).seen() shouldBe listOf(Triple(0, 1, 1_000_000L), Triple(0, 0, 2_000_000L))
     }
 
-    test("After a jump back the earlier value holds again") {
+    test("after a jump back the earlier value is current again") {
         val player = player(signal(1.0, 2.0))
         player.playhead.play(0)
         player.advance(5 * SECOND)

@@ -21,14 +21,14 @@ private fun Playhead.stretches(nowNanos: Long) = ArrayList<Stretch>().also { lis
 private val SPEEDS = Arb.double(0.01, 100.0, includeNaNs = false)
 
 class PlayheadSpec : FunSpec({
-    test("It waits at the start until it is started") {
+    test("the playhead waits at the start until it is started") {
         val playhead = playhead()
         playhead.position(5 * SECOND) shouldBe 0.0
         playhead.play(5 * SECOND)
         playhead.position(7 * SECOND) shouldBe 2.0
     }
 
-    test("Its position is the time that passed times the speed, and stays at the end") {
+    test("the position is the elapsed time times the speed, and stays at the end") {
         checkAll(SPEEDS, Arb.int(0..100_000)) { speed, millis ->
             val playhead = playhead(speed = speed).apply { play(0) }
             val expected = minOf(millis / 1000.0 * speed, 10.0)
@@ -37,7 +37,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("A loop is the remainder of what was traveled, however often it was asked") {
+    test("a looping position is the remainder of the distance, regardless of the number of calls") {
         checkAll(SPEEDS, Arb.list(Arb.int(0..5_000), 0..50)) { speed, steps ->
             val playhead = playhead(2.0..5.0, speed, isLooping = true).apply { play(0) }
             var now = 0L
@@ -52,7 +52,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("Stretches join without a gap or an overlap, and end where the playhead is") {
+    test("stretches join without a gap or an overlap, and end at the playhead") {
         checkAll(SPEEDS, Arb.boolean(), Arb.list(Arb.int(0..300), 0..100)) { speed, isLooping, steps ->
             val playhead = playhead(speed = speed, isLooping = isLooping).apply { play(0) }
             var now = 0L
@@ -74,7 +74,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("The moment of a position is when the playhead was there") {
+    test("a position has the time when the playhead was there") {
         checkAll(SPEEDS, Arb.double(0.0, 10.0, includeNaNs = false)) { speed, position ->
             val playhead = playhead(speed = speed).apply { play(3 * SECOND) }
             val stretch = playhead.stretches(2000 * SECOND).single()
@@ -82,7 +82,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("A pause is not played, and nothing of it is reported") {
+    test("nothing is reported for a pause") {
         val playhead = playhead().apply { play(0) }
         playhead.stretches(SECOND)
         playhead.pause(SECOND)
@@ -93,7 +93,7 @@ class PlayheadSpec : FunSpec({
         stretch.nanosAt(1.5) shouldBe 60 * SECOND + SECOND / 2
     }
 
-    test("A jump is fresh, and goes no farther than the range") {
+    test("a jump is fresh and stays in the range") {
         val playhead = playhead().apply { play(0) }
         playhead.stretches(SECOND)
         playhead.seek(99.0, SECOND)
@@ -103,26 +103,26 @@ class PlayheadSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { playhead.seek(Double.NaN, SECOND) }
     }
 
-    test("Another speed goes on from where it is") {
+    test("after a change of speed, the position continues from the same place") {
         val playhead = playhead().apply { play(0) }
         playhead.changeSpeed(4.0, SECOND)
         playhead.position(2 * SECOND) shouldBe 5.0
         shouldThrow<IllegalArgumentException> { playhead.changeSpeed(0.0, SECOND) }
     }
 
-    test("An hour in which nobody looked is one lap, not thousands") {
+    test("an hour between two calls is reported as one lap, not thousands") {
         val playhead = playhead(0.0..0.001, isLooping = true).apply { play(0) }
         playhead.stretches(0)
         playhead.stretches(3600 * SECOND).size shouldBe 2
     }
 
-    test("A range without length is shown and not looped") {
+    test("a range without length is played once and not looped") {
         val playhead = playhead(3.0..3.0, isLooping = true).apply { play(0) }
         playhead.stretches(SECOND).single().isFresh shouldBe true
         playhead.isAtEnd(SECOND) shouldBe true
     }
 
-    test("A range must begin before it ends") {
+    test("a range that is infinite, or ends before it begins, is refused") {
         shouldThrow<IllegalArgumentException> { playhead(2.0..1.0) }
         shouldThrow<IllegalArgumentException> { playhead(0.0..Double.POSITIVE_INFINITY) }
     }

@@ -26,7 +26,7 @@ private fun serving(
 
 @Tags("InCheck")
 class ReplayServerSpec : FunSpec({
-    test("Whoever subscribes to all receives every topic with type, unit and current value") {
+    test("a client that subscribes to everything receives every topic with type, unit and current value") {
         serving { replay ->
             TestClient(replay).use { client ->
                 client.subscribe("", options = TestClient.ALL_CHANGES)
@@ -54,7 +54,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("Every sample arrives once, in order, at its time") {
+    test("every sample arrives once, in order and at its time") {
         for (speed in listOf(1.0, 0.5, 4.0)) {
             serving(speed) { replay ->
                 TestClient(replay).use { client ->
@@ -78,7 +78,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("What was played since the last tick arrives with the next one, and nothing before its time") {
+    test("samples played since the last tick arrive with the next one, and none before its time") {
         serving { replay ->
             TestClient(replay).use { client ->
                 client.subscribe("/Time", options = """{"all":true}""")
@@ -93,7 +93,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("Subscriptions mean whole names unless they say prefix, and topics without values if they say so") {
+    test("subscriptions select whole names, prefixes if requested, and topics without values if requested") {
         serving { replay ->
             TestClient(replay).use { client ->
                 client.subscribe("/Arm", "/Arm/State", id = 1)
@@ -115,7 +115,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("With a period the latest value comes at most so often, and the last one always") {
+    test("with a period the latest value arrives at most that often, and the last one always arrives") {
         serving { replay ->
             TestClient(replay).use { client ->
                 client.subscribe("/Arm/Angle", options = """{"periodic":0.15}""")
@@ -129,14 +129,14 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("A loop starts again, a range limits it, a prefix stands before all names") {
+    test("a loop repeats the range, and all names have the prefix") {
         serving(isLooping = true, range = 10.05..10.1, prefix = "/badlog") { replay ->
             TestClient(replay).use { client ->
                 client.subscribe("/badlog/Time")
                 client.subscribe("/badlog/Log", options = """{"all":true}""", id = 2)
                 client.settle()
                 replay.server.start()
-                // Each of four laps begins with what holds there.
+                // Each of four laps begins with the values at its start.
                 replay.advance(19)
                 client.roundTrip()
                 client.valuesOf("/badlog/Log").map { it.value.asStringValue().asString() } shouldBe List(8) { if (it % 2 == 0) "up we go" else "again “up”" }
@@ -145,7 +145,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("A jump shows what holds there; a pause holds; at the end it begins anew") {
+    test("a jump sends the values there, a pause keeps them, and starting at the end replays from the start") {
         serving { replay ->
             val server = replay.server
             TestClient(replay).use { client ->
@@ -173,7 +173,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("A client that publishes is answered; the recording stays as it is") {
+    test("a publishing client is answered, and the recording stays unchanged") {
         serving { replay ->
             TestClient(replay).use { client ->
                 client.send(
@@ -204,7 +204,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("The best subprotocol is spoken, the time-only one answers only that, and unknown ones are refused") {
+    test("the best subprotocol is chosen, the one for the time only answers that, and unknown ones are refused") {
         serving { replay ->
             TestClient(replay, TestClient.V4_0, TestClient.V4_1).use { it.protocol shouldBe TestClient.V4_1 }
             TestClient(replay, TestClient.V4_0).use { it.protocol shouldBe TestClient.V4_0 }
@@ -220,7 +220,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("A plain HTTP request is answered that the server is there") {
+    test("a plain HTTP request is answered") {
         serving { replay ->
             val request = HttpRequest.newBuilder(URI("http://127.0.0.1:${replay.server.port}")).build()
             val answer = HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString())
@@ -230,7 +230,7 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("A taken port is one sentence that says what to do, and it is free after the end") {
+    test("a port in use is reported with the next step, and a port is free after closing") {
         val port = ReplayServer(VARIED_VIEW, ReplayOptions(0)).use { server ->
             server.start()
             ReplayServer(VARIED_VIEW, ReplayOptions(server.port)).use { second ->
@@ -248,14 +248,14 @@ class ReplayServerSpec : FunSpec({
         }
     }
 
-    test("Options out of range are refused") {
+    test("options out of range are refused") {
         shouldThrow<IllegalArgumentException> { ReplayOptions(port = 70_000) }
         shouldThrow<IllegalArgumentException> { ReplayOptions(speed = Double.NaN) }
         shouldThrow<IllegalArgumentException> { ReplayOptions(range = 2.0..1.0) }
         ReplayOptions().address.isLoopbackAddress shouldBe true
     }
 
-    test("What was logged arrives with its own type, beside what was calculated of it") {
+    test("logged topics arrive with their own types, beside calculated ones") {
         val poses = LoggedTopic("NT:/Pose", "struct:Pose2d", "", doubleArrayOf(10.0, 10.1)) { byteArrayOf(it.toByte(), 7) }
         val schema = LoggedTopic("NT:/.schema/struct:Pose2d", "structschema", "", doubleArrayOf(10.0)) { "double x".encodeToByteArray() }
         TestReplay(options = ReplayOptions(0, prefix = "old"), logged = listOf(poses, schema)).use { replay ->

@@ -18,7 +18,7 @@ private val PIECES = listOf(
 )
 
 class RequestReaderSpec : FunSpec({
-    test("A subscription without options is one for the latest of each tenth of a second, of whole names") {
+    test("a subscription without options selects whole names and the latest value of each tenth of a second") {
         val request = read("""[{"method":"subscribe","params":{"topics":["/A","/B"],"subuid":-3}}]""").single()
         request.shouldBeInstanceOf<Request.Subscribe>()
         request.id shouldBe -3
@@ -27,7 +27,7 @@ class RequestReaderSpec : FunSpec({
         listOf(request.isAll, request.isPrefix, request.isTopicsOnly) shouldBe listOf(false, false, false)
     }
 
-    test("Options of a subscription are understood, unknown ones passed over") {
+    test("known options of a subscription apply, and unknown ones are ignored") {
         val request = read(
             """[{"method":"subscribe","params":{"topics":[""],"subuid":1,
             "options":{"periodic":0.02,"all":true,"prefix":true,"topicsonly":true,"color":"red"}}}]""",
@@ -37,7 +37,7 @@ class RequestReaderSpec : FunSpec({
         listOf(request.isAll, request.isPrefix, request.isTopicsOnly) shouldBe listOf(true, true, true)
     }
 
-    test("What is not understood is left out and reported; the rest counts") {
+    test("unknown requests are skipped and reported, and the others apply") {
         val ignored = ArrayList<String>()
         val requests = read(
             """[1,{"method":"dance","params":{}},{"method":"unsubscribe","params":{}},{"method":3,"params":{}},
@@ -48,7 +48,7 @@ class RequestReaderSpec : FunSpec({
         ignored.size shouldBe 5
     }
 
-    test("A frame that is not a list of messages is reported") {
+    test("a frame that is not a list of messages is reported") {
         for (text in listOf("", "[", "{}", "[{]", "[".repeat(1_000_000), "{\"a\":".repeat(1_000_000))) {
             val ignored = ArrayList<String>()
             read(text, ignored).shouldBeEmpty()
@@ -56,7 +56,7 @@ class RequestReaderSpec : FunSpec({
         }
     }
 
-    test("No text makes it fail") {
+    test("any text is read without an exception") {
         checkAll(Arb.list(Arb.element(PIECES), 0..40)) { read(it.joinToString("")) }
         checkAll(Arb.string()) { read(it) }
     }

@@ -17,10 +17,10 @@ import java.util.concurrent.CompletionStage
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
-/** A value as it came: the topic's number, microseconds, type and value. */
+/** A received value: the topic's number, microseconds, type and value. */
 internal class Received(val id: Int, val micros: Long, val type: Int, val value: Value)
 
-/** A client of NT4 that knows nothing of the server's code: the JDK's WebSocket. */
+/** An NT4 client on the JDK's WebSocket, independent of the server's code. */
 internal class TestClient(private val replay: TestReplay, vararg protocols: String = arrayOf(V4_1)) : WebSocket.Listener, AutoCloseable {
     val messages = ArrayList<JsonObject>()
     val values = ArrayList<Received>()
@@ -83,14 +83,14 @@ internal class TestClient(private val replay: TestReplay, vararg protocols: Stri
         """[{"method":"subscribe","params":{"topics":[${topics.joinToString { "\"$it\"" }}],"subuid":$id,"options":$options}}]""",
     )
 
-    /** Waits until the server has answered everything that was sent so far. What it sent before is here, too. */
+    /** Waits until the server has answered everything sent so far. All earlier messages of the server have then arrived, too. */
     fun roundTrip() {
         val before = count { it.id == -1 }
         send(byteArrayOf(0x94.toByte(), -1, 0, 2, 7))
         eventually("the server to answer") { count { it.id == -1 } > before }
     }
 
-    /** Waits until everything is here that the server has to send after what was sent to it so far. */
+    /** Waits until all answers to the messages sent so far have arrived. */
     fun settle() {
         roundTrip()
         replay.sendDue()
@@ -109,7 +109,7 @@ internal class TestClient(private val replay: TestReplay, vararg protocols: Stri
         return synchronized(this) { values.filter { it.id == id } }
     }
 
-    fun count(isMeant: (Received) -> Boolean): Int = synchronized(this) { values.count(isMeant) }
+    fun count(predicate: (Received) -> Boolean): Int = synchronized(this) { values.count(predicate) }
 
     override fun close() = socket.abort()
 

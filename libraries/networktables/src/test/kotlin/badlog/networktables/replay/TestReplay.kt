@@ -6,7 +6,7 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
-/** A replay whose time a test lets pass: meanwhile its clock stands still, and it sends nothing of its own accord. */
+/** A replay with a clock that only a test advances. Between advances it sends nothing by itself. */
 internal class TestReplay(
     view: LogView = VARIED_VIEW,
     options: ReplayOptions = ReplayOptions(0),
@@ -16,16 +16,16 @@ internal class TestReplay(
     private var nanos = 0L
     val server = ReplayServer(view, options, logged, { nanos }, NoTicks()).apply { open() }
 
-    /** Lets 10 ms pass, and what is due be sent to the clients that have taken what was sent before. */
+    /** Advances by 10 ms, and sends due values to clients that have received the earlier ones. */
     fun tick(): Boolean {
         nanos += 10_000_000
         return server.tick()
     }
 
-    /** Lets what is due be sent to all clients. */
+    /** Sends due values to all clients. */
     fun sendDue() = eventually("the clients to take what was sent") { server.tick() }
 
-    /** Lets [count] times 10 ms pass; what is due is sent to all clients each time. */
+    /** Advances [count] times by 10 ms; due values are sent to all clients each time. */
     fun advance(count: Int = 1) = repeat(count) {
         tick()
         sendDue()
@@ -38,7 +38,7 @@ internal class TestReplay(
 
     override fun close() = server.close()
 
-    /** Calls nothing. */
+    /** A scheduler that runs nothing. */
     private class NoTicks : ScheduledThreadPoolExecutor(1) {
         override fun scheduleAtFixedRate(command: Runnable, delay: Long, period: Long, unit: TimeUnit): ScheduledFuture<*> = schedule(command, Long.MAX_VALUE, TimeUnit.NANOSECONDS)
     }

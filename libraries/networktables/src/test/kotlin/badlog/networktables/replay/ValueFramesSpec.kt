@@ -27,14 +27,14 @@ private fun frame(type: TopicType, value: Double, vararg texts: String, micros: 
 }
 
 class ValueFramesSpec : FunSpec({
-    test("Values are arrays of number, time, type and value") {
+    test("values are arrays of number, time, type and value") {
         frame(TopicType.DOUBLE, 0.1234) shouldBe "9400ce07270e0001cb3fbf972474538ef3"
         frame(TopicType.BOOLEAN, 1.0, micros = 1) shouldBe "94000100c3"
         frame(TopicType.BOOLEAN, 0.0, micros = 1) shouldBe "94000100c2"
         frame(TopicType.STRING, 1.0, "no", "é", micros = 1) shouldBe "94000104a2c3a9"
     }
 
-    test("What was logged is sent as it was, each type as NetworkTables has it") {
+    test("logged values are sent unchanged, with NetworkTables types") {
         fun frame(type: String, vararg bytes: Int): String {
             val payload = ByteArray(bytes.size) { bytes[it].toByte() }
             val topic = LoggedTopic("A", type, "", doubleArrayOf(0.0)) { payload }
@@ -57,7 +57,7 @@ class ValueFramesSpec : FunSpec({
         frame("string[]", 2, 0, 0, 0, 1, 0, 0, 0, 0x61, 0, 0, 0, 0) shouldBe "string[] 1492a161a0"
     }
 
-    test("Many values go into frames about as long as a packet, in order") {
+    test("many values are sent in order, in frames about as long as a packet") {
         val signal = ReplayedTopic("/A", TopicType.DOUBLE, "", Series(DoubleArray(1000), DoubleArray(1000) { it.toDouble() }))
         val frames = ValueFrames(listOf(signal)).of(List(1000) { Update(0, it, it.toLong()) })
         frames.all { it.remaining() in 10..1300 } shouldBe true
@@ -72,31 +72,31 @@ class ValueFramesSpec : FunSpec({
         }
     }
 
-    test("A question for the time is answered with the question") {
+    test("a request for the time is answered with its own time and the server's") {
         answerTime(bytes("94 ff 00 02 d2 00 01 02 03"), 5)!!.hex() shouldBe "94ff0502ce00010203".replace("ce00010203", "ce00010203")
         answerTime(bytes("94 ff 00 01 cb 3fbf972474538ef3"), 5)!!.hex() shouldBe "94ff0501cb3fbf972474538ef3"
         answerTime(bytes("94 ff 00 02 cf ffffffffffffffff"), 5)!!.hex() shouldBe "94ff0502cfffffffffffffffff"
     }
 
-    test("Values of a client are passed over") {
+    test("values of a client are ignored") {
         answerTime(bytes("94 01 00 10 93 c2 c3 c2"), 5) shouldBe null
         answerTime(bytes("94 01 00 04 a1 41  94 ff 00 02 01"), 5)!!.hex() shouldBe "94ff050201"
         answerTime(bytes(""), 5) shouldBe null
     }
 
-    test("What is not a message of NT4 is refused") {
+    test("a frame that is not one of NT4 is refused") {
         shouldThrow<MessagePackException> { answerTime(bytes("93 ff 00 02"), 5) }
         shouldThrow<MessageInsufficientBufferException> { answerTime(bytes("94 ff 00"), 5) }
         shouldThrow<MessagePackException> { answerTime(bytes("c1"), 5) }
     }
 
-    test("Whatever bytes come, nothing else happens") {
+    test("any bytes are answered, ignored or refused, without another exception") {
         checkAll(Arb.byteArray(Arb.int(0..40), Arb.byte())) { random ->
             for (start in listOf("", "94", "94ff0002")) {
                 try {
                     answerTime(ByteBuffer.wrap(HEX.parseHex(start) + random), 5)
                 } catch (_: MessagePackException) {
-                    // What SocketServer expects.
+                    // SocketServer expects this exception.
                 }
             }
         }

@@ -23,11 +23,10 @@ import kotlin.concurrent.thread
 private val PYTHON = TestPython("ntcore", "pyntcore")
 
 /**
- * What WPILib's client receives of a replay from its start to its end, [values] values, and then, after a jump back to the start, what
- * holds there, [more] values: its lines.
+ * Returns the lines of WPILib's client for a replay: [values] values from start to end, then [more] values after a jump back to the start.
  *
- * The client gives up a server that is silent for a second or so, as one on a busy machine is, and then gets what holds when it connects
- * anew. What it received does not count then, and it tries again.
+ * The client gives up a server that is silent for about a second, as on a busy machine, and reconnects to the current values. Its lines do
+ * not count then, and the replay is repeated.
  */
 private fun linesOf(view: LogView, options: ReplayOptions, values: Int, more: Int = 0, logged: List<LoggedTopic> = emptyList()): List<JsonObject> {
     for (attempt in 1..20) {
@@ -50,7 +49,7 @@ private fun linesOf(server: ReplayServer, topics: Int, values: Int, more: Int): 
         server.start()
         eventually("the end") { server.isAtEnd }
         eventually("all values") { isLost() || lines.count { "value" in it } >= values }
-        // What comes after that shows that no other value came before.
+        // Later values show that no other value came before them.
         server.pause()
         server.seek(server.range.start)
         eventually("what holds at the start") { isLost() || lines.count { "value" in it } >= values + more }
@@ -65,7 +64,7 @@ private fun linesOf(server: ReplayServer, topics: Int, values: Int, more: Int): 
     }
 }
 
-/** The value as text, for NaN would equal nothing. */
+/** The value as text, because NaN is not equal to itself. */
 private fun ReplayedTopic.textAt(index: Int): String = when (type) {
     TopicType.BOOLEAN -> "${samples.y[index] != 0.0}"
     TopicType.DOUBLE -> "${samples.y[index]}"
@@ -79,19 +78,19 @@ private fun JsonPrimitive.textAs(type: TopicType): String = when (type) {
     else -> content
 }
 
-/** Compares what arrived with the recording itself: every topic, every sample, and the server's time of each. */
+/** Compares the received values with the recording: every topic, every sample, and the server's time of each. */
 private fun shouldArrive(view: LogView, options: ReplayOptions) {
     val signals = signalsOf(view, options.prefix)
     val range = options.range ?: rangeOf(signals)
 
-    // What holds at the start, then every sample.
+    // The values at the start, then every sample.
     fun ReplayedTopic.sent() = maxOf(countUntil(range.start) - 1, 0) until countUntil(range.endInclusive)
     fun ReplayedTopic.heldAtStart() = if (countUntil(range.start) > 0) 1 else 0
     val lines = linesOf(view, options, signals.sumOf { it.sent().count() }, signals.sumOf { it.heldAtStart() })
     val announced = lines.filter { "topic" in it }.associateBy { it.getValue("topic").jsonPrimitive.content }
     announced.keys shouldBe signals.map { it.name }.toSet()
     val values = lines.filter { "value" in it }.groupBy { it.getValue("of").jsonPrimitive.content }
-    // When the playhead began to move, by the clock of the server, as each sample has it.
+    // The server's time when the playhead began to move, calculated from each sample.
     val begins = ArrayList<Double>()
     for (signal in signals) {
         val topic = announced.getValue(signal.name)
@@ -113,11 +112,11 @@ private fun shouldArrive(view: LogView, options: ReplayOptions) {
 @Tags("InCheck")
 class WpilibClientSpec :
     FunSpec({
-        test("Every topic of every kind arrives with its type, unit, order and timing").config(enabledOrReasonIf = PYTHON.isHere) {
+        test("topics of every kind arrive with their type, unit, order and timing").config(enabledOrReasonIf = PYTHON.isHere) {
             for (speed in listOf(1.0, 0.25)) shouldArrive(VARIED_VIEW, ReplayOptions(0, speed = speed))
         }
 
-        test("What was logged arrives with its type, byte by byte").config(enabledOrReasonIf = PYTHON.isHere) {
+        test("logged values arrive with their type, byte by byte").config(enabledOrReasonIf = PYTHON.isHere) {
             fun topic(name: String, type: String, vararg bytes: Int) = LoggedTopic(name, type, "", doubleArrayOf(10.1)) {
                 ByteArray(bytes.size) { bytes[it].toByte() }
             }
@@ -138,7 +137,7 @@ class WpilibClientSpec :
             }
         }
 
-        test("A match arrives, sample by sample, three times as fast").config(enabledOrReasonIf = PYTHON.isHere) {
+        test("a match arrives sample by sample at three times its speed").config(enabledOrReasonIf = PYTHON.isHere) {
             val view = LogView.of(readRecording(File("../../samples/qualification-42.bag").toPath(), emptyList()))
             shouldArrive(view, ReplayOptions(0, speed = 3.0, range = 20.0..26.0, prefix = "/badlog"))
         }

@@ -16,7 +16,7 @@ private const val USAGE = """Usage: spark-submit badlog-spark.jar JOB …
 
 Addresses may be of any file system that Spark knows. docs/spark.md has examples."""
 
-/** Runs a job on the Spark that `spark-submit` names. */
+/** Runs a job on the Spark chosen by `spark-submit`. */
 internal fun main(args: Array<String>) {
     val words = args.drop(1)
     val job: (Jobs) -> Unit = when (args.firstOrNull()) {
@@ -39,7 +39,7 @@ internal fun main(args: Array<String>) {
     exitProcess(FAILED)
 }
 
-/** Why [work] could not be done, as a sentence; null when it was. */
+/** Runs [work]. Returns the reason why it failed, as a sentence; null if it succeeded. */
 private fun failureOf(work: () -> Unit): String? = try {
     work()
     null

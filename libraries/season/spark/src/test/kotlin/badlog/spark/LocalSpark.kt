@@ -6,10 +6,10 @@ import org.apache.spark.SparkConf
 import org.apache.spark.api.java.JavaSparkContext
 import java.nio.file.Path
 
-/** Where Spark is, which `:spark:installSpark` installs; null where it is not. */
+/** The folder of the Spark that `:spark:installSpark` installs; null if it is not installed. */
 internal val SPARK_HOME: Path? = System.getProperty("badlog.spark.home")?.let(Path::of)
 
-/** For a test that needs Spark. */
+/** Enables a test if Spark is installed. */
 internal val SPARK_IS_HERE: EnabledOrReasonIf = {
     if (SPARK_HOME != null) Enabled.enabled else Enabled.disabled("Apache Spark is not here; ./gradlew :spark:installSpark installs it.")
 }
@@ -24,7 +24,7 @@ internal object LocalSpark {
                 .set("spark.driver.host", "127.0.0.1")
                 .set("spark.driver.bindAddress", "127.0.0.1")
                 .set("spark.sql.shuffle.partitions", "2")
-                // Samples of a log are more than what is to come back of all of them.
+                // A limit below the size of a single log's samples, which must not reach the driver.
                 .set("spark.driver.maxResultSize", "200k"),
         )
     }

@@ -9,12 +9,12 @@ import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 
-/** Of the samples, which are many, a number for each row is compared. */
+/** The tables with many rows; only a hash of each row is compared. */
 private val MANY = listOf("samples", "series")
 private val ALWAYS_THERE = listOf("samples", "statistics", "matches", "topics")
 
 /** Compares two lakes: their files by name, and each table by its columns and row by row. */
-internal infix fun Path.shouldBeTheLake(expected: Path) {
+internal infix fun Path.shouldEqualLake(expected: Path) {
     written().keys.sorted() shouldBe expected.written().keys.filter { it != ".lock" }.sorted()
     for (table in ALWAYS_THERE + listOf("series", "events", "findings")) {
         withClue("$table of $this") {
@@ -22,7 +22,7 @@ internal infix fun Path.shouldBeTheLake(expected: Path) {
             val rows = rowsOf(this, table)
             val wanted = rowsOf(expected, table)
             if (table in ALWAYS_THERE) wanted.shouldNotBeEmpty()
-            // As sets first, for a short message.
+            // As sets first, for a short failure message.
             (rows - wanted.toSet()).take(2).shouldBeEmpty()
             (wanted - rows.toSet()).take(2).shouldBeEmpty()
             (rows == wanted) shouldBe true

@@ -23,7 +23,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 
-/** The lakes of the library `season`. */
+/** Provides lakes by DuckDB to the program. */
 public class DuckDbSeason : SeasonService {
     override val layoutVersion: Int get() = Lake.LAYOUT_VERSION
 

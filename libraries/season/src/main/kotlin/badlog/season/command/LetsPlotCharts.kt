@@ -7,7 +7,7 @@ import badlog.report.LogReport
 import badlog.report.page.PageChart
 import badlog.report.page.PageCharts
 
-/** The charts of the library `charts`. */
+/** Provides charts by lets-plot to the program. */
 public class LetsPlotCharts : ChartService {
     override fun chartsOf(logs: List<LogReport>, progress: (done: Int, total: Int) -> Unit): PageCharts {
         // Charts are drawn without a screen.

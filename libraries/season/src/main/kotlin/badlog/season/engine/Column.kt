@@ -14,7 +14,7 @@ internal sealed interface Column {
     /** Returns the SQL that converts that data, which is called [quoted]. */
     fun sql(quoted: String): String
 
-    /** Writes [size] cells, from row [from] on, to the start of [vector]. */
+    /** Writes [size] cells, starting at row [from], to the start of [vector]. */
     fun write(vector: DuckDBWritableVector, from: Int, size: Int)
 }
 

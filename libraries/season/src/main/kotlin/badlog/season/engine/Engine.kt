@@ -40,7 +40,7 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
     /** Returns another connection, which must be closed. */
     fun connection(): DuckDBConnection = root.duplicate().unwrap(DuckDBConnection::class.java)
 
-    /** Does [work] with a connection only for this thread. */
+    /** Runs [work] with a connection for this thread only. */
     fun <R> connected(work: (DuckDBConnection) -> R): R = connection().use(work)
 
     /** Lets [use] read [table] with the SQL that it receives. */
@@ -54,7 +54,7 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
         "SET lock_configuration = true",
     )
 
-    /** Does [work], which writes. If the program is asked to end meanwhile, [finish] runs before it ends: see [ScratchFolder.finishing]. */
+    /** Runs [work], which writes files. If the program is asked to end meanwhile, [finish] runs first, see [ScratchFolder.finishing]. */
     fun <R> finishing(finish: () -> Unit, work: () -> R): R = scratch.finishing(finish, work)
 
     override fun close() {
@@ -63,7 +63,7 @@ internal class Engine(memoryMegabytes: Int?, threads: Int, streams: Boolean = fa
     }
 
     companion object {
-        /** How much memory is enough for writing a lake, in MB. */
+        /** The memory for writing a lake, in MB. */
         const val WRITING_MEGABYTES = 256
     }
 }
@@ -86,5 +86,5 @@ internal fun literalOrNull(text: String?): String = text?.let(::literal) ?: "NUL
 /** Returns [name] as a quoted SQL identifier. */
 internal fun quoted(name: String): String = "\"${name.replace("\"", "\"\"").replace(NUL, "")}\""
 
-/** It would end a text for DuckDB. */
+/** DuckDB would end a text at this character. */
 private const val NUL = "\u0000"

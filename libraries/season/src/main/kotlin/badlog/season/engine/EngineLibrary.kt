@@ -6,10 +6,10 @@ import org.duckdb.DuckDBDriver
 class NoEngineException(override val message: String) : Exception(message)
 
 /**
- * Makes sure that DuckDB's jar has a library for this machine, before DuckDB fails in words of its own.
+ * Checks that DuckDB's jar has a library for this machine, because DuckDB's own message does not help.
  *
- * @param system the name of the system, as Java has it.
- * @param machine the name of its processors, as Java has it.
+ * @param system the name of the system, as Java reports it.
+ * @param machine the architecture of its processors, as Java reports it.
  * @throws NoEngineException if there is none.
  */
 internal fun requireEngine(

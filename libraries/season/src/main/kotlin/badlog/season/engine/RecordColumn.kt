@@ -54,7 +54,7 @@ internal enum class FieldType(val given: DuckDBColumnType, val type: String) {
     }
 }
 
-/** The values of one field of records, of a [FieldType]; [valueOf] returns that of each record. */
+/** The values of one field of records, of a [FieldType]; [valueOf] returns a record's value. */
 internal class RecordColumn(override val name: String, private val kind: FieldType, private val valueOf: (Int) -> Any?) : Column {
     override val type: DuckDBColumnType get() = kind.given
 

@@ -3,11 +3,11 @@ package badlog.season.engine
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A folder for temporary files, which goes when it is closed, or when the program ends and the work in it is finished. */
+/** A folder for temporary files. It is deleted when it is closed, or when the program ends after the work in it is finished. */
 internal class ScratchFolder : AutoCloseable {
     val path: Path = Files.createTempDirectory("badlog-duckdb")
 
-    // Hooks of the program run at the same time: the one that waits for the work must be the one that removes the folder.
+    // Shutdown hooks run concurrently, so one hook waits for the work and then deletes the folder.
     private val hook = Thread({ end() }, "badlog-end")
     private val finishes = ArrayList<() -> Unit>()
     private var isEnding = false
@@ -21,9 +21,10 @@ internal class ScratchFolder : AutoCloseable {
     }
 
     /**
-     * Does [work]. If the program is asked to end meanwhile, [finish] runs on another thread before the folder goes and the program ends.
+     * Runs [work]. If the program is asked to end meanwhile, [finish] runs on another thread before the folder is deleted and the program
+     * ends.
      *
-     * @throws InterruptedException if the program is already ending, which does not wait for work that begins now.
+     * @throws InterruptedException if the program is already ending; it does not wait for new work.
      */
     fun <R> finishing(finish: () -> Unit, work: () -> R): R {
         synchronized(finishes) {
@@ -37,7 +38,7 @@ internal class ScratchFolder : AutoCloseable {
         }
     }
 
-    /** Does what the program does at its end: finishes the work, and removes the folder. */
+    /** Finishes the work and deletes the folder, as at the end of the program. */
     fun end() {
         val unfinished = synchronized(finishes) {
             isEnding = true
@@ -55,7 +56,7 @@ internal class ScratchFolder : AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook)
         } catch (_: IllegalStateException) {
-            // It is already running.
+            // The hook is already running.
         }
     }
 

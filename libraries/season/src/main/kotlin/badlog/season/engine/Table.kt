@@ -28,12 +28,12 @@ internal class LentTables : DuckDBTableFunction<Table, LentTables.Cursor, Any?> 
     private val tables = ConcurrentHashMap<Long, Table>()
     private val last = AtomicLong()
 
-    /** How far one query has read its table. */
+    /** A query's position in its table. */
     class Cursor {
         var next = 0
     }
 
-    /** Lets DuckDB read [table] during [use], which receives the SQL that selects all of it. */
+    /** Lets DuckDB read [table] while [use] runs, which receives the SQL that selects all of it. */
     fun <R> lend(table: Table, use: (select: String) -> R): R {
         val key = last.incrementAndGet()
         tables[key] = table

@@ -102,14 +102,14 @@ class Lake(val folder: Path) {
 
     private fun <R> locked(isBusy: () -> Boolean, work: () -> R): R {
         val channel = try {
-            requireOwn()
+            requireLakeOrEmpty()
             Files.createDirectories(folder)
             FileChannel.open(folder.resolve(LakeLayout.LOCK), CREATE, WRITE)
         } catch (e: IOException) {
             throw LakeException("The lake ${unwritable(folder, e).message}", e)
         }
         return channel.use {
-            while (!it.takesLock()) {
+            while (!it.acquireLock()) {
                 if (!isBusy()) throw LakeException("Another badlog is writing to the lake $folder; wait until it has finished.")
                 Thread.sleep(PATIENCE)
             }
@@ -118,14 +118,14 @@ class Lake(val folder: Path) {
     }
 
     /** Takes the lock, unless another thread or process has it. */
-    private fun FileChannel.takesLock(): Boolean = try {
+    private fun FileChannel.acquireLock(): Boolean = try {
         tryLock() != null
     } catch (_: OverlappingFileLockException) {
         false
     }
 
     /** A lake must not be mixed with other files. */
-    private fun requireOwn() {
+    private fun requireLakeOrEmpty() {
         if (!Files.isDirectory(folder) || isLake(folder)) return
         val isEmpty = Files.list(folder).use { files -> files.allMatch { it.fileName.toString() == LakeLayout.LOCK } }
         if (!isEmpty) throw LakeException("$folder has other files in it; name an empty folder, or a new one.")
@@ -140,12 +140,12 @@ class Lake(val folder: Path) {
 
         private const val DEFAULT_BATCH = 500
 
-        /** So many milliseconds until a look whether another badlog has finished. */
+        /** The time between checks whether another badlog has finished, in ms. */
         private const val PATIENCE = 200L
     }
 }
 
-/** Does [work], which writes to [folder]; whatever it cannot write becomes a [LakeException]. */
+/** Runs [work], which writes to [folder]; failures to write become a [LakeException]. */
 internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
     work()
 } catch (e: SQLException) {

@@ -3,11 +3,11 @@ package badlog.season.lake
 import java.io.Serializable
 
 /**
- * What the tables of a lake hold of one log.
+ * The records of one log in the tables of a lake.
  *
- * @property log what the lake calls it.
- * @property files the files of its samples, seen from the lake.
- * @property isSalvaged whether the log lost something.
+ * @property log its name in the lake.
+ * @property files the files of its samples, relative to the lake.
+ * @property isSalvaged whether data of the log is lost.
  */
 class LakeEntry internal constructor(
     val log: String,
@@ -16,8 +16,8 @@ class LakeEntry internal constructor(
     val isSalvaged: Boolean,
     internal val records: Map<LakeTable, List<LakeRecord>>,
 ) : Serializable {
-    /** Where its records are in each table: the folders of season and event, with a slash between. */
-    val place: String get() = partition.path
+    /** The path of its partition in each table: the folders of season and event, with a slash between. */
+    val partitionPath: String get() = partition.path
 
     private companion object {
         const val serialVersionUID = 1L
@@ -26,21 +26,21 @@ class LakeEntry internal constructor(
 
 /** A change to the tables of a lake. */
 sealed interface LakeChange : Serializable {
-    /** In the tables of which place. */
-    val place: String
+    /** The path of the partition to change. */
+    val partitionPath: String
 
-    /** [entry] is to be there, instead of what was there of that log. */
+    /** Adds [entry], replacing earlier records of the same log. */
     class Put(val entry: LakeEntry) : LakeChange {
-        override val place: String get() = entry.place
+        override val partitionPath: String get() = entry.partitionPath
 
         private companion object {
             const val serialVersionUID = 1L
         }
     }
 
-    /** [log] is not to be there any longer. */
+    /** Removes the records of [log]. */
     class Remove(val log: RegisteredLog) : LakeChange {
-        override val place: String get() = log.place
+        override val partitionPath: String get() = log.partitionPath
 
         private companion object {
             const val serialVersionUID = 1L

@@ -17,9 +17,9 @@ import java.nio.file.Path
 import java.sql.SQLException
 import java.util.zip.CRC32
 
-/** What a file for a lake turned out to be. */
+/** The result of examining a file for a lake. */
 sealed interface ExaminedLog {
-    /** A log, whose files are written; [entry] is for the tables. */
+    /** A log with written files; [entry] is for the tables. */
     class Written internal constructor(val entry: LakeEntry) : ExaminedLog
 
     /** Something other than a log, or a log that cannot be read; [message] says why. */
@@ -30,13 +30,13 @@ sealed interface ExaminedLog {
 internal class LakeExamination(private val rules: RuleSet, private val engine: Engine, private val hasSamples: Boolean = true) {
     private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
-    /** What decides what becomes of a log besides its file. */
+    /** Identifies everything besides its file that affects the records of a log. */
     val maker: String = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}" +
         if (hasSamples) "" else WITHOUT_SAMPLES
 
     /**
-     * Reads [file] on [cores] cores, which is the log [source] or a copy of it, and writes its files into [folder], where the lake calls
-     * it [log]. Whatever fails, fails for this log alone, but for a full disk.
+     * Reads [file] on [cores] cores, and writes its files into [folder] under the name [log]. [file] is the log [source] or a copy of it. A
+     * failure concerns only this log, unless the disk is full.
      */
     fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog =
         orNotRead(file, { Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
@@ -51,7 +51,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
             }
         }.getOrThrow()
 
-    /** A full disk concerns all logs. */
+    /** Runs [write]; a full disk concerns all logs, so its exception is passed on. */
     private fun unlessDiskIsFull(write: () -> ExaminedLog): Result<ExaminedLog> = try {
         Result.success(write())
     } catch (e: SQLException) {

@@ -4,10 +4,10 @@ import badlog.core.text.freeName
 import java.io.Serializable
 
 /**
- * A log that a lake does not have as it is now.
+ * A new or changed log that has to be written to a lake.
  *
- * @property log what the lake calls it.
- * @property former what the lake has of it; null for nothing.
+ * @property log its name in the lake.
+ * @property former its former state in the lake; null if it is new.
  */
 class PlannedLog internal constructor(val source: LogSource, val log: String, val former: RegisteredLog?) : Serializable {
     private companion object {
@@ -16,36 +16,36 @@ class PlannedLog internal constructor(val source: LogSource, val log: String, va
 }
 
 /**
- * What has to be done to make a lake have logs as they are now.
+ * The changes that bring a lake up to date.
  *
- * @property changed what is to be written, in the order of the logs.
- * @property gone what is to be removed: logs whose files are gone.
+ * @property changed the logs to write, in their given order.
+ * @property gone the logs to remove because their files are gone.
  * @property ignored the files that are known not to be logs, and why.
  */
 class LakePlan internal constructor(val changed: List<PlannedLog>, val gone: List<RegisteredLog>, val ignored: Map<LogSource, String>)
 
-/** What is known of a lake before a run. */
+/** The known state of a lake before a run. */
 class LakeInventory internal constructor(private val mark: LakeMark, registered: List<RegisteredLog>) {
     private val registered = registered.associateBy { it.path }
 
     /**
-     * Returns what has to be done to make the lake have [logs], as a badlog called [maker] makes them.
+     * Returns the changes that bring the lake up to date with [logs], for the [LakePieces.maker] [maker].
      *
-     * @param isWanted of the path of a log that the lake has, whether its folder was looked at, so that it is gone unless it is among [logs].
-     * @param isThere whether the lake has the file that is called so, seen from its folder.
+     * @param isInScope returns whether the folder of a path was searched; a known log there is gone unless it is among [logs].
+     * @param exists returns whether the lake has a file, by its path relative to the lake.
      */
-    fun plan(logs: List<LogSource>, maker: String, isWanted: (String) -> Boolean, isThere: (String) -> Boolean): LakePlan {
+    fun plan(logs: List<LogSource>, maker: String, isInScope: (String) -> Boolean, exists: (String) -> Boolean): LakePlan {
         val marked = mark.ignored.associateBy { it.path }
         val ignored = LinkedHashMap<LogSource, String>()
         val changed = logs.filter { log ->
             val former = registered[log.path]
             val other = marked[log.path]?.takeIf { it.isOf(log) }
-            if (former?.isOf(log, maker) == true && former.files.all(isThere)) return@filter false
+            if (former?.isOf(log, maker) == true && former.files.all(exists)) return@filter false
             if (other != null) ignored[log] = other.message
             other == null
         }
         val here = logs.mapTo(HashSet()) { it.path }
-        return LakePlan(named(changed), registered.values.filter { it.path !in here && isWanted(it.path) }, ignored)
+        return LakePlan(named(changed), registered.values.filter { it.path !in here && isInScope(it.path) }, ignored)
     }
 
     private fun named(logs: List<LogSource>): List<PlannedLog> {
@@ -56,14 +56,18 @@ class LakeInventory internal constructor(private val mark: LakeMark, registered:
         }
     }
 
-    /** Returns what the lake's [mark][LakeLayout.MARK] says after a run over [logs], of which [ignored] are not logs, and why. */
+    /**
+     * Returns the text of the lake's [mark][LakeLayout.MARK] after a run over [logs]; [ignored] are the files that are not logs, and why.
+     */
     fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
 
     companion object {
         /**
-         * That of the lake [folder], which has [registered] and says [mark] of itself; null for a lake to be.
+         * Returns the state of the lake [folder] with the logs [registered].
          *
-         * @throws LakeException when another version of badlog wrote it, or [mark] cannot be understood.
+         * @param mark the content of its [mark][LakeLayout.MARK]; null for a new lake.
+         *
+         * @throws LakeException if another version of badlog wrote it, or [mark] cannot be parsed.
          */
         fun of(folder: String, mark: String?, registered: List<RegisteredLog>): LakeInventory =
             LakeInventory(mark?.let { LakeMark.of(it, folder) } ?: LakeMark(), registered)

@@ -24,17 +24,17 @@ object LakeLayout {
     /** The beginning of the names of unfinished files, which readers ignore. */
     const val DRAFT: String = ".badlog-"
 
-    /** How the names of all files of tables end. */
+    /** The ending of the names of all files of tables. */
     const val ENDING: String = ".parquet"
 
     /** The folders of the tables that have records of many logs, in the order in which they are written. */
     val TABLES: List<String> = LakeTable.entries.map { it.table }
 
-    /** Returns the columns of [table], one of [TABLES], and their types as DuckDB calls them. */
+    /** Returns the columns of [table], one of [TABLES], with DuckDB's names of their types. */
     fun columnsOf(table: String): List<Pair<String, String>> =
         LakeTable.entries.first { it.table == table }.fields.map { (name, type) -> name to type.type }
 
-    /** The folder of the table that says which logs a lake has. */
+    /** The folder of the table that lists the logs of a lake. */
     val MATCHES: String = LakeTable.MATCHES.table
 
     /** Returns the path of the table [name] of [partition] in the lake [folder]. */
@@ -52,7 +52,7 @@ object LakeLayout {
         return "$kind/${partition.path}/$short$ENDING"
     }
 
-    /** Returns [text] as a file name: everything but plain letters, digits, points, signs and underscores is percent-encoded. */
+    /** Returns [text] as a file name: everything but ASCII letters and digits, points, signs and underscores is percent-encoded. */
     internal fun encoded(text: String): String = buildString {
         for ((i, byte) in text.encodeToByteArray().withIndex()) {
             val char = (byte.toInt() and BYTE).toChar()

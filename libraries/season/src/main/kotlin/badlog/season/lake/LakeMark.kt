@@ -17,13 +17,13 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
     /** A file that is not a log, in its state at that time, and why. */
     @Serializable
     class Ignored(val path: String, val size: Long, val modified: Long, val message: String) {
-        /** Returns whether [source] is it, unchanged. */
+        /** Returns whether [source] is this file, unchanged. */
         fun isOf(source: LogSource): Boolean = path == source.path && size == source.size && modified == source.modified
     }
 
     val text: String get() = JSON.encodeToString(this)
 
-    /** This, after a run that found that those of [logs] in [ignored] are not logs, and why. */
+    /** Returns the mark after a run over [logs]; [ignored] are the files that are not logs, and why. */
     fun after(logs: List<LogSource>, ignored: Map<LogSource, String>): LakeMark {
         val here = logs.mapTo(HashSet()) { it.path }
         return LakeMark(
@@ -45,7 +45,7 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
         /**
          * Returns the mark of the lake [folder]; null if it is not a lake.
          *
-         * @throws LakeException if another version of badlog wrote it, or it cannot be understood.
+         * @throws LakeException if another version of badlog wrote it, or it cannot be parsed.
          */
         fun of(folder: Path): LakeMark? {
             val file = folder.resolve(LakeLayout.MARK)
@@ -53,9 +53,9 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
         }
 
         /**
-         * That of the lake [folder], which says [text].
+         * Returns the mark of the lake [folder] with the content [text].
          *
-         * @throws LakeException likewise.
+         * @throws LakeException if another version of badlog wrote it, or it cannot be parsed.
          */
         fun of(text: String, folder: String): LakeMark {
             val mark = try {

@@ -5,33 +5,36 @@ import badlog.season.engine.Engine
 import java.nio.file.Path
 
 /**
- * Makes the pieces of a lake that is elsewhere, in folders of this machine, from where they can be moved to the lake: the files of single
- * logs, and the tables of single partitions. A [Lake] puts the same pieces together by itself. Safe for several threads.
+ * Makes pieces of a remote lake in local folders: the files of single logs, and the tables of single partitions. The caller moves them to
+ * the lake. A local [Lake] consists of the same pieces. Thread-safe.
  *
- * @param rules what findings are looked for, and what topics are called.
- * @param hasSamples false to leave out the files of single logs, so that the lake has the tables of all logs alone.
+ * @param rules the rules for findings, and the names of topics.
+ * @param hasSamples false to leave out the files of single logs, so that the lake has only the tables of all logs.
  */
 class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoCloseable {
     private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
     private val examination = LakeExamination(rules, engine, hasSamples)
 
-    /** What decides what becomes of a log besides its file: the version of the layout, the rules, and whether there are samples. */
+    /**
+     * Identifies everything besides its file that affects the records of a log: the layout's version, the rules, and whether there are
+     * samples.
+     */
     val maker: String get() = examination.maker
 
     /**
-     * Reads [file], a copy of the log that is planned as [log], runs the rules over it, and writes the files of its samples into [folder],
-     * under the paths that they have in a lake. Whatever fails, fails for this log alone.
+     * Reads [file], a copy of the planned [log], and runs the rules over it. Writes the files of its samples into [folder], under their
+     * paths in the lake. A failure concerns only this log.
      *
-     * @throws LakeException when [folder] cannot be written to.
+     * @throws LakeException if [folder] cannot be written to.
      */
     fun write(file: Path, log: PlannedLog, folder: Path): ExaminedLog =
         writing(folder) { examination.write(file, cores = 1, log.source, log.log, folder) }
 
     /**
-     * Makes [changes], all of one place, to the tables in [folder], which has those of that place as the lake has them, or none. Holds a few
-     * changes at a time. The same again gives the same.
+     * Applies [changes] of one partition to the tables in [folder]. The folder has the partition's current tables, or none. Only a few
+     * changes are in memory at a time. Repeating it has no effect.
      *
-     * @throws LakeException when [folder] cannot be written to.
+     * @throws LakeException if [folder] cannot be written to.
      */
     fun merge(folder: Path, changes: Iterator<LakeChange>): Unit = writing(folder) {
         Engine(Engine.WRITING_MEGABYTES, threads = 1).use { own ->
@@ -46,7 +49,7 @@ class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoCloseable {
         }
     }
 
-    /** Returns the logs that the tables in [folder] have. */
+    /** Returns the logs in the tables in [folder]. */
     fun registered(folder: Path): List<RegisteredLog> = writing(folder) { registeredIn(folder, engine) }
 
     override fun close(): Unit = engine.close()

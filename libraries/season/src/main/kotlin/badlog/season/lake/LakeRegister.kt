@@ -7,7 +7,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What a lake has about a log.
+ * A log that a lake contains.
  *
  * @property log its name in the lake.
  * @property path the log's file.
@@ -24,10 +24,10 @@ class RegisteredLog internal constructor(
     val files: List<String>,
     val isSalvaged: Boolean,
 ) : Serializable {
-    /** Where in each table its records stand: the folders of season and event, with a slash between. */
-    val place: String get() = partition.path
+    /** The path of its partition in each table: the folders of season and event, with a slash between. */
+    val partitionPath: String get() = partition.path
 
-    /** Returns whether it is what [maker] would make of [source] as it is now. */
+    /** Returns whether [source] is unchanged and [maker] the same. */
     internal fun isOf(source: LogSource, maker: String): Boolean = size == source.size && modified == source.modified && this.maker == maker
 
     private companion object {
@@ -73,7 +73,7 @@ internal fun tableFiles(folder: Path, table: LakeTable): List<Path> {
     }
 }
 
-/** Returns the SQL that reads [files], whose folders contain season and event. */
+/** Returns the SQL that reads [files]; the names of their folders contain season and event. */
 internal fun scanOf(files: List<Path>, isUnion: Boolean = false): String =
     "read_parquet([${files.joinToString { literal(it.toString()) }}], hive_partitioning = true, " +
         "hive_types = {'season': INTEGER, 'event': VARCHAR}${if (isUnion) ", union_by_name = true" else ""})"

@@ -21,7 +21,7 @@ import kotlin.concurrent.write
  */
 internal class LakeStage(private val folder: Path, private val engine: Engine) {
     private val lock = ReentrantReadWriteLock()
-    private val touched = LinkedHashSet<Partition>()
+    private val changedPartitions = LinkedHashSet<Partition>()
     private val obsolete = ArrayList<String>()
     private var waiting = Waiting()
 
@@ -45,31 +45,31 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         }
     }
 
-    /** Adds [entry], where the lake had [former] of the same log. */
+    /** Adds [entry]; [former] is the same log's former state in the lake. */
     fun add(entry: LakeEntry, former: RegisteredLog?) = lock.read {
         val partition = entry.partition
         note(entry.log, entry.records.mapValues { (_, records) -> records.map { PlacedRecord(partition, it) } })?.let(::insert)
-        touch(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - entry.files.toSet())
+        markChanged(listOfNotNull(partition, former?.partition), former?.files.orEmpty() - entry.files.toSet())
     }
 
     fun remove(former: RegisteredLog) = lock.read {
         note(former.log, emptyMap())?.let(::insert)
-        touch(listOf(former.partition), former.files)
+        markChanged(listOf(former.partition), former.files)
     }
 
-    /** Returns what to insert, if it is worth a statement for each table; otherwise null. */
+    /** Returns the records to insert, if they justify a statement for each table; otherwise null. */
     @Synchronized
     private fun note(log: String, records: Map<LakeTable, List<PlacedRecord>>): Waiting? {
         waiting.logs += log
         for ((table, rows) in records) waiting.records.getValue(table).addAll(rows)
         size++
-        if (waiting.logs.size < INSERTED_AT_ONCE) return null
+        if (waiting.logs.size < INSERT_BATCH) return null
         return waiting.also { waiting = Waiting() }
     }
 
     @Synchronized
-    private fun touch(partitions: List<Partition>, files: List<String>) {
-        touched += partitions
+    private fun markChanged(partitions: List<Partition>, files: List<String>) {
+        changedPartitions += partitions
         obsolete += files
     }
 
@@ -81,29 +81,29 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         engine.lend(gone) { select -> connection.run("INSERT INTO $GONE $select") }
     }
 
-    /** Writes what was collected. The table of matches comes last: for the next run, only logs in it exist. */
+    /** Writes the collected records. The table of matches comes last: for the next run, only logs in it exist. */
     fun flush() = lock.write {
         if (size == 0) return@write
         insert(waiting)
         waiting = Waiting()
         engine.connected { connection ->
             for (table in LakeTable.entries) {
-                for (partition in touched) rewrite(connection, table, partition)
+                for (partition in changedPartitions) rewrite(connection, table, partition)
                 connection.run("TRUNCATE ${table.table}")
             }
             connection.run("TRUNCATE $GONE")
         }
         for (file in obsolete) Files.deleteIfExists(folder.resolve(file))
-        touched.clear()
+        changedPartitions.clear()
         obsolete.clear()
         size = 0
     }
 
     private fun rewrite(connection: DuckDBConnection, table: LakeTable, partition: Partition) {
         val target = LakeLayout.tableFile(folder, table.table, partition)
-        val isHere = "season IS NOT DISTINCT FROM ${partition.season ?: "NULL"} AND " +
+        val inPartition = "season IS NOT DISTINCT FROM ${partition.season ?: "NULL"} AND " +
             "event IS NOT DISTINCT FROM ${partition.event?.let(::literal) ?: "NULL"}"
-        val new = "SELECT * EXCLUDE (season, event) FROM ${table.table} WHERE $isHere"
+        val new = "SELECT * EXCLUDE (season, event) FROM ${table.table} WHERE $inPartition"
         val all = if (!Files.exists(target)) {
             new
         } else {
@@ -116,7 +116,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
 
     private companion object {
         const val GONE = "gone"
-        const val INSERTED_AT_ONCE = 32
+        const val INSERT_BATCH = 32
     }
 }
 

@@ -41,7 +41,7 @@ internal enum class LakeTable(val order: String, vararg val fields: Pair<String,
     /** Texts with a time. */
     EVENTS("log, t, topic", "log" to TEXT, "topic" to TEXT, "t" to NUMBER, "timestamp" to MOMENT, "text" to TEXT),
 
-    /** What the rules found. */
+    /** The findings of the rules. */
     FINDINGS(
         "log, t, rule",
         "log" to TEXT, "rule" to TEXT, "severity" to TEXT, "topic" to TEXT, "t" to NUMBER, "timestamp" to MOMENT, "text" to TEXT,

@@ -83,7 +83,7 @@ internal class LogRecords(
     }
 
     private fun statisticsRecord(topic: Topic): LakeRecord? {
-        if (isOfTexts(topic) || topic.samples.isEmpty()) return null
+        if (hasTextCells(topic) || topic.samples.isEmpty()) return null
         return view.seriesOf(topic).statistics().run {
             LakeTable.STATISTICS.record(
                 "log" to log,

@@ -3,14 +3,14 @@ package badlog.season.lake
 import java.io.Serializable
 
 /**
- * A log as a look at its folder finds it, wherever that folder is. As long as this is the same, so is what the log holds.
+ * A log as found in a local or remote folder. As long as its source is equal, its content is unchanged.
  *
- * @property path what a lake knows it by: the full path of its file on this machine, or its address on another file system.
+ * @property path its identity in a lake: the full path of its file on this machine, or its address on another file system.
  * @property file the file's name without folders.
- * @property name what the lake calls it, with slashes, mostly its path below the folder of logs; where another log has that name in the
- *   lake, it gets a number.
- * @property size in bytes, of all its files.
- * @property modified when it was written last, in milliseconds since 1970.
+ * @property name its name in the lake, with slashes, usually its path below the folder of logs; if another log has that name in the lake, a
+ *   number is added.
+ * @property size the size of all its files, in bytes.
+ * @property modified the time of its last change, in ms since 1970.
  */
 data class LogSource(val path: String, val file: String, val name: String, val size: Long, val modified: Long) : Serializable {
     private companion object {

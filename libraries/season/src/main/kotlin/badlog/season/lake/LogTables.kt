@@ -7,11 +7,11 @@ import badlog.season.engine.Table
 import java.nio.file.Path
 
 /**
- * The tables of the log [log] of [identity], as [view] shows it, that stand in files of its own.
+ * The tables of the log [log] of [identity] that have files of their own; [view] is its content.
  *
- * @property samples the topics that share rows; null where none do.
- * @property series the topics that have times of their own; null where none have.
- * @property columnOf what the column of a topic is called in [samples].
+ * @property samples the topics that share rows; null if there are none.
+ * @property series the topics with times of their own; null if there are none.
+ * @property columnOf the name of each topic's column in [samples].
  */
 internal class LogTables(view: LogView, log: String, identity: LogIdentity) {
     private val rows = SamplesTable(view, log, identity)
@@ -21,13 +21,13 @@ internal class LogTables(view: LogView, log: String, identity: LogIdentity) {
     val series: Table? = seriesTable(view, log, identity)
     val columnOf: Map<Topic, String> = rows.nameOf
 
-    /** Writes [table], one of these, to the Parquet file [target] by [engine]; returns how many rows it has. */
+    /** Writes [table], one of these, to the Parquet file [target] by [engine]. Returns the number of its rows. */
     fun write(table: Table, target: Path, engine: Engine): Long = engine.connected { connection ->
         engine.lend(table) { select -> writeParquet(connection, select, target, metadata, table.columns.size) }
     }
 
     private companion object {
-        /** By which name such a file says what its topics are. */
+        /** The key of the description of the topics in the file's metadata. */
         const val METADATA = "badlog"
     }
 }

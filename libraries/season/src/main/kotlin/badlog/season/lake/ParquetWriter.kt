@@ -12,29 +12,29 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * A Parquet file that was written.
+ * A written Parquet file.
  *
- * @property rows how many rows it has.
+ * @property rows the number of its rows.
  */
 class ParquetFile internal constructor(val path: Path, val rows: Long)
 
-/** Writes single logs as Parquet files, with the columns that a [Lake] has for them; `docs/season.md` specifies these. Safe for several threads. */
+/** Writes single logs as Parquet files with the same columns as in a [Lake], specified in `docs/season.md`. Thread-safe. */
 class ParquetWriter : AutoCloseable {
     private val engine = Engine(Engine.WRITING_MEGABYTES, threads = 1)
     private val turn = ReentrantLock()
 
     /**
-     * Writes the samples of [view] to [target], atomically. Where some topics share rows and others have times of their own, the latter
-     * get a second file beside it: `match.series.parquet` beside `match.parquet`.
+     * Writes the samples of [view] to [target], atomically. If some topics share rows and others have times of their own, the latter are
+     * written to a second file: `match.series.parquet` beside `match.parquet`.
      *
-     * @param log what the column `log` holds.
+     * @param log the value of the column `log`.
      * @param file the name of the log's file, which may show its match and its time.
-     * @param signals the names of topics, such as those that show the same.
-     * @return what was written; nothing if the log has no samples.
+     * @param signals the names of topics in different logs.
+     * @return the written files; empty if the log has no samples.
      * @throws LakeException if a file cannot be written.
      */
     fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<ParquetFile> = try {
-        // DuckDB cannot be stopped without leaving a draft.
+        // Stopping DuckDB would leave a draft.
         engine.finishing({ turn.withLock {} }) { turn.withLock { written(view, log, file, signals, target) } }
     } catch (e: SQLException) {
         throw LakeException("$target cannot be written (${e.message}); make room on the disk, or name another file.", e)

@@ -31,7 +31,7 @@ internal fun constantsOf(log: String, identity: LogIdentity): List<Pair<String, 
 )
 
 /**
- * The topics of [view] that share rows, as a table with a row for each of them and a column for each topic that is not empty.
+ * The topics of [view] that share rows, as a table with a column for each topic that is not empty.
  *
  * @property nameOf the name of each topic's column.
  */
@@ -51,7 +51,7 @@ internal class SamplesTable(private val view: LogView, private val log: String, 
                 topic === view.xAxis.topic -> names[topic] = FixedColumns.T
 
                 // A topic that is empty in one log may have anything in another.
-                topic.kind == TopicKind.EMPTY && !isOfTexts(topic) -> continue
+                topic.kind == TopicKind.EMPTY && !hasTextCells(topic) -> continue
 
                 else -> names[topic] = freeName(topic.name.ifEmpty { "topic" }) { taken.add(it.lowercase()) }
             }
@@ -71,14 +71,15 @@ internal class SamplesTable(private val view: LogView, private val log: String, 
     }
 
     private fun columnOf(topic: Topic, name: String): Column = when {
-        isOfTexts(topic) -> TextColumn(name, TextsInRows(topic)::of)
+        hasTextCells(topic) -> TextColumn(name, TextsInRows(topic)::of)
         topic.kind == TopicKind.BOOLEAN -> FlagColumn(name, topic.samples)
         else -> NumberColumn(name, topic.samples)
     }
 }
 
 /** Returns whether the cells of [topic] are texts, with numbers written as text. */
-internal fun isOfTexts(topic: Topic): Boolean = topic.kind == TopicKind.STATE || topic.kind == TopicKind.EVENT || "log" in topic.attributes
+internal fun hasTextCells(topic: Topic): Boolean =
+    topic.kind == TopicKind.STATE || topic.kind == TopicKind.EVENT || "log" in topic.attributes
 
 /** The cells of [topic] as texts, requested in ascending order, possibly repeatedly from the start. */
 internal class TextsInRows(private val topic: Topic) {
@@ -94,13 +95,13 @@ internal class TextsInRows(private val topic: Topic) {
         return if (number.isNaN()) null else numberText(number)
     }
 
-    private fun numberText(number: Double) = if (number == Math.rint(number) && Math.abs(number) < EXACT) {
+    private fun numberText(number: Double) = if (number == Math.rint(number) && Math.abs(number) < MAX_WHOLE) {
         "${number.toLong()}"
     } else {
         "$number"
     }
 
     private companion object {
-        const val EXACT = 1e15
+        const val MAX_WHOLE = 1e15
     }
 }

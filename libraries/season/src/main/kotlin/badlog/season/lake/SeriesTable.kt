@@ -8,15 +8,12 @@ import badlog.season.engine.NumberColumn
 import badlog.season.engine.RecordColumn
 import badlog.season.engine.Table
 
-/**
- * Returns the samples of the topics of [view] that have times of their own, one after the other: a row for each sample. Null if there are
- * none.
- */
+/** Returns the samples of the topics of [view] with times of their own, one row per sample, topic after topic; null if there are none. */
 internal fun seriesTable(view: LogView, log: String, identity: LogIdentity): Table? {
     val topics = view.recording.topics.filter { it.times != null && it.times!!.isNotEmpty() }.sortedBy { it.name }
     val size = topics.sumOf { it.times!!.size.toLong() }
     if (size == 0L || size > Int.MAX_VALUE) return null
-    val samples = OwnTimes(topics, size.toInt())
+    val samples = SeriesCursor(topics, size.toInt())
     val columns = listOfNotNull(
         RecordColumn("topic", FieldType.TEXT) { samples.at(it).topic.name },
         NumberColumn(FixedColumns.T, samples.times),
@@ -28,7 +25,7 @@ internal fun seriesTable(view: LogView, log: String, identity: LogIdentity): Tab
 }
 
 /** The [size] samples of [topics], one topic after the other. */
-private class OwnTimes(private val topics: List<Topic>, size: Int) {
+private class SeriesCursor(private val topics: List<Topic>, size: Int) {
     val times = DoubleArray(size)
     private val starts = IntArray(topics.size + 1)
     private val texts = topics.map(::TextsInRows)
@@ -48,7 +45,7 @@ private class OwnTimes(private val topics: List<Topic>, size: Int) {
     }
 
     /** Moves to [row], and returns this; rows are usually requested in ascending order. */
-    fun at(row: Int): OwnTimes {
+    fun at(row: Int): SeriesCursor {
         if (row < starts[place]) place = 0
         while (row >= starts[place + 1]) place++
         topic = topics[place]
@@ -56,12 +53,12 @@ private class OwnTimes(private val topics: List<Topic>, size: Int) {
         return this
     }
 
-    val value: Double get() = if (isOfTexts(topic)) Double.NaN else topic.samples.getOrElse(sample) { Double.NaN }
+    val value: Double get() = if (hasTextCells(topic)) Double.NaN else topic.samples.getOrElse(sample) { Double.NaN }
 
     /** The text of the sample, also among numbers. */
     val text: String?
         get() = when {
-            isOfTexts(topic) || value.isNaN() -> texts[place].of(sample)
+            hasTextCells(topic) || value.isNaN() -> texts[place].of(sample)
             else -> null
         }
 }

@@ -65,7 +65,7 @@ class LakeDatabase private constructor(
         connection.createStatement().use { statement ->
             running = statement
             try {
-                statement.executeQuery(sql).use { rows -> give(rows, columns, row) }
+                statement.executeQuery(sql).use { rows -> passRows(rows, columns, row) }
             } finally {
                 running = null
             }
@@ -97,7 +97,7 @@ class LakeDatabase private constructor(
         running?.cancel()
     }
 
-    private fun give(rows: ResultSet, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean) {
+    private fun passRows(rows: ResultSet, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean) {
         val described = rows.metaData
         columns((1..described.columnCount).map { SqlColumn(described.getColumnLabel(it), described.getColumnTypeName(it)) })
         while (rows.next()) if (!row((1..described.columnCount).map { jsonOf(rows.getObject(it)) })) return
@@ -110,7 +110,7 @@ class LakeDatabase private constructor(
     } catch (e: SQLException) {
         // If rows are streamed, the driver adds a line of its own before the engine's message.
         val message = e.message.orEmpty().substringAfter("\nError: ").trim()
-        val isMistake = NO_MISTAKES.none { it in message.substringBefore(':') }
+        val isMistake = ENGINE_FAILURES.none { it in message.substringBefore(':') }
         throw SqlException(if (isConfined) message.replace("$folder", "the lake") else message, e, isMistake)
     }
 
@@ -162,8 +162,8 @@ class LakeDatabase private constructor(
 
         private const val CONFINED_MEGABYTES = 1024
 
-        /** What the engine's messages begin with where the query is not to blame. */
-        private val NO_MISTAKES =
+        /** The beginnings of messages about failures that are not mistakes in the query. */
+        private val ENGINE_FAILURES =
             listOf("IO Error", "Out of Memory", "INTERRUPT", "INTERNAL", "FATAL", "Connection Error", "Permission Error")
         private const val ONLY_QUERIES = "Only a single query is possible here, such as SELECT … FROM matches; nothing can be changed."
     }

@@ -25,8 +25,8 @@ internal class LakeViews(
 
     /** Creates the views that [sql] mentions. */
     fun makeFor(sql: String) {
-        val isAboutAll = ABOUT_ALL.containsMatchIn(sql)
-        for (view in LakeView.entries) if (isAboutAll || sql.contains(view.sqlName, ignoreCase = true)) make(view)
+        val listsTables = LISTS_TABLES.containsMatchIn(sql)
+        for (view in LakeView.entries) if (listsTables || sql.contains(view.sqlName, ignoreCase = true)) make(view)
     }
 
     /** Creates [view], if it does not exist yet. */
@@ -44,11 +44,11 @@ internal class LakeViews(
     private fun table(table: LakeTable): String {
         val files = tableFiles(folder, table)
         val columns = if (table == LakeTable.MATCHES && hidden.isNotEmpty()) "* EXCLUDE (${hidden.joinToString { quoted(it) }})" else "*"
-        if (files.isEmpty()) return "SELECT $columns FROM (SELECT ${nulls(table)}) WHERE false"
+        if (files.isEmpty()) return "SELECT $columns FROM (SELECT ${nullColumns(table)}) WHERE false"
         return "SELECT $columns FROM ${scanOf(files)}"
     }
 
-    private fun nulls(table: LakeTable) = table.fields.joinToString { (name, type) -> "NULL::${type.type} AS ${quoted(name)}" } +
+    private fun nullColumns(table: LakeTable) = table.fields.joinToString { (name, type) -> "NULL::${type.type} AS ${quoted(name)}" } +
         ", NULL::INTEGER AS season, NULL::VARCHAR AS event"
 
     /** Returns the files of [kind] that are listed in the table of matches, which excludes leftovers of an interrupted run. */
@@ -67,7 +67,7 @@ internal class LakeViews(
         val topics = texts("SELECT DISTINCT topic FROM statistics ORDER BY topic")
         if (topics.isEmpty()) return "SELECT * FROM matches"
         val columns = topics.joinToString { topic ->
-            "any_value($FIGURES) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
+            "any_value($FIELDS) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
         }
         return "SELECT * FROM matches LEFT JOIN (SELECT log, $columns FROM statistics GROUP BY log) USING (log)"
     }
@@ -77,8 +77,8 @@ internal class LakeViews(
     }
 
     private companion object {
-        val ABOUT_ALL = Regex("\\b(show|information_schema|duckdb_\\w+)\\b", RegexOption.IGNORE_CASE)
-        const val FIGURES =
+        val LISTS_TABLES = Regex("\\b(show|information_schema|duckdb_\\w+)\\b", RegexOption.IGNORE_CASE)
+        const val FIELDS =
             "{'unit': unit, 'count': count, 'min': min, 'max': max, 'mean': mean, 'median': median, 'p5': p5, 'p95': p95, " +
                 "'first': first, 'last': last}"
         const val NO_SAMPLES =

@@ -7,8 +7,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.contentOrNull
 
 /**
- * What a query reads, as DuckDB's own parser sees it: for those who may read the tables of a lake and nothing else, such as files by
- * their names, DuckDB's settings, or its own tables, which show where the files of the lake are.
+ * The tables and functions that a query reads, according to DuckDB's own parser. A confined query may read only the tables of a lake: no
+ * files by name, no settings, and none of DuckDB's own tables, which reveal where the lake's files are.
  */
 internal class QuerySources private constructor(private val ownNames: Set<String>) {
     private fun check(element: JsonElement) {
@@ -47,18 +47,19 @@ internal class QuerySources private constructor(private val ownNames: Set<String
     companion object {
         private val TABLES = LakeView.entries.map { it.sqlName }.toSet()
 
-        /** Those that make rows of what a query gives them. */
+        /** Table functions that only use their arguments. */
         private val FUNCTIONS = setOf("unnest", "range", "generate_series", "json_each", "json_tree")
         private val SETTINGS = setOf("current_setting", "getenv", "getvariable")
 
-        /** DuckDB has tables of its own whose names begin so; names of files have other characters in them. */
+        /** Excludes the prefixes of DuckDB's own tables, and characters that file names need. */
         private val OWN_NAME = Regex("(?!duckdb|pragma|sqlite|pg_)[a-z_][a-z0-9_]*")
 
         /**
-         * Makes sure that the query [parsed], as DuckDB serializes it, reads nothing but the tables of a lake and what it calls a name of
-         * its own.
+         * Checks that the query reads only the tables of a lake and its own common table expressions.
          *
-         * @throws SqlException when it does.
+         * @param parsed the query as DuckDB serializes it.
+         *
+         * @throws SqlException if it reads anything else.
          */
         fun require(parsed: JsonElement) {
             val names = HashSet<String>()

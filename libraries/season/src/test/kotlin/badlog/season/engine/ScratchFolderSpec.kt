@@ -6,7 +6,7 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 
 class ScratchFolderSpec : FunSpec({
-    test("at the end of the program the folder is there until the work is finished, also if that fails; then no work begins") {
+    test("at the end of the program the folder exists until the work has finished or failed, and no new work begins") {
         val said = ArrayList<String>()
         ScratchFolder().use { scratch ->
             val end = { what: String ->
@@ -22,7 +22,7 @@ class ScratchFolderSpec : FunSpec({
         }
     }
 
-    test("the folder goes when it is closed, with what is in it") {
+    test("closing the folder deletes it with its content") {
         val scratch = ScratchFolder()
         Files.createFile(scratch.path.resolve("a.tmp"))
         scratch.close()

@@ -12,7 +12,7 @@ class LakeTableSpec : FunSpec({
         List(5) { event(0.5)[it] } shouldBe listOf("1.bag", "Log", 0.5, null, "go")
     }
 
-    test("a record with another field, or with a value of another type, is refused") {
+    test("a record with an unknown field or a value of another type is refused") {
         shouldThrow<IllegalArgumentException> { event(0.5, text = "message") }.message shouldContain "not log, topic, t, timestamp, message"
         shouldThrow<IllegalArgumentException> { event("0.5") }.message shouldContain "The field t of events cannot hold 0.5"
     }

@@ -5,7 +5,7 @@ import badlog.rules.incident.Incident
 import badlog.signals.logging.LoggingLibrary
 import badlog.viewer.draw.mark.FindingPlace
 
-/** What a person does with the findings of a log. */
+/** An action of a person on the findings of a log. */
 sealed interface FindingAction : Action {
     /**
      * Goes to a finding.
@@ -34,7 +34,10 @@ sealed interface FindingAction : Action {
     /** Folds or unfolds the rules that could not run. */
     data object ToggleSkipped : FindingAction
 
-    /** Shows the lines with which [library] logs what is missing. */
+    /** Unfolds and searches nothing, as for findings that are not known yet. */
+    data object Forget : FindingAction
+
+    /** Shows the lines of [library] that log the missing signals. */
     data class ShowLines(val library: LoggingLibrary) : FindingAction
 
     /** Learns why a topic cannot be the signal that it was chosen for; null if it can. */

@@ -5,7 +5,7 @@ import badlog.rules.incident.Incident
 import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.draw.mark.FindingPlace
 
-/** What only a shell can do about the findings of a log. */
+/** A task about the findings of a log that only a shell can perform. */
 sealed interface FindingRequest : Request {
     /**
      * Shows the evidence of a finding that was gone to.
@@ -27,7 +27,7 @@ sealed interface FindingRequest : Request {
     /** Keeps the graphs that are shown for a finding on the board. */
     data object Keep : FindingRequest
 
-    /** Shows the graphs of [offer] beside those of the finding that was gone to. */
+    /** Shows the graphs of [offer] beside the selected finding's graphs. */
     data class Add(val offer: EvidenceOffer) : FindingRequest
 
     /** Shows the graph of [difference] over the match before that shows the same. */
@@ -39,7 +39,7 @@ sealed interface FindingRequest : Request {
     /** Makes [topic] the signal [signal], and runs the rules again; if it cannot be that, [FindingAction.Refuse] says why. */
     data class Assign(val signal: String, val topic: String) : FindingRequest
 
-    /** Takes back what a person assigned to [signal], and runs the rules again. */
+    /** Takes back the topic assigned to [signal], and runs the rules again. */
     data class Forget(val signal: String) : FindingRequest
 
     /** Saves the signals that a person assigned as a file. */

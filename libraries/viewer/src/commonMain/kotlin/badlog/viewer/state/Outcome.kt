@@ -1,9 +1,9 @@
 package badlog.viewer.state
 
 /**
- * What an action leads to.
+ * The outcome of an action.
  *
  * @property state the state from now on.
- * @property request what the shell has to do besides; null for nothing.
+ * @property request the task for the shell; null for none.
  */
 class Outcome(val state: ViewerState, val request: Request? = null)

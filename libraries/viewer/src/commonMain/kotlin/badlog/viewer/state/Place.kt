@@ -21,32 +21,32 @@ data class Place(
     val selection: Span? = null,
     val visited: FindingPlace<Finding>? = null,
 ) {
-    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of what is visible. */
+    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of the visible range. */
     val ofNote: Double get() = cursors.x ?: range.visible.run { (from + to) / 2 }
 
     /** Pins the cursor at [x], or at the end of the log that is nearer to it, and shows it. Nothing changes if x is not finite. */
-    fun at(x: Double): Place {
+    internal fun at(x: Double): Place {
         if (!x.isFinite()) return this
         val place = x.coerceIn(range.full.from, range.full.to)
         return copy(range = range.revealing(place), cursors = cursors.pinnedAt(place))
     }
 
     /** Pins the cursor at [x], and shows the surroundings of [span]. Nothing changes if x is not finite. */
-    fun at(x: Double, span: Span): Place = if (x.isFinite()) copy(range = range.around(span.from, span.to)).at(x) else this
+    internal fun at(x: Double, span: Span): Place = if (x.isFinite()) copy(range = range.around(span.from, span.to)).at(x) else this
 
     /** Goes to [place], where a finding is. One about the whole log changes neither range nor cursor. */
-    fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place).at(place.span.from, place.span)
+    internal fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place).at(place.span.from, place.span)
 
     /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is; going back returns from it. */
-    fun atEnd(): Place = copy(range = range.remembered()).movedToEnd()
+    internal fun atEnd(): Place = copy(range = range.remembered()).movedToEnd()
 
     /** The same as one of many steps of following a log that grows, which going back skips. */
-    fun movedToEnd(): Place {
+    internal fun movedToEnd(): Place {
         val end = range.full.to
         val shown = if (range.isZoomed) range.moved(end - range.visible.width, end) else range
         return copy(range = shown, cursors = cursors.pinnedAt(end))
     }
 
     /** Removes the first of these that exists: selection, second cursor, pinned cursor, cursor. */
-    fun cancelled(): Place = if (selection == null) copy(cursors = cursors.cancelled()) else copy(selection = null)
+    internal fun cancelled(): Place = if (selection == null) copy(cursors = cursors.cancelled()) else copy(selection = null)
 }

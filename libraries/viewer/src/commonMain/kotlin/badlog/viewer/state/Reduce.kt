@@ -4,11 +4,13 @@ import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.KeyAction
 
-/** Returns what [action] leads to, on the page and in the window, from [state] of a log of which [shown] is known. */
+/** Returns the outcome of [action], on the page and in the window, from [state] of a log with the content [shown]. */
 fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
-    is Action.Press -> state.after(shown, action.key)
-    is Action.Ask -> Outcome(state, action.request)
+    is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
+    is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
     is FindingAction -> state.after(shown, action)
+    is BoardAction -> state.after(shown, action)
+    is PlaceAction -> Outcome(state.after(shown, action))
 }
 
 private fun ViewerState.after(shown: Shown, key: KeyAction): Outcome = when (key) {
@@ -31,8 +33,8 @@ private fun ViewerState.after(shown: Shown, key: KeyAction): Outcome = when (key
     KeyAction.MOVE_DOWN -> moved(shown, 1)
     KeyAction.MOVE_TO_TOP -> moved(shown, -shown.graphs.graphs.size)
     KeyAction.NEXT_HEIGHT -> resized(shown)
-    KeyAction.UNDO -> Outcome(copy(board = board.undone()))
-    KeyAction.REDO -> Outcome(copy(board = board.redone()))
+    KeyAction.UNDO -> taking(shown, board.undone())
+    KeyAction.REDO -> taking(shown, board.redone())
     KeyAction.PIN -> Outcome(this, Request.Pin)
     KeyAction.NEXT_LAYOUT -> Outcome(this, Request.Layout(1))
     KeyAction.PREVIOUS_LAYOUT -> Outcome(this, Request.Layout(-1))
@@ -45,9 +47,9 @@ private fun ViewerState.after(shown: Shown, key: KeyAction): Outcome = when (key
     KeyAction.NEXT_FRAME -> Outcome(this, Request.Frames(1))
 }
 
-private fun ViewerState.showing(step: Viewport.() -> Viewport) = Outcome(at(place.copy(range = place.range.step())))
+private fun ViewerState.showing(step: Viewport.() -> Viewport) = Outcome(range(step))
 
-/** Moves a cursor by [count] samples, or to the sample nearest to the middle of what is visible, and shows it. */
+/** Moves a cursor by [count] samples, or to the sample nearest to the middle of the visible range, and shows it. */
 private fun ViewerState.stepped(shown: Shown, count: Int): Outcome {
     val start = shown.samples.nearest(place.range.visible.run { (from + to) / 2 })
     if (start.isNaN()) return Outcome(this)
@@ -58,10 +60,10 @@ private fun ViewerState.stepped(shown: Shown, count: Int): Outcome {
 
 private fun ViewerState.moved(shown: Shown, places: Int): Outcome {
     val graph = shown.graph ?: return Outcome(this)
-    return Outcome(changed(shown.graphs, shown.graphs.moved(graph, places)), Request.Graph(graph))
+    return taking(shown, board.changed(shown.graphs.moved(graph, places), shown.graphs), moved = graph)
 }
 
 private fun ViewerState.resized(shown: Shown): Outcome {
     val graph = shown.graphs.graphs.find { it.id == shown.graph } ?: return Outcome(this)
-    return Outcome(changed(shown.graphs, shown.graphs.resized(graph.id, GraphHeight.of(graph.height).next.pixels)))
+    return taking(shown, board.changed(shown.graphs.resized(graph.id, GraphHeight.of(graph.height).next.pixels), shown.graphs))
 }

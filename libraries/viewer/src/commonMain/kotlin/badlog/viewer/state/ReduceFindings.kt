@@ -3,7 +3,7 @@ package badlog.viewer.state
 import badlog.rules.Finding
 import badlog.viewer.draw.mark.FindingPlace
 
-/** Returns what [action] leads to from this state of a log of which [shown] is known. */
+/** Returns the outcome of [action] from this state, for a log with the content [shown]. */
 internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = when (action) {
     is FindingAction.GoTo -> visiting(action.place, FindingRequest.Show(action.place, action.incident, action.isWhole))
     is FindingAction.StepWithin -> steppedWithin(shown, action.steps)
@@ -12,6 +12,7 @@ internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = w
     FindingAction.ListFew -> findings { copy(listed = null) }
     FindingAction.ToggleWithin -> findings { copy(isWithinOpen = !isWithinOpen) }
     FindingAction.ToggleSkipped -> findings { copy(isSkippedOpen = !isSkippedOpen) }
+    FindingAction.Forget -> findings { FindingsState(library = library) }
     is FindingAction.ShowLines -> findings { copy(library = action.library) }
     is FindingAction.Refuse -> findings { copy(refusal = action.reason) }
 }

@@ -1,8 +1,10 @@
 package badlog.viewer.state
 
+import badlog.viewer.choices.board.Board
+
 /**
- * What only a shell can do for an action. Its `when` over these has no `else`, so that a new one does not compile until page and window
- * both do it.
+ * A task that only a shell can perform. The shells' `when` has no `else`, so that a new task does not compile until page and window both
+ * perform it.
  */
 sealed interface Request {
     /** Opens the values at the cursor, or closes them. */
@@ -14,8 +16,13 @@ sealed interface Request {
     /** Adds the graph that keys apply to, or removes it: it need not be one of the board's. */
     data object Pin : Request
 
-    /** Shows graph [id] of the board, which was moved, if it is out of sight. */
-    data class Graph(val id: Int) : Request
+    /**
+     * Remembers the board, and shows which graphs are new if they are out of sight.
+     *
+     * @property before the graphs that were drawn before the change; null if nothing has changed.
+     * @property moved the graph that a key has moved, which is shown, too; null for none.
+     */
+    data class Graphs(val before: Board?, val moved: Int? = null) : Request
 
     /** Shows the graphs of the kept layout that is [steps] after the one shown, see [keptLayoutAfter][badlog.viewer.choices.board.keptLayoutAfter]. */
     data class Layout(val steps: Int) : Request

@@ -5,15 +5,18 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.finding.FoundInLog
 
-/** What [reduce] needs of an open log besides the state: each is asked for by the first action that needs it. */
+/** The content of an open log that [reduce] needs besides the state. Each part is calculated for the first action that needs it. */
 interface Shown {
+    /** Whether a log is open. */
+    val isOpen: Boolean get() = true
+
     /** The samples that a cursor steps to. */
     val samples: CursorSteps
 
     /** When the robot was enabled. */
     val enabled: List<EnabledSpan>
 
-    /** What was found; null while nothing is known. */
+    /** The findings; null while none are known. */
     val found: FoundInLog?
 
     /** The graphs of the board that can be drawn of the log. */

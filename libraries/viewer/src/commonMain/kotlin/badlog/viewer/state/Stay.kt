@@ -23,10 +23,10 @@ data class Stay(val place: Place? = null, val held: Span? = null) {
     fun begun(end: Place): Stay = Stay(place = end)
 
     /** The person wants to stay at [now], though the log grows. */
-    fun paused(now: Place): Stay = Stay(held = now.range.visible.takeIf { now.range.isZoomed })
+    internal fun paused(now: Place): Stay = Stay(held = now.range.visible.takeIf { now.range.isZoomed })
 
     /** Handles that the log has grown, and is shown at [shown] to a person who was at [before]. */
-    fun grown(before: Place, shown: Place): Stayed {
+    internal fun grown(before: Place, shown: Place): Stayed {
         if (isAt(before)) return shown.movedToEnd().let { Stayed(begun(it), it) }
         val kept = held?.takeIf { it == before.range.visible && before.range.full.from == shown.range.full.from }
         val there = if (kept == null) shown else shown.copy(range = shown.range.moved(kept.from, kept.to))
@@ -39,4 +39,4 @@ data class Stay(val place: Place? = null, val held: Span? = null) {
  *
  * @property place where they are in it now.
  */
-class Stayed(val stay: Stay, val place: Place)
+internal class Stayed(val stay: Stay, val place: Place)

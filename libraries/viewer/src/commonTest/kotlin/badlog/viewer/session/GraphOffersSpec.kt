@@ -5,6 +5,7 @@ import badlog.signals.pose.posesOf
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.draw.path.poseTopics
+import badlog.viewer.state.after
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -17,7 +18,7 @@ class GraphOffersSpec : FunSpec({
 
     fun List<GraphOffer>.labels() = map { it.label }
 
-    fun Board.take(offer: GraphOffer) = offer.change(this)
+    fun Board.take(offer: GraphOffer) = after(offer.change)
 
     fun Board.lines() = graphs.map { it.lines.joinToString("+") }
 
@@ -37,14 +38,14 @@ class GraphOffersSpec : FunSpec({
 
     test("limits that are fixed on either axis are marked, and freed on both") {
         val limits = listOf(Span(0.0, 1.0), Span(2.0, 3.0))
-        val fixed = board.take(offers(1).limits { limits }[0])
+        val fixed = board.take(offers(1).limits(limits)[0])
         fixed.graphs[1].run { listOf(yRange, rightYRange) } shouldContainExactly limits
         for (one in listOf(fixed, board.withYRange(2, null, limits[1]))) {
-            val offer = offers(1, one).limits { limits }[0]
+            val offer = offers(1, one).limits(limits)[0]
             offer.isOn shouldBe true
             one.take(offer) shouldBe board
         }
-        offers(1, board.withXy(2, true)).limits { limits }.shouldBeEmpty()
+        offers(1, board.withXy(2, true)).limits(limits).shouldBeEmpty()
     }
 
     test("only several lines can be drawn over each other, or each in a graph of its own") {

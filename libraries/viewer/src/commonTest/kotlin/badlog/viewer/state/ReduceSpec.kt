@@ -131,7 +131,17 @@ class ReduceSpec : FunSpec({
         beginning.after(FindingAction.ToggleSkipped).state.findings.isSkippedOpen shouldBe true
         beginning.after(FindingAction.ToggleWithin).state.after(FindingAction.ToggleWithin).state shouldBe beginning
         beginning.after(FindingAction.Refuse("no")).state.findings.refusal shouldBe "no"
+        searched.after(FindingAction.ListMore).state.after(FindingAction.Forget).state shouldBe beginning
         beginning.after(Action.Ask(FindingRequest.RunRules)).request shouldBe FindingRequest.RunRules
+    }
+
+    test("without an open log, keys do nothing, but open and close the panel of values") {
+        val closed = object : Shown by log {
+            override val isOpen = false
+        }
+        after(beginning, closed, KeyAction.ZOOM_IN).state shouldBe beginning
+        after(beginning, closed, KeyAction.NEW_NOTE).request shouldBe null
+        after(beginning, closed, KeyAction.CURSOR_VALUES).request shouldBe Request.Values
     }
 
     test("a store lets actions change the state, and passes on what only the shell can do") {
@@ -141,7 +151,7 @@ class ReduceSpec : FunSpec({
         val asked = ArrayList<Request>()
         val store = Store(cell, log, asked::add)
         store.send(Action.Press(KeyAction.NEXT_FINDING))
-        cell.state.place.visited?.finding shouldBe early
+        store.state.place.visited?.finding shouldBe early
         asked.single().shouldBeInstanceOf<FindingRequest.Show>().spoken shouldBe "error: Early. Early"
     }
 
@@ -149,7 +159,9 @@ class ReduceSpec : FunSpec({
         beginning.then(KeyAction.MOVE_UP).names() shouldBe listOf("B", "A", "C")
         beginning.then(KeyAction.MOVE_DOWN).names() shouldBe listOf("A", "C", "B")
         beginning.then(KeyAction.MOVE_DOWN, KeyAction.MOVE_TO_TOP).names() shouldBe listOf("B", "A", "C")
-        after(beginning, log, KeyAction.MOVE_UP).request shouldBe Request.Graph(board.graphs[1].id)
+        after(beginning, log, KeyAction.MOVE_UP).request shouldBe Request.Graphs(board, moved = board.graphs[1].id)
+        after(beginning, log, KeyAction.NEXT_HEIGHT).request shouldBe Request.Graphs(board)
+        after(beginning, log, KeyAction.UNDO).request shouldBe null
         beginning.then(KeyAction.MOVE_UP, KeyAction.UNDO).names() shouldBe listOf("A", "B", "C")
         beginning.then(KeyAction.MOVE_UP, KeyAction.UNDO, KeyAction.REDO).names() shouldBe listOf("B", "A", "C")
         beginning.then(KeyAction.NEXT_HEIGHT).board.now.graphs[1].height shouldBe 380

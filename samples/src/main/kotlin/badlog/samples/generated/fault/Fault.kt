@@ -1,22 +1,21 @@
 package badlog.samples.generated.fault
 
-/** What a robot needs for a fault to be possible. */
+/** The parts that a robot can have; faults need some of them. */
 enum class Need { TANK, SWERVE, ELEVATOR, ARM, SHOOTER, INTAKE, PNEUMATICS, VISION }
 
 /**
- * A kind of fault: what happens, what a mentor would accept as its cause, and which logs show it. Written from public facts, and
- * before the programs that it tests.
+ * A kind of fault, with the causes that a mentor would accept and the logs that show it. Faults were written from public facts, before the
+ * programs that they test.
  *
- * @property id its name, as in `loose-battery-lead`.
+ * @property id its name, such as `loose-battery-lead`.
  * @property cause the sentence that a mentor would accept as the cause.
- * @property causes phrases of which at least one is in every acceptable statement of the cause.
- * @property symptoms phrases for what is also true of such a match, but is not the cause.
- * @property strength what a strength from 1 (clear) down to 0.3 (faint) means physically.
- * @property start when it starts, in s after the start of autonomous: a moment in this range; 0 to 0 for a fault that the robot
- *   brings to the match.
- * @property needs what the robot must have.
- * @property shownBy the signals that change because of it, of the part that is faulty if they belong to a part.
- * @property unseen the namings whose logs do not show the cause, and why.
+ * @property causes phrases; every acceptable statement of the cause contains at least one of them.
+ * @property symptoms phrases for symptoms: true of such a match, but not the cause.
+ * @property strength the physical meaning of strengths from 1 (clear) down to 0.3 (faint).
+ * @property start the range of its possible starts, in s after the start of autonomous; 0 to 0 if the robot has it before the match.
+ * @property needs the parts that the robot must have.
+ * @property shownBy the signals that change because of it; signals of parts are those of the faulty one.
+ * @property unseen the namings with logs that do not show the cause, and why.
  */
 class Fault(
     val id: String,
@@ -29,10 +28,10 @@ class Fault(
     val shownBy: Set<Signal>,
     val unseen: Map<Naming, Sight>,
 ) {
-    /** Returns what a log of [naming] shows of it. */
+    /** Returns the visibility of the fault in a log of [naming]. */
     fun sightIn(naming: Naming): Sight = unseen[naming] ?: Sight(Visibility.CAUSE)
 
-    /** Returns how near [sentence] is to the truth, if this is the fault. */
+    /** Returns the verdict on [sentence] as a statement of the cause, if this is the fault. */
     fun verdictOn(sentence: String): Verdict = when {
         causes.any { it.isIn(sentence) } -> Verdict.CAUSE
         symptoms.any { it.isIn(sentence) } -> Verdict.SYMPTOM

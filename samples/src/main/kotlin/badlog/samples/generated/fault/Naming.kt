@@ -1,16 +1,16 @@
 package badlog.samples.generated.fault
 
 /**
- * How a team logs, which decides what of a fault can be seen at all.
+ * A team's way of logging, which decides how much of a fault can be seen.
  *
- * @property id the word for it in file names and on the command line.
+ * @property id its name in file names and on the command line.
  * @property isBag whether its file is a bag; otherwise a WPILOG.
  */
 enum class Naming(val id: String, val isBag: Boolean) {
     /** AdvantageKit: all inputs and outputs of the robot's code, once per loop, only changes. */
     ADVANTAGEKIT("advantagekit", false),
 
-    /** WPILib's `DataLogManager`: the Driver Station, what the team puts on its dashboard, and the console. */
+    /** WPILib's `DataLogManager`: the Driver Station, the team's dashboard values, and the console. */
     WPILIB("wpilib", false),
 
     /** A `hoot` log of Phoenix 6's signal logger, converted: each status signal of each CTRE device, and the state of the drive. */

@@ -1,9 +1,9 @@
 package badlog.samples.generated.fault
 
 /**
- * A phrase to look for in what a program says about a match: words, all of which must occur in the text, in any order, each as
- * the start of a word, or as a whole word if it has less than four letters. `|` separates alternatives of a word:
- * `battery old|weak` finds “The battery is weaker than usual”, and `can wire` does not find “The wires cannot be seen”.
+ * A phrase to look for in a program's text about a match. All of its words must occur, in any order, each as the start of a word, or as a
+ * whole word if it has fewer than four letters. `|` separates alternatives of a word: `battery old|weak` finds “The battery is weaker than
+ * usual”, and `can wire` does not find “The wires cannot be seen”.
  */
 class Phrase(private val text: String) {
     private val words = text.lowercase().split(' ').map { it.split('|') }
@@ -23,5 +23,5 @@ class Phrase(private val text: String) {
     }
 }
 
-/** How near a sentence is to the truth about a match. */
+/** The verdict on a sentence about the cause of a fault. */
 enum class Verdict { CAUSE, SYMPTOM, OTHER }

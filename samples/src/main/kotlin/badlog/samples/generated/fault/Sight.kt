@@ -1,6 +1,6 @@
 package badlog.samples.generated.fault
 
-/** How much of a fault a log shows. */
+/** The visibility of a fault in a log. */
 enum class Visibility {
     /** A mentor with this log alone could name the cause. */
     CAUSE,
@@ -13,8 +13,8 @@ enum class Visibility {
 }
 
 /**
- * What the logs of one [Naming] show of a fault.
+ * The visibility of a fault in the logs of one [Naming].
  *
- * @property reason why they do not show the cause; empty if they do.
+ * @property reason the reason why they do not show the cause; empty if they do.
  */
 data class Sight(val visibility: Visibility, val reason: String = "")

@@ -1,6 +1,6 @@
 package badlog.samples.generated.fault
 
-/** What a topic measures, whatever its name: the link between the table of faults and the topics of each [Naming]. */
+/** The quantity that a topic measures, regardless of its name. It links the table of faults to the topics of each [Naming]. */
 enum class Signal {
     BATTERY_VOLTAGE,
     TOTAL_CURRENT,

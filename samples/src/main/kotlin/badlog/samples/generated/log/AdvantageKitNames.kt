@@ -56,7 +56,7 @@ private fun TopicList.system(run: MatchRun) {
     number("/RealOutputs/LoggedRobot/LogPeriodicMS", null) { 0.9 }
     number("/RealOutputs/LoggedRobot/GCTimeMS", Signal.COLLECTION_TIME) { computer.collectionMillis }
     if (robot.camera != null) number("/RealOutputs/LoggedTracer/VisionMS", Signal.VISION_TIME) { computer.visionPart }
-    add("/RealOutputs/Console", ValueType.Text, Signal.CONSOLE) { takenText(run) }
+    add("/RealOutputs/Console", ValueType.Text, Signal.CONSOLE) { consoleText(run) }
     truth("/RadioStatus/Connected", Signal.LINK, every = 50) { run.isLinked }
     add("/RealOutputs/Alerts/errors", ValueType.Texts, Signal.MOTOR_CONNECTED) {
         robot.devices.filter { !it.isConnected }.map { "Disconnected motor ${it.motor.part} (ID ${it.motor.id})." }

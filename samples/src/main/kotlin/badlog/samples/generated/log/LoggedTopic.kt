@@ -39,7 +39,7 @@ internal sealed interface ValueType {
         override val name get() = "proto:${Message.PACKAGE}.${message.typeName}"
     }
 
-    /** One or more structs, of which all fields are doubles. */
+    /** One or more structs with only doubles as fields. */
     data class Structs(val struct: Struct, val isArray: Boolean) : ValueType {
         override val name get() = "struct:${struct.typeName}" + if (isArray) "[]" else ""
     }
@@ -63,17 +63,17 @@ internal enum class Struct(val typeName: String, val schema: String, val parts: 
     ),
     ;
 
-    /** Itself and all that it is made of. */
+    /** Returns this struct and all structs of its fields. */
     fun withParts(): List<Struct> = parts.flatMap { part -> entries.first { it.typeName == part }.withParts() } + this
 }
 
 /**
  * A topic of a generated log.
  *
- * @property signal what it measures.
- * @property part the part of the robot it is about, as in `Elevator`; empty if it is about all of it.
- * @property everyLoops how many loops are between two samples; 0 if a sample is taken with each status frame.
- * @property read returns its value now: a Double, Long, Boolean, String, DoubleArray, ByteArray or list of strings; null for no sample now.
+ * @property signal the measured quantity; null if it has none of these.
+ * @property part the part of the robot that it describes, such as `Elevator`; empty for the whole robot.
+ * @property everyLoops the number of loops between two samples; 0 if a sample is taken with each status frame.
+ * @property read returns its current value: a Double, Long, Boolean, String, DoubleArray, ByteArray or list of strings; null for no sample.
  */
 internal class LoggedTopic(
     val name: String,

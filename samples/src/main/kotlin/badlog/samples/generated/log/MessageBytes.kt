@@ -2,7 +2,7 @@ package badlog.samples.generated.log
 
 import java.io.ByteArrayOutputStream
 
-/** A message of Protocol Buffers, and the description of one, field by field. */
+/** Writes a Protocol Buffers message or descriptor, field by field. */
 internal class MessageBytes {
     private val out = ByteArrayOutputStream()
 
@@ -53,7 +53,7 @@ internal enum class Message(val typeName: String, private vararg val fields: Pai
         }.bytes
 
     companion object {
-        /** The package of all of them. */
+        /** The package of all messages. */
         const val PACKAGE = "mrc.proto"
 
         // The numbers of fields in descriptors.
@@ -65,7 +65,7 @@ internal enum class Message(val typeName: String, private vararg val fields: Pai
         private const val OPTIONAL = 1L
         private const val MESSAGE_IN_FILE = 4
 
-        /** Returns the description of all of them, as in a log's schema. */
+        /** Returns the descriptor of all messages, as in a log's schema. */
         fun descriptions(): ByteArray = entries.fold(MessageBytes().text(1, "mrc.proto").text(2, PACKAGE)) { file, message ->
             file.sized(MESSAGE_IN_FILE, message.description)
         }.bytes

@@ -30,7 +30,7 @@ internal fun phoenixTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply
 
 private const val FOLLOWER = 30
 
-/** A value of [device] whenever a status frame of it arrives, thinned out to each [every]th frame. */
+/** Adds a topic with a value of [device] for each [every]th status frame that arrives. */
 private fun TopicList.signal(device: Device, name: String, signal: Signal?, every: Int, read: () -> Double) {
     var seen = 0
     number(name, signal, device.motor.part, every = 0) {

@@ -13,7 +13,7 @@ private const val BOARD = "NT:/SmartDashboard"
 internal fun wpilibTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply {
     val robot = run.robot
     station(run)
-    add("messages", ValueType.Text, Signal.CONSOLE) { takenText(run) }
+    add("messages", ValueType.Text, Signal.CONSOLE) { consoleText(run) }
     power(robot)
     drive(robot)
     robot.camera?.let { camera ->
@@ -24,7 +24,7 @@ internal fun wpilibTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply 
     mechanisms(robot)
 }.topics
 
-/** What WPILib logs of the Driver Station. */
+/** Adds the topics that WPILib logs of the Driver Station. */
 internal fun TopicList.station(run: MatchRun) {
     truth("DS:enabled", Signal.ENABLED) { run.isEnabled }
     truth("DS:autonomous", Signal.AUTONOMOUS) { run.phase <= Phase.AUTO }

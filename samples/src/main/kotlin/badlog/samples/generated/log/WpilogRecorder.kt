@@ -5,11 +5,10 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * Writes a WPILOG with arrays and structs, which badlog's own writer takes apart: one entry per topic, a record whenever its value
- * changes.
+ * Writes a WPILOG with arrays and structs, which badlog's own writer would split: one entry per topic, and a record for each change.
  *
- * @param bootSeconds the age of the robot's clock when the log begins.
- * @param keepsRepeats whether values that repeat are written, too.
+ * @param bootSeconds the time on the robot's clock when the log begins.
+ * @param keepsRepeats whether repeated values are written, too.
  */
 internal class WpilogRecorder(
     private val topics: List<LoggedTopic>,
@@ -120,7 +119,7 @@ internal class WpilogRecorder(
         record(0, micros)
     }
 
-    /** Writes a record with the payload that was gathered. */
+    /** Writes a record with the collected payload. */
     private fun record(id: Int, micros: Long) {
         val size = payload.position()
         val idSize = sizeOf(id.toLong())

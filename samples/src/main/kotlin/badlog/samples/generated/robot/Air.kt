@@ -2,11 +2,11 @@ package badlog.samples.generated.robot
 
 /** Tanks of air, a compressor with a pressure switch, and cylinders that use the air up. */
 internal class Air(private val chance: Chance, startPressure: Double) {
-    /** In psi. */
+    /** The pressure in the tanks, in psi. */
     var pressure = startPressure
         private set
 
-    /** What leaks at 110 psi, in psi/s. */
+    /** The leak at 110 psi, in psi/s. */
     var leak = 0.02
 
     /** Whether the compressor's circuit is whole. */
@@ -17,7 +17,7 @@ internal class Air(private val chance: Chance, startPressure: Double) {
     var isOn = false
         private set
 
-    /** Of the compressor, in A. */
+    /** The current of the compressor, in A. */
     var current = 0.0
         private set
     private var onSeconds = 0.0
@@ -42,7 +42,7 @@ internal class Air(private val chance: Chance, startPressure: Double) {
         pressure -= dt * leak * pressure / 110
     }
 
-    fun sense() {
-        measured = kotlin.math.round((pressure + chance.around0(0.35)) * 4) / 4
+    fun updateSensor() {
+        measured = kotlin.math.round((pressure + chance.normal(0.35)) * 4) / 4
     }
 }

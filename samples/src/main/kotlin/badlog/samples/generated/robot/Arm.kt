@@ -10,13 +10,13 @@ import kotlin.math.sign
 internal class Arm(val device: Device, private val inertia: Double, private val weightTorque: Double, private val chance: Chance) {
     private val motor = device.motor
 
-    /** In rad above horizontal. */
+    /** The angle above horizontal, in rad. */
     var angle = LOWEST
         private set
     private var speed = 0.0
     val profile = Profile(2.6, 9.0)
 
-    /** The most torque that the chain carries, at the arm, in N·m. */
+    /** The maximum torque that the chain carries, at the arm, in N·m. */
     var chain = 1e6
     private var isLoose = false
     private var parted = -LOWEST * motor.gear
@@ -28,7 +28,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
     var encoderSlip = 0.0
     private var slipped = 0.0
 
-    /** How slowly its controller's integral part is damped; 0 for the healthy controller, which has a profile and no integral. */
+    /** The damping of a faulty controller with an integral part; 0 for the healthy controller, which has a profile and no integral part. */
     var damping = 0.0
     private var integral = 0.0
 
@@ -36,7 +36,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
     var measured = LOWEST
         private set
 
-    /** The angle that its code wants now, in rad. */
+    /** The current setpoint of the angle, in rad. */
     val setpoint: Double get() = if (damping > 0) profile.goal else profile.position
 
     /** The usual peak torque at the arm, in N·m. */
@@ -51,7 +51,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
             motor.imposeSpeed(speed * gear)
             val torque = motor.turn(bus, (inertia + rotor) / gear / gear, weight / gear, 1.2 / gear, dt) * gear
             speed = motor.speed / gear
-            // What the chain carries: what the arm takes of it.
+            // The torque in the chain is the part of the motor's torque that reaches the arm.
             val carried = torque - rotor * (speed - before) / dt
             if (abs(carried) > chain) isLoose = true
         } else {
@@ -66,23 +66,23 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
             speed = 0.0
             if (!isLoose) motor.imposeSpeed(0.0)
         }
-        // A chain holds motor and arm together, also at a stop; only when it is loose can they part.
+        // A chain holds motor and arm together, even at a stop; only with a loose chain do they move apart.
         if (isLoose) parted = motor.position - angle * gear else motor.position = parted + angle * gear
         if (speed > 0) slipped += encoderSlip * speed * dt
     }
 
-    fun sense() {
-        val noise = chance.around0(0.0004)
+    fun updateSensor() {
+        val noise = chance.normal(0.0004)
         measured = if (isEncoderConnected) round((angle - slipped + noise) / STEP) * STEP else DEAD
     }
 
-    /** What its code does when the robot becomes enabled. */
+    /** Runs the arm's code when the robot becomes enabled. */
     fun enabled() {
         profile.reset(measured)
         integral = 0.0
     }
 
-    /** What its code does in each loop of [dt] s. */
+    /** Runs the arm's code in a loop of [dt] s. */
     fun control(dt: Double) {
         profile.step(dt)
         val error = setpoint - measured
@@ -103,10 +103,10 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
         const val LOWEST = -0.35
         const val HIGHEST = 1.75
 
-        // 4,096 steps of a turn.
+        // The encoder's resolution: a turn in 4,096 steps.
         const val STEP = 2 * PI / 4096
 
-        // What is read without an encoder: the code subtracts its offset from 0.
+        // The angle read without an encoder: the code subtracts its offset from 0.
         const val DEAD = -0.9
     }
 }

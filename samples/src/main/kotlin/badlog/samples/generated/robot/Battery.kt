@@ -1,10 +1,10 @@
 package badlog.samples.generated.robot
 
 /**
- * A lead-acid battery of 18 Ah with its leads: a voltage that falls with the charge, a resistance, and a slow part that recovers.
+ * A lead-acid battery of 18 Ah with its leads. It has a voltage that falls with the charge, a resistance, and a slow part that recovers.
  *
  * @param restVolts the voltage at rest, before the match.
- * @param resistance in Ω, leads and breaker included.
+ * @param resistance the resistance in Ω, including leads and breaker.
  */
 internal class Battery(restVolts: Double, val resistance: Double) {
     private val fullVolts = restVolts
@@ -14,14 +14,14 @@ internal class Battery(restVolts: Double, val resistance: Double) {
     /** A contact's resistance in its leads, in Ω; 0 if they are tight. */
     var contact = 0.0
 
-    /** What it has less than when charged, in V. */
+    /** The difference to a fully charged battery, in V. */
     var missingVolts = 0.0
 
-    /** The voltage that the robot gets. */
+    /** The voltage at the robot, in V. */
     var volts = restVolts
         private set
 
-    /** What the robot takes, in A. */
+    /** The current drawn by the robot, in A. */
     var current = 0.0
         private set
 
@@ -33,10 +33,10 @@ internal class Battery(restVolts: Double, val resistance: Double) {
     var heat = 0.0
         private set
 
-    /** The voltage without a load. */
+    /** The voltage without a load, in V. */
     val openVolts: Double get() = fullVolts - missingVolts - used / CAPACITY * VOLTS_OVER_CHARGE - slow
 
-    /** Takes [amperes] for [dt] s, of which [slope] is how much it rises per V. */
+    /** Draws [amperes] for [dt] s; [slope] is the change of the current per V, in A/V. */
     fun take(amperes: Double, slope: Double, dt: Double) {
         current = amperes
         used += amperes * dt
@@ -50,19 +50,19 @@ internal class Battery(restVolts: Double, val resistance: Double) {
     }
 
     private companion object {
-        // 18 Ah at the 20 h rate; at a robot's currents it gives about two thirds.
+        // 18 Ah at the 20 h rate; at a robot's currents, about two thirds of that are available.
         const val CAPACITY = 18.0 * 3600 * 0.65
         const val VOLTS_OVER_CHARGE = 1.1
         const val SLOW_SECONDS = 12.0
         const val SLOW_RESISTANCE = 0.003
 
-        // Capacitors of the controllers smooth what one step would jump.
+        // The controllers' capacitors smooth the jump of a step.
         const val FOLLOWING = 0.7
 
         // Below that, the roboRIO is off, and there would be no log.
         const val LEAST_VOLTS = 4.8
 
-        // What braking motors feed back beyond that, their controllers turn into heat.
+        // Controllers turn the energy of braking motors beyond this voltage into heat.
         const val MOST_VOLTS = 13.45
     }
 }

@@ -11,27 +11,27 @@ import kotlin.math.sin
 /**
  * One driven wheel of a swerve drive, or one side of a tank drive.
  *
- * @property x where it is, in m to the front of the robot's middle.
- * @property y where it is, in m to the left.
+ * @property x its position in m, to the front from the robot's middle.
+ * @property y its position in m, to the left from the robot's middle.
  * @property steer the motor that turns it; null on a tank drive.
  */
 internal class Wheel(val name: String, val x: Double, val y: Double, val drive: Device, val steer: Device?) {
-    /** By how far the wheel points aside from what its encoder says, in rad. */
+    /** The difference between the wheel's real angle and its encoder's, in rad. */
     var offset = 0.0
 
-    /** Torque that its steering needs to turn at all, at the motor's shaft, in N·m. */
+    /** The torque needed to start steering it, at the motor's shaft, in N·m. */
     var steerFriction = 0.012
 
-    /** Force that it needs to roll at all, in N. */
+    /** The force needed to start rolling it, in N. */
     var drag = 10.0
 
-    /** Where it points, in rad, as its encoder says. */
+    /** Its angle according to its encoder, in rad. */
     val angle: Double get() = if (steer == null) 0.0 else steer.motor.position / steer.motor.gear
 
-    /** Where its code wants it to point, in rad. */
+    /** The target of its angle, in rad. */
     var angleTarget = 0.0
 
-    /** How fast its code wants it to run, in m/s. */
+    /** The target of its speed, in m/s. */
     var speedTarget = 0.0
 
     /** Its speed at the rim, in m/s. */
@@ -41,7 +41,7 @@ internal class Wheel(val name: String, val x: Double, val y: Double, val drive: 
     /** The angle as last measured, in rad. */
     var measuredAngle = 0.0
 
-    /** What its code reports as its speed, in m/s. */
+    /** Returns the speed that the code measures, in m/s. */
     fun measuredSpeed(radius: Double): Double = drive.rpm * PI / 30 / drive.motor.gear * radius
 }
 
@@ -50,12 +50,12 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
     /** The coefficient of friction of its tread. */
     var grip = 1.1
 
-    /** Where it is on the field, in m and rad. */
+    /** The position and heading on the field, in m and rad. */
     var x = 0.0
     var y = 0.0
     var heading = 0.0
 
-    /** How fast it moves, seen from the robot, in m/s and rad/s. */
+    /** The velocity in the robot's frame, in m/s and rad/s. */
     var vx = 0.0
     var vy = 0.0
     var omega = 0.0
@@ -64,14 +64,14 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
     var acceleration = 0.0
         private set
 
-    /** Forces on the robot from outside, in N along and across the field. */
+    /** External forces on the robot, along and across the field, in N. */
     var pushX = 0.0
     var pushY = 0.0
 
-    /** Whether something solid holds it. */
+    /** Whether something solid blocks it. */
     var isBlocked = false
 
-    /** The inertia of one wheel with its motors, as mass at the rim, in kg. */
+    /** The inertia of each wheel with its motors, as mass at the rim, in kg. */
     private val rotating = wheels.map { wheel ->
         val motor = wheel.drive.motor
         0.6 * (if (isSwerve) 1 else 3) + motor.count * motor.kind.inertia * (motor.gear / radius) * (motor.gear / radius)
@@ -79,7 +79,7 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
     private val inertia = mass * 0.13
     private var jolt = 0.0
 
-    /** Hits the robot: takes away [share] of its speed, and turns it by [turn] rad/s. */
+    /** Hits the robot: removes [share] of its speed, and adds [turn] rad/s to its rotation. */
     fun hit(share: Double, turn: Double) {
         jolt += hypot(vx, vy) * share / 0.05
         vx *= 1 - share
@@ -108,7 +108,7 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
             wheel.steer?.let { it.motor.turn(bus, STEER_INERTIA, 0.0, wheel.steerFriction, dt) }
         }
         if (!isSwerve) {
-            // Wheels in line resist the turning, and do not slide sideways.
+            // Wheels in line resist turning, and do not slide sideways.
             torque -= (omega * 45).coerceIn(-38.0, 38.0) * grip / 1.1
             vy *= 0.8
         }
@@ -143,7 +143,7 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
         vy *= 0.8
     }
 
-    /** Turns a wheel that the ground moves at [ground] m/s, and returns the force on the robot along it. */
+    /** Turns a wheel over the ground, which moves at [ground] m/s. Returns the force on the robot along the wheel. */
     private fun push(wheel: Wheel, rotating: Double, ground: Double, normal: Double, bus: Double, dt: Double): Double {
         val motor = wheel.drive.motor
         val ratio = motor.gear / radius
@@ -170,7 +170,7 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
         return held
     }
 
-    /** Makes a swerve drive follow a speed, in m/s and rad/s, seen from the robot. */
+    /** Makes a swerve drive follow a velocity in the robot's frame, in m/s and rad/s. */
     fun steerTo(forward: Double, left: Double, turn: Double) {
         for (wheel in wheels) {
             val wx = forward - turn * wheel.y
@@ -197,7 +197,7 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
         private const val EFFICIENCY = 0.92
         private const val SLIDING = 0.85
 
-        // Of a swerve module around its axis, seen from its motor.
+        // The inertia of a swerve module around its axis, at its motor, in kg·m².
         private const val STEER_INERTIA = 7.0e-5
     }
 }

@@ -9,20 +9,20 @@ import kotlin.math.max
 import kotlin.math.round
 import kotlin.math.sin
 
-/** What the robot is to do at a time. */
+/** The kinds of tasks for the robot. */
 internal enum class Action { TRAVEL, INTAKE, SCORE }
 
-/** A part of the driver's plan, until [until] s after the start of autonomous. */
+/** A part of the driver's plan. It ends [until] s after the start of autonomous. */
 internal class Errand(val until: Double, val x: Double, val y: Double, val heading: Double, val action: Action, val share: Double)
 
-/** The driver, and the routine of autonomous: fetches game pieces at one end of the field and scores them at the other. */
+/** The driver, and the routine of autonomous. Both fetch game pieces at one end of the field and score them at the other. */
 internal class Driver(seed: Long, private val plan: RobotPlan) {
     private val chance = Chance(seed, "driver")
     private val haste = if (plan.hardship == Hardship.LONG_SPRINT) 1.0 else chance.between(0.72, 0.92)
     val errands = plannedErrands()
     private var at = 0
 
-    /** The sticks, -1 to 1, in steps of 1/128: along the field and across it, or for a tank drive forward; and turning. */
+    /** The sticks, -1 to 1, in steps of 1/128: along and across the field, or forward for a tank drive; and turning. */
     var forward = 0.0
         private set
     var left = 0.0
@@ -33,13 +33,13 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
     /** Whether the controller is plugged in. */
     var isPluggedIn = true
 
-    /** How much more than usual the driver uses the power, 1 for not at all. */
+    /** The driver's use of power as a multiple of the usual one. */
     var push = 1.0
-    private var learned = 0.0
+    private var headingCorrection = 0.0
 
     val errand: Errand get() = errands[at]
 
-    /** When the errand of now began. */
+    /** The start of the current errand. */
     val errandStart: Double get() = if (at == 0) 0.0 else errands[at - 1].until
 
     private fun plannedErrands(): List<Errand> = buildList {
@@ -64,7 +64,7 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
         }
     }
 
-    /** Looks at the robot and moves the sticks; [time] is that of the match. */
+    /** Looks at the robot and moves the sticks at [time] of the match. */
     fun look(time: Double, drive: Drive, measuredHeading: Double, dt: Double) {
         while (at < errands.lastIndex && errands[at].until <= time) at++
         if (!isPluggedIn) {
@@ -80,8 +80,8 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
         val braking = if (plan.hardship == Hardship.HARD_BRAKING) 2.6 else 1.3
         val share = minOf(goal.share * push, braking * distance / drive.topSpeed, 1.0)
         // Drivers hold a stick still only roughly.
-        val shake = chance.around0(0.012)
-        val shake2 = chance.around0(0.012)
+        val shake = chance.normal(0.012)
+        val shake2 = chance.normal(0.012)
         if (drive.isSwerve) holonomic(dx, dy, share, goal, drive, measuredHeading, dt) else arcade(dx, dy, distance, share, goal, drive, dt)
         forward = stick(forward + if (share > 0.05) shake else 0.0)
         left = stick(left + if (share > 0.05) shake2 else 0.0)
@@ -89,9 +89,9 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
     }
 
     private fun holonomic(dx: Double, dy: Double, share: Double, goal: Errand, drive: Drive, measuredHeading: Double, dt: Double) {
-        // A driver notices within seconds that the robot goes aside, and steers against it.
-        learned += wrapped(wrapped(measuredHeading - drive.heading) - learned) * dt / 3
-        val direction = atan2(dy, dx) + learned
+        // A driver notices within seconds that the robot drifts to one side, and corrects it.
+        headingCorrection += wrapped(wrapped(measuredHeading - drive.heading) - headingCorrection) * dt / 3
+        val direction = atan2(dy, dx) + headingCorrection
         forward = slewed(forward, share * cos(direction), dt)
         left = slewed(left, share * sin(direction), dt)
         turn = slewed(turn, (wrapped(goal.heading - drive.heading) * 0.45).coerceIn(-0.6, 0.6), dt)

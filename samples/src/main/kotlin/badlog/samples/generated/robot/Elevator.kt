@@ -33,15 +33,15 @@ internal class Profile(private val topSpeed: Double, private val topAcceleration
 internal class Elevator(val device: Device, private val mass: Double, private val drum: Double, val height: Double) {
     private val motor = device.motor
 
-    /** In m above the bottom. */
+    /** The height above the bottom, in m. */
     var position = 0.0
         private set
     val profile = Profile(1.1, 3.5)
 
-    /** Force that it needs to move at all, in N. */
+    /** The force needed to start moving it, in N. */
     var friction = 25.0
 
-    /** Weight that it lifts above half of its height, in N. */
+    /** The extra weight above half of its height, in N. */
     var extraLoad = 0.0
 
     /** Whether the switch is stuck, as if pressed. */
@@ -53,7 +53,7 @@ internal class Elevator(val device: Device, private val mass: Double, private va
     private var zero = 0.0
     private var wasPressed = true
 
-    /** The force of its motors at their limits, in N. */
+    /** Returns the force of its motors at their limits, in N. */
     fun force(): Double = motor.torqueAt(0.0, 11.5) * motor.gear / drum
 
     fun step(bus: Double, dt: Double) {
@@ -71,10 +71,10 @@ internal class Elevator(val device: Device, private val mass: Double, private va
         }
     }
 
-    /** What its code does when the robot becomes enabled. */
+    /** Runs the elevator's code when the robot becomes enabled. */
     fun enabled() = profile.reset(measured)
 
-    /** What its code does in each loop of [dt] s. */
+    /** Runs the elevator's code in a loop of [dt] s. */
     fun control(dt: Double) {
         if (isSwitchPressed && !wasPressed) zero = device.position * 2 * Math.PI / motor.gear * drum
         wasPressed = isSwitchPressed
@@ -83,7 +83,7 @@ internal class Elevator(val device: Device, private val mass: Double, private va
         val hold = mass * Drive.G / ratio / motor.kind.torquePerAmpere / motor.count * motor.kind.resistance
         val error = profile.position - measured
         val volts = hold + profile.speed * ratio / motor.kind.speedPerVolt + 40 * error
-        // With the switch pressed it must not go down.
+        // It must not go down while the switch is pressed.
         motor.command = if (isSwitchPressed) max(volts, 0.0) else volts.coerceIn(-11.0, 11.0)
         if (isSwitchPressed && profile.goal < 0.01 && !isSwitchStuck) motor.command = 0.0
     }

@@ -7,28 +7,28 @@ import kotlin.math.cos
 import kotlin.math.sign
 import kotlin.math.sin
 
-/** Receives a match while it goes on. */
+/** Receives the events of a running match. */
 internal interface MatchObserver {
-    /** A loop of the robot's code has ended, at [time] s of the log. */
+    /** Called at the end of a loop of the robot's code, at [time] s of the log. */
     fun looped(time: Double)
 
-    /** Devices have sent their status frames, at [time] s of the log. */
+    /** Called when devices have sent their status frames, at [time] s of the log. */
     fun framed(time: Double)
 }
 
-/** What the field and the Driver Station say. */
+/** The phases of a match. */
 internal enum class Phase(val isEnabled: Boolean) { BEFORE(false), AUTO(true), BETWEEN(false), TELEOP(true), AFTER(false) }
 
 /**
- * A match from the start of the robot's code until after the match: physics in steps of 5 ms, status frames each 10 ms, and the loops
- * of the robot's code when its computer gets to them.
+ * A simulation from the start of the robot's code until after the match. Physics runs in steps of 5 ms, status frames are sent every 10 ms,
+ * and loops run when the robot's computer has time for them.
  */
 internal class MatchRun(val plan: RobotPlan) {
     val robot = Robot(plan)
     val planting = plan.fault?.let { Planting(robot, it, plan.strength) }
     private val chance = Chance(plan.seed, "match")
 
-    /** When autonomous starts, in s of the log. */
+    /** The start of autonomous, in s of the log. */
     val autoStart = chance.between(12.0, 25.0)
     private val end = autoStart + Driver.END + chance.between(3.0, 8.0)
     private val mechanisms = Mechanisms(robot)
@@ -49,7 +49,7 @@ internal class MatchRun(val plan: RobotPlan) {
     var isBrownedOut = false
         private set
 
-    /** The time of the log at which it is, in s, to 5 ms. */
+    /** The current time of the log, in s, in steps of 5 ms. */
     var now = 0.0
         private set
     private var recoveredAt = 0.0
@@ -61,7 +61,7 @@ internal class MatchRun(val plan: RobotPlan) {
         val count = if (plan.hardship == Hardship.COLLISIONS) 22 else 3 + chance.below(4)
         val hardest = if (plan.hardship == Hardship.COLLISIONS) 0.9 else 0.6
         return List(count) {
-            Hit(chance.between(17.5, Driver.END), chance.between(0.25, hardest), chance.around0(1.2))
+            Hit(chance.between(17.5, Driver.END), chance.between(0.25, hardest), chance.normal(1.2))
         }.sortedBy { it.time }
     }
 
@@ -70,7 +70,7 @@ internal class MatchRun(val plan: RobotPlan) {
         return List(count) { chance.between(20.0, Driver.END - 5).let { it..it + chance.between(1.2, 3.0) } }
     }
 
-    /** Runs the match; [observer] is called all along. */
+    /** Runs the match and calls [observer] continuously. */
     fun run(observer: MatchObserver) {
         planting?.prepare()
         val until = minOf(end, autoStart + (planting?.end ?: Double.POSITIVE_INFINITY))
@@ -104,7 +104,7 @@ internal class MatchRun(val plan: RobotPlan) {
         if (isHit) hits[nextHit++].let { robot.drive.hit(it.share, it.turn) }
         val drive = robot.drive
         val isPushed = phase == Phase.TELEOP && pushes.any { match in it }
-        // Another robot stands in the way and gives way slowly.
+        // Another robot is in the way and yields slowly.
         val direction = drive.heading + atan2(drive.vy, drive.vx)
         val force = if (isPushed && (abs(drive.vx) > 0.02 || abs(drive.vy) > 0.02)) 330.0 else 0.0
         drive.pushX = -force * cos(direction)
@@ -132,7 +132,7 @@ internal class MatchRun(val plan: RobotPlan) {
             val steer = wheel.steer ?: continue
             wheel.measuredAngle = steer.position * 2 * PI / steer.motor.gear
         }
-        robot.arm?.sense()
+        robot.arm?.updateSensor()
         observer.framed(time)
     }
 
@@ -143,7 +143,7 @@ internal class MatchRun(val plan: RobotPlan) {
         robot.bus.loop()
         robot.air?.let {
             it.step(isEnabled, robot.battery.volts, computer.cycleMillis / 1000)
-            it.sense()
+            it.updateSensor()
         }
         robot.measure()
         val seconds = computer.cycleMillis / 1000
@@ -232,7 +232,7 @@ internal class MatchRun(val plan: RobotPlan) {
         }
     }
 
-    /** The last words of the code, if it crashes: its last loop, at [time]. */
+    /** Runs the last loop of the code before it crashes, at [time]. */
     private fun crash(time: Double, observer: MatchObserver) {
         if (planting == null || planting.end.isInfinite()) return
         robot.console.print(time, "exception") {
@@ -248,7 +248,7 @@ internal class MatchRun(val plan: RobotPlan) {
     }
 
     companion object {
-        /** Of the physics, in s. */
+        /** The step of the physics, in s. */
         const val STEP = 0.005
     }
 }

@@ -1,6 +1,6 @@
 package badlog.samples.generated.robot
 
-/** What the robot's code does with the mechanisms: setpoints that follow the driver's errands. */
+/** The robot's code for the mechanisms. Its setpoints follow the driver's errands. */
 internal class Mechanisms(private val robot: Robot) {
     private val chance = Chance(robot.plan.seed, "mechanisms")
     private val levels = robot.driver.errands.map { chance.of(listOf(0.45, 0.7, 0.9)) }
@@ -9,7 +9,7 @@ internal class Mechanisms(private val robot: Robot) {
     private var shotsDone = 0
     private var pieceDone = false
 
-    /** Sets the setpoints for [time], in s after the start of autonomous. */
+    /** Updates the setpoints for [time], in s after the start of autonomous. */
     fun plan(time: Double) {
         val driver = robot.driver
         val errand = driver.errand
@@ -25,7 +25,7 @@ internal class Mechanisms(private val robot: Robot) {
         val isSoon = errand.action == Action.TRAVEL && rest < 2.0 && !isTowardPiece(errand)
         robot.shooter?.setpoint = if (isSoon || errand.action == Action.SCORE) SHOOTER_RPM else IDLE_RPM
         robot.intake?.control(errand.action == Action.INTAKE)
-        happenings(time, errand, rest)
+        handlePiecesAndShots(time, errand, rest)
     }
 
     private fun isTowardPiece(errand: Errand) = errand.x < 5
@@ -39,7 +39,7 @@ internal class Mechanisms(private val robot: Robot) {
         pieceDone = false
     }
 
-    private fun happenings(time: Double, errand: Errand, rest: Double) {
+    private fun handlePiecesAndShots(time: Double, errand: Errand, rest: Double) {
         val intake = robot.intake
         if (intake != null && errand.action == Action.INTAKE && !pieceDone && time - robot.driver.errandStart > 0.5) {
             pieceDone = true

@@ -6,12 +6,12 @@ import kotlin.math.sign
 import kotlin.math.sqrt
 
 /**
- * A kind of motor, by its data sheet at 12 V.
+ * A kind of motor, according to its data sheet at 12 V.
  *
- * @property stallTorque in N·m.
- * @property stallCurrent in A.
- * @property freeRpm in 1/min.
- * @property inertia of its rotor, in kg·m².
+ * @property stallTorque the stall torque in N·m.
+ * @property stallCurrent the stall current in A.
+ * @property freeRpm the free speed in 1/min.
+ * @property inertia the inertia of its rotor, in kg·m².
  */
 internal enum class MotorKind(val stallTorque: Double, val stallCurrent: Double, val freeRpm: Double, val inertia: Double) {
     KRAKEN_X60(7.09, 366.0, 6000.0, 5.5e-5),
@@ -20,25 +20,25 @@ internal enum class MotorKind(val stallTorque: Double, val stallCurrent: Double,
     CIM(2.42, 133.0, 5310.0, 7.7e-5),
     ;
 
-    /** Of one winding, in Ω. */
+    /** The resistance of one winding, in Ω. */
     val resistance: Double = 12 / stallCurrent
 
-    /** In N·m/A. */
+    /** The torque constant, in N·m/A. */
     val torquePerAmpere: Double = stallTorque / stallCurrent
 
-    /** In rad/s per V. */
+    /** The speed constant, in rad/s per V. */
     val speedPerVolt: Double = freeRpm * 2 * PI / 60 / 12
 }
 
 /**
  * One or more equal motors on one shaft, with their controller: back-EMF, limits of the stator's and the supply's current, heat.
  *
- * @property part the part of the robot it belongs to, as in `Elevator` or `Module1/Drive`.
+ * @property part its part of the robot, such as `Elevator` or `Module1/Drive`.
  * @property id its CAN id.
  * @property channel its channel of the power distribution.
- * @property gear turns of the motor for one of the mechanism.
- * @property statorLimit in A, of each motor.
- * @property supplyLimit in A, of each motor.
+ * @property gear the number of turns of the motor per turn of the mechanism.
+ * @property statorLimit the limit of each motor's stator current, in A.
+ * @property supplyLimit the limit of each motor's supply current, in A.
  */
 internal class Motor(
     val part: String,
@@ -50,44 +50,44 @@ internal class Motor(
     var statorLimit: Double,
     var supplyLimit: Double,
 ) {
-    /** The commanded voltage. */
+    /** The commanded voltage, in V. */
     var command = 0.0
 
     /** Whether a command is applied at all; false while disabled, browned out or without CAN. */
     var isEnabled = false
 
-    /** Whether its channel gives power. */
+    /** Whether its channel supplies power. */
     var isPowered = true
 
     /** Whether it is on the CAN bus. */
     var isConnected = true
 
-    /** The part of its torque that a worn or hot motor gives. */
+    /** The share of its torque that a worn or hot motor still has, 0 to 1. */
     var health = 1.0
 
-    /** Of the shaft, in rad/s. */
+    /** The speed of the shaft, in rad/s. */
     var speed = 0.0
 
-    /** Of the shaft, in rad. */
+    /** The position of the shaft, in rad. */
     var position = 0.0
 
-    /** Of one stator, in A; negative while it brakes. */
+    /** The current in one stator, in A; negative while braking. */
     var current = 0.0
         private set
 
-    /** What all of them take from the battery, in A. */
+    /** The battery current of all motors together, in A. */
     var supply = 0.0
         private set
 
-    /** The part of the battery's voltage that is applied, -1 to 1. */
+    /** The applied share of the battery's voltage, -1 to 1. */
     var output = 0.0
         private set
 
-    /** How much [supply] rises per V of the battery, in A/V. */
+    /** The change of [supply] per V of the battery, in A/V. */
     var slope = 0.0
         private set
 
-    /** In °C. */
+    /** The temperature in °C. */
     var temperature = 24.0
 
     private val resistance = kind.resistance
@@ -95,7 +95,7 @@ internal class Motor(
 
     private fun emf(speed: Double) = speed / kind.speedPerVolt
 
-    /** Returns the largest torque at the shaft, of all motors together, at [speed] with [bus] V. */
+    /** Returns the maximum torque of all motors together at the shaft, in N·m, at [speed] with [bus] V. */
     fun torqueAt(speed: Double, bus: Double): Double = constant * count * currentAt(bus.coerceAtMost(12.0), bus, speed).coerceAtLeast(0.0)
 
     private fun currentAt(volts: Double, bus: Double, speed: Double): Double {
@@ -108,13 +108,13 @@ internal class Motor(
             duty = sign(duty) * (sign(duty) * emf + root) / (2 * bus)
         }
         val current = ((duty * bus - emf) / resistance).coerceIn(-statorLimit, statorLimit)
-        // Braking is limited more, so that what flows back does not raise the battery's voltage too far.
+        // Braking has a lower limit, so that the returned current does not raise the battery's voltage too far.
         return if (current * emf < 0) current.coerceIn(-BRAKING * statorLimit, BRAKING * statorLimit) else current
     }
 
     /**
-     * Turns the shaft for [dt] s against a [load] torque and a [friction] torque, both in N·m at the shaft, with [inertia] in kg·m²
-     * at the shaft. Returns the motors' torque at the shaft.
+     * Turns the shaft for [dt] s against a [load] torque and a [friction] torque. Both are in N·m, [inertia] is in kg·m², all at the shaft.
+     * Returns the motors' torque at the shaft.
      */
     fun turn(bus: Double, inertia: Double, load: Double, friction: Double, dt: Double): Double {
         val before = speed
@@ -125,12 +125,12 @@ internal class Motor(
             val volts = if (isEnabled && isConnected) command else 0.0
             val explicit = currentAt(volts, bus, before)
             val isLimited = abs(explicit - (volts.coerceIn(-bus, bus) - emf(before)) / resistance) > 0.5
-            // Back-EMF is stiff at this step, so a motor that is not limited is solved implicitly.
+            // Back-EMF is stiff at this step, so a motor below its limits is solved implicitly.
             val damping = if (isLimited) 0.0 else strength / resistance / kind.speedPerVolt
             speed = before + dt * (strength * explicit + load) / (inertia + dt * damping)
             current = if (isLimited) explicit else explicit - (speed - before) / kind.speedPerVolt / resistance
             torque = strength * current
-            // A motor's torque is its current times a constant: one that gives less also takes less.
+            // A motor's torque is its current times a constant, so a weaker motor also draws less.
             current *= health
             slope = if (isLimited) 0.0 else output * output / resistance * count * health
         } else {
@@ -144,7 +144,7 @@ internal class Motor(
         return torque
     }
 
-    /** Takes over a [speed] that a stop or the ground imposes. */
+    /** Sets the [speed] that a stop or the ground imposes. */
     fun imposeSpeed(speed: Double) {
         this.speed = speed
     }
@@ -161,7 +161,7 @@ internal class Motor(
     private companion object {
         const val BRAKING = 0.45
 
-        // Of the windings and what surrounds them, in J/K.
+        // The heat capacity of the windings and their surroundings, in J/K.
         const val HEAT_CAPACITY = 420.0
         const val COOLING_SECONDS = 260.0
     }

@@ -3,11 +3,11 @@ package badlog.samples.generated.robot
 import badlog.samples.generated.fault.Fault
 import kotlin.math.PI
 
-/** Plants a fault into a robot: changes the constants of its parts, at the start and while the match goes on. */
+/** Plants a fault into a robot by changing the constants of its parts, at the start and during the match. */
 internal class Planting(private val robot: Robot, val fault: Fault, private val strength: Double) {
     private val chance = Chance(robot.plan.seed, "fault")
 
-    /** When it starts, in s after the start of autonomous. */
+    /** The start of the fault, in s after the start of autonomous. */
     val start = when (fault.id) {
         "code-crash" -> Driver.END - 90 * strength
         "compressor-dead" -> Driver.END - mix(40.0, 120.0)
@@ -16,7 +16,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
     private val isAtOnce = fault.start.endInclusive == 0.0
     private val wheel = robot.drive.wheels[chance.below(robot.drive.wheels.size)]
 
-    /** The part that is faulty, as in `Elevator`; empty if it is none of those with motors. */
+    /** The faulty part, such as `Elevator`; empty if it is not a part with motors. */
     val part: String = when (fault.id) {
         "tripped-breaker", "can-dropout", "hot-motor", "module-drive-weak", "dragging-brake", "module-offset" -> wheel.drive.motor.part
         "module-steer-lags" -> wheel.steer?.motor?.part.orEmpty()
@@ -34,15 +34,15 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
         "can-dropout" -> intermittent(0.5..3.0)
         else -> null
     }
-    private val bursts = Stretches.of(chance, start, 160.0, 0.035, 0.03..0.25)
+    private val bursts = Episodes.of(chance, start, 160.0, 0.035, 0.03..0.25)
     private var nextEvent = start
     private var isDone = false
     private var wasHit = false
 
-    /** When the log ends because of it, in s after the start of autonomous; infinite if it does not. */
+    /** The end of the log because of the fault, in s after the start of autonomous; infinite if it does not end the log. */
     val end: Double = if (fault.id == "code-crash") start else Double.POSITIVE_INFINITY
 
-    /** Whether the link to the Driver Station is away at [time]. */
+    /** Returns whether the link to the Driver Station is lost at [time]. */
     fun isLinkLost(time: Double): Boolean = when (fault.id) {
         "link-loss" -> time in start..start + 20 * strength
         "radio-power-loss" -> time in start + 0.4..start + 0.4 + 30 * strength
@@ -50,11 +50,11 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
     }
 
     private fun intermittent(lengths: ClosedFloatingPointRange<Double>) =
-        if (strength >= 1) Stretches.of(chance, start, 1e6, 1.0, 1e6..1e6) else Stretches.of(chance, start, 160.0, strength, lengths)
+        if (strength >= 1) Episodes.of(chance, start, 1e6, 1.0, 1e6..1e6) else Episodes.of(chance, start, 160.0, strength, lengths)
 
     private fun mix(faint: Double, clear: Double) = faint + (clear - faint) * (strength - 0.3) / 0.7
 
-    /** Changes what the robot brings to the match. */
+    /** Changes the constants of the robot before the match. */
     fun prepare() {
         when (fault.id) {
             "discharged-battery" -> robot.battery.missingVolts = 1.2 * strength
@@ -89,7 +89,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
         robot.driver.push = 1 + 0.35 * strength
     }
 
-    /** Changes what happens at [time], in s after the start of autonomous; [isHit] while the robot is hit. */
+    /** Changes the robot at [time], in s after the start of autonomous; [isHit] is true while the robot is hit. */
     fun apply(time: Double, isHit: Boolean) {
         if (time < start && !isAtOnce) {
             before(time)
@@ -191,7 +191,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
         isDone = true
     }
 
-    /** The robot pushes against something solid with all it has, and without limits. */
+    /** Makes the robot push against something solid at full power, without limits. */
     private fun pushed(time: Double) {
         val isPushing = time < start + 0.45
         robot.drive.isBlocked = isPushing
@@ -203,7 +203,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
             wheel.drive.motor.statorLimit *= times
             wheel.drive.motor.supplyLimit *= times
         }
-        // It stands against something that its wheels do not slide off.
+        // The wheels must not slip against the obstacle.
         robot.drive.grip += if (isPushing) 6.0 else -6.0
         robot.isPushing = isPushing
     }

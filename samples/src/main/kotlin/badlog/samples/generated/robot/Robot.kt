@@ -31,16 +31,16 @@ internal class Robot(val plan: RobotPlan) {
     val bus = CanBus(Chance(seed, "bus"))
     val console = Console()
 
-    /** What lights, fans, radio and computer take, in A. */
+    /** The current drawn by lights, fans, radio and computer, in A. */
     val standby = build.between(2.2, 4.5)
 
-    /** The voltage as the roboRIO measures it, in steps of 12 mV. */
+    /** The voltage measured by the roboRIO, in V, in steps of 12 mV. */
     var measuredVolts = battery.volts
 
-    /** What the power distribution measures in all. */
+    /** The total current measured by the power distribution, in A. */
     var totalCurrent = 0.0
 
-    /** Whether the drive gets full power, whatever the sticks say. */
+    /** Whether the drive gets full power regardless of the sticks. */
     var isPushing = false
 
     private fun device(
@@ -116,7 +116,7 @@ internal class Robot(val plan: RobotPlan) {
     /** The device of [part]; null if there is none. */
     fun device(part: String): Device? = devices.find { it.motor.part == part }
 
-    /** Lets physics go on for [dt] s. */
+    /** Advances the physics by [dt] s. */
     fun step(time: Double, dt: Double) {
         val volts = battery.volts
         drive.step(volts, dt)
@@ -142,7 +142,7 @@ internal class Robot(val plan: RobotPlan) {
     val channels = DoubleArray(24)
     private val meter = Chance(seed, "meter")
 
-    /** Measures what the power distribution and the roboRIO measure. */
+    /** Updates the measurements of the power distribution and the roboRIO. */
     fun measure() {
         channels.fill(0.0)
         for (device in devices) {
@@ -153,11 +153,11 @@ internal class Robot(val plan: RobotPlan) {
         air?.let { channels[COMPRESSOR_CHANNEL] = rounded(it.current) }
         channels[STANDBY_CHANNEL] = rounded(standby)
         totalCurrent = channels.sum()
-        measuredVolts = kotlin.math.round((battery.volts + meter.around0(0.012)) / VOLT_STEP) * VOLT_STEP
+        measuredVolts = kotlin.math.round((battery.volts + meter.normal(0.012)) / VOLT_STEP) * VOLT_STEP
     }
 
     private fun rounded(amperes: Double): Double {
-        val noise = meter.around0(0.15)
+        val noise = meter.normal(0.15)
         return if (amperes < 0.2) 0.0 else maxOf(0.0, kotlin.math.round((amperes + noise) / channelStep) * channelStep)
     }
 
@@ -166,36 +166,36 @@ internal class Robot(val plan: RobotPlan) {
         const val STANDBY_CHANNEL = 23
         private const val VOLT_STEP = 0.012
 
-        // Pairs, so that a device of two motors has the next one, too.
+        // Every second channel, so that a device with two motors can also use the next one.
         private val CHANNELS = intArrayOf(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 19)
     }
 }
 
-/** The CAN bus: how full it is, and how many frames get lost. */
+/** The CAN bus, with its utilization and its share of lost frames. */
 internal class CanBus(private val chance: Chance) {
     private val usual = chance.between(0.45, 0.66)
 
-    /** How full it is because of a fault, 0 to 1; 0 for the usual. */
+    /** The utilization that a fault causes, 0 to 1; 0 for the usual one. */
     var overload = 0.0
 
-    /** The part of frames that are lost. */
+    /** The share of lost frames, 0 to 1. */
     var lost = 0.0
     var utilization = usual
         private set
 
-    /** Errors counted by the roboRIO. */
+    /** The number of receive errors counted by the roboRIO. */
     var receiveErrors = 0
         private set
     var busOff = 0
         private set
 
-    /** Whether a loop's reads ran into a timeout. */
+    /** Whether a read in the last loop timed out. */
     var hasTimeout = false
         private set
 
     fun loop() {
         val target = if (overload > 0) overload else usual
-        utilization = (target + chance.around0(0.012)).coerceIn(0.0, 1.0)
+        utilization = (target + chance.normal(0.012)).coerceIn(0.0, 1.0)
         val luck = chance.between(0.0, 1.0)
         hasTimeout = luck < lost * 0.4
         if (luck < lost * 0.5) receiveErrors++
@@ -203,19 +203,19 @@ internal class CanBus(private val chance: Chance) {
     }
 }
 
-/** What the robot's code prints. */
+/** The console of the robot's code. */
 internal class Console {
     private val texts = ArrayList<String>()
     private val times = HashMap<String, Double>()
 
-    /** Prints [text], but one of a [kind] only once a second. */
+    /** Prints [text], but only one text of a [kind] per second. */
     fun print(time: Double, kind: String, text: () -> String) {
         if (time - (times[kind] ?: -10.0) < 1.0) return
         times[kind] = time
         texts += text()
     }
 
-    /** Returns what was printed since the last call. */
+    /** Removes and returns the texts printed since the last call. */
     fun taken(): List<String> = texts.toList().also { texts.clear() }
 
     val hasText: Boolean get() = texts.isNotEmpty()

@@ -5,9 +5,9 @@ import badlog.samples.generated.fault.Naming
 import badlog.samples.generated.fault.Need
 
 /**
- * What makes a match without a fault hard to distinguish from one with a fault.
+ * A circumstance that makes a match without a fault look like one with a fault.
  *
- * @property title what it is, in words.
+ * @property title a description in words.
  */
 internal enum class Hardship(val title: String) {
     /** Nothing special: the hits and the haste of any match. */
@@ -21,15 +21,15 @@ internal enum class Hardship(val title: String) {
 }
 
 /**
- * The robot of a match, and what happens to it.
+ * The plan of a match: its robot, hardship and fault.
  *
- * @property seed what everything random in the match follows from.
- * @property parts what it has: [Need.SWERVE] or [Need.TANK], mechanisms, and [Need.VISION].
+ * @property seed the seed of all random numbers in the match.
+ * @property parts its parts: [Need.SWERVE] or [Need.TANK], mechanisms, and [Need.VISION].
  * @property driveKind the motors of its drive.
- * @property steerKind the motors that turn its wheels, and those of its mechanisms.
- * @property hardship what makes the match hard.
- * @property fault what is wrong with it; null for nothing.
- * @property strength how strong the fault is; see [Fault.strength].
+ * @property steerKind the motors that steer its wheels and move its mechanisms.
+ * @property hardship the circumstance that makes the match hard to judge.
+ * @property fault the fault; null for none.
+ * @property strength the strength of the fault, see [Fault.strength].
  */
 internal data class RobotPlan(
     val seed: Long,
@@ -47,8 +47,8 @@ internal data class RobotPlan(
         fun of(seed: Long, naming: Naming, fault: Fault?, strength: Double, hardship: Hardship): RobotPlan {
             val chance = Chance(seed, "plan")
             val needs = fault?.needs.orEmpty()
-            val likesSwerve = chance.isIn(if (naming == Naming.BADLOG) 0.25 else 0.7)
-            val isSwerve = Need.SWERVE in needs || (Need.TANK !in needs && likesSwerve)
+            val prefersSwerve = chance.isIn(if (naming == Naming.BADLOG) 0.25 else 0.7)
+            val isSwerve = Need.SWERVE in needs || (Need.TANK !in needs && prefersSwerve)
             val parts = linkedSetOf(if (isSwerve) Need.SWERVE else Need.TANK)
             for (part in MECHANISMS) if (chance.isIn(0.55) || part in needs) parts += part
             if (parts.size < 3) parts += listOf(Need.SHOOTER, Need.INTAKE)

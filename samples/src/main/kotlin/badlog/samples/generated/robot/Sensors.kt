@@ -6,21 +6,21 @@ import kotlin.math.sin
 
 /** A gyro that measures the heading, in rad. */
 internal class Gyro(private val chance: Chance) {
-    private val usualDrift = chance.around0(0.005) * PI / 180
+    private val usualDrift = chance.normal(0.005) * PI / 180
 
-    /** Drift, in rad/s. */
+    /** The drift, in rad/s. */
     var drift = 0.0
     private var error = 0.0
 
-    /** The heading as measured, continuous, in rad. */
+    /** The measured heading in rad; it does not wrap. */
     var yaw = 0.0
         private set
 
-    /** Turns per second as measured, in rad/s. */
+    /** The measured turning rate, in rad/s. */
     var rate = 0.0
         private set
 
-    /** Acceleration along the robot as measured, in m/s². */
+    /** The measured acceleration along the robot, in m/s². */
     var acceleration = 0.0
         private set
 
@@ -30,9 +30,9 @@ internal class Gyro(private val chance: Chance) {
 
     fun step(drive: Drive, dt: Double) {
         error += (usualDrift + drift) * dt
-        yaw = drive.heading + error + chance.around0(0.0002)
-        rate = drive.omega + usualDrift + drift + chance.around0(0.002)
-        acceleration = drive.acceleration + chance.around0(0.12)
+        yaw = drive.heading + error + chance.normal(0.0002)
+        rate = drive.omega + usualDrift + drift + chance.normal(0.002)
+        acceleration = drive.acceleration + chance.normal(0.12)
     }
 }
 
@@ -51,7 +51,7 @@ internal class Camera(private val chance: Chance) {
     private var nextTime = 0.0
     private var sees = true
 
-    /** Makes the next position this far off, in m. */
+    /** The error of the next position, in m. */
     var nextError = 0.0
 
     /** Takes a picture if it is time. Returns whether there is a new position. */
@@ -60,9 +60,9 @@ internal class Camera(private val chance: Chance) {
         nextTime = time + 1 / 15.0
         if (chance.isIn(0.03)) sees = !sees || chance.isIn(0.4)
         val direction = chance.between(-PI, PI)
-        val noise = chance.around0(0.018)
-        val noise2 = chance.around0(0.018)
-        val turned = chance.around0(0.008)
+        val noise = chance.normal(0.018)
+        val noise2 = chance.normal(0.018)
+        val turned = chance.normal(0.008)
         if (!sees && nextError == 0.0) return false
         x = drive.x + noise + nextError * cos(direction)
         y = drive.y + noise2 + nextError * sin(direction)
@@ -73,7 +73,7 @@ internal class Camera(private val chance: Chance) {
     }
 }
 
-/** Where the robot's code believes to be: what wheels and gyro say, corrected by the camera. */
+/** The position estimated by the robot's code from wheels and gyro, corrected by the camera. */
 internal class Odometry(private val drive: Drive, private val gyro: Gyro) {
     var x = drive.x
         private set

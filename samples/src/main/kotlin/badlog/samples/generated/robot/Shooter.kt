@@ -7,27 +7,27 @@ import kotlin.math.sign
 internal class Shooter(val device: Device, private val inertia: Double) {
     private val motor = device.motor
 
-    /** The wanted speed, in 1/min of the wheel. */
+    /** The setpoint of the wheel's speed, in 1/min. */
     var setpoint = 0.0
 
     /** The drag at full speed, in N·m at the motor; it grows with the square of the speed. */
     var drag = 0.0
     var dragAtSpeed = 1.0
 
-    /** How far a controller with too much gain makes it swing, as part of the speed; 0 for a healthy one. */
+    /** The oscillation caused by a controller with too much gain, as a share of the speed; 0 for a healthy one. */
     var swing = 0.0
     private val delayed = DoubleArray(8)
     private var loops = 0
 
-    /** In 1/min of the wheel. */
+    /** The measured speed of the wheel, in 1/min. */
     val measured: Double get() = device.rpm / motor.gear
 
-    /** Takes the energy of a shot from the wheel. */
+    /** Removes the energy of a shot from the wheel. */
     fun shoot() {
         motor.imposeSpeed(motor.speed * 0.88)
     }
 
-    /** Makes something rub, so that at most [share] of [rpm] are reached. */
+    /** Adds friction, so that at most [share] of [rpm] is reached. */
     fun rub(share: Double, rpm: Double) {
         dragAtSpeed = rpm * share * motor.gear * PI / 30
         drag = motor.torqueAt(dragAtSpeed, 11.6)
@@ -38,7 +38,7 @@ internal class Shooter(val device: Device, private val inertia: Double) {
         motor.turn(bus, inertia, -drag * part * part * sign(motor.speed), 0.02, dt)
     }
 
-    /** What its code does in each loop. */
+    /** Runs the shooter's code in a loop. */
     fun control() {
         val target = setpoint * motor.gear * PI / 30
         val now = device.rpm * PI / 30
@@ -51,7 +51,7 @@ internal class Shooter(val device: Device, private val inertia: Double) {
         }.coerceIn(-12.0, 12.0)
     }
 
-    /** Far too much gain on a late measurement: full correction to one side, then to the other. */
+    /** Returns the correction of a controller with far too much gain on a late measurement: full to one side, then to the other. */
     private fun swinging(error: Double, target: Double): Double {
         val rate = swing * target / DELAY_SECONDS
         val volts = rate * inertia / motor.kind.torquePerAmpere / motor.count * motor.kind.resistance
@@ -59,7 +59,7 @@ internal class Shooter(val device: Device, private val inertia: Double) {
     }
 
     private companion object {
-        // Of the loops that are held back, of a status frame, and of the loop that uses it.
+        // The total delay of the loops held back, a status frame, and the loop that uses it.
         const val DELAY_SECONDS = 0.17
     }
 }

@@ -8,11 +8,11 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 
-/** Faults whose causes are so near that a sentence about one may name the other, too. */
+/** Pairs of faults with causes so close that a sentence about one may also name the other. */
 private val NEAR = setOf(
     // A radio without power is also a lost link.
     "link-loss" to "radio-power-loss",
-    // Where the log names motors by numbers, the sentence alone does not say which mechanism is jammed, or weak.
+    // If the log names motors by numbers, the sentence alone does not show which mechanism is jammed or weak.
     "seized-mechanism" to "intake-jam",
     "intake-jam" to "seized-mechanism",
     "seized-mechanism" to "module-steer-lags",
@@ -34,7 +34,7 @@ class FaultTableSpec : FunSpec({
         }
     }
 
-    test("what a log does not show has a reason, and each fault's cause is in the logs of some naming") {
+    test("each cause that a log does not show has a reason, and some naming shows each cause") {
         for (fault in FAULTS) {
             withClue("$fault") {
                 for (naming in Naming.entries) {
@@ -50,12 +50,12 @@ class FaultTableSpec : FunSpec({
         FAULTS.filter { it.verdictOn(it.cause) != Verdict.CAUSE }.map { it.id }.shouldBeEmpty()
     }
 
-    test("the cause of another fault is not accepted, but for those that are near") {
+    test("the cause of another fault is not accepted, except for similar faults") {
         val wrong = FAULTS.flatMap { fault -> FAULTS.filter { it !== fault && fault.verdictOn(it.cause) == Verdict.CAUSE }.map { fault.id to it.id } }
         (wrong - NEAR).shouldBeEmpty()
     }
 
-    test("a phrase is found in any order and by the beginnings of words, and only if all of its words are there") {
+    test("a phrase is found in any order and by the beginnings of words, if all of its words occur") {
         val phrase = Phrase("battery old|weak")
         phrase.isIn("A weaker than usual BATTERY.") shouldBe true
         phrase.isIn("The battery is low.") shouldBe false

@@ -9,10 +9,10 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * What is to be made of logs.
+ * The settings of a lake that executors need.
  *
- * @property rules what findings are looked for, as JSON.
- * @property hasSamples whether the lake has a file for each log, besides the tables of all logs.
+ * @property rules the rules for findings, as JSON.
+ * @property hasSamples whether the lake has files of samples for each log besides the tables of all logs.
  */
 internal data class LakeWork(val rules: String, val hasSamples: Boolean) : Serializable {
     private companion object {
@@ -20,7 +20,7 @@ internal data class LakeWork(val rules: String, val hasSamples: Boolean) : Seria
     }
 }
 
-/** What makes the pieces of lakes in this executor: one for each kind of work, as starting DuckDB takes longer than a log. */
+/** The makers of lake pieces in this executor. Each kind of work has one, as starting DuckDB takes longer than a log. */
 internal object ExecutorPieces {
     private val made = ConcurrentHashMap<LakeWork, LakePieces>()
 
@@ -28,14 +28,14 @@ internal object ExecutorPieces {
         Runtime.getRuntime().addShutdownHook(Thread { made.values.forEach(LakePieces::close) })
     }
 
-    /** Returns the one for [work]. */
+    /** Returns the maker for [work]. */
     fun of(work: LakeWork): LakePieces = made.computeIfAbsent(work) {
         LakePieces(checkNotNull(RuleSet.fromJson(it.rules)) { "The rules cannot be read: ${it.rules}" }, it.hasSamples)
     }
 }
 
-/** Does [work] with a folder of this machine that goes afterwards. */
-internal fun <R> inScratch(work: (Path) -> R): R {
+/** Runs [work] with a temporary folder on this machine, and deletes the folder. */
+internal fun <R> withScratchFolder(work: (Path) -> R): R {
     val folder = Files.createTempDirectory("badlog-spark")
     try {
         return work(folder)

@@ -4,13 +4,14 @@ import badlog.season.lake.LakeChange
 import java.io.Serializable
 
 /**
- * What became of a log.
+ * The outcome for one log.
  *
- * @property path what the lake knows it by.
- * @property message why it is not in the lake, as a sentence; null when it is.
- * @property isNoLog whether it is something else than a log.
- * @property isSalvaged whether the log lost something.
- * @property obsolete the files that the lake had of it and does not need any longer, seen from the lake.
+ *
+ * @property path the log's path in the lake's table of matches.
+ * @property message why it is not in the lake, as a sentence; null if it is.
+ * @property isNoLog whether it is something other than a log.
+ * @property isSalvaged whether data of the log is lost.
+ * @property obsolete the log's former files that the lake no longer needs, relative to the lake.
  */
 internal class LogOutcome(
     val path: String,
@@ -24,10 +25,10 @@ internal class LogOutcome(
     }
 }
 
-/** What goes from the task that read a log to the one that writes tables: a change to them, what to report once it is made, or both. */
+/** A message from the task that reads a log to the one that writes tables: a change, its outcome to report, or both. */
 internal class LogPiece(val change: LakeChange?, val outcome: LogOutcome?) : Serializable {
-    /** The key that brings the pieces of a place together; empty for what is only reported. */
-    val place: String get() = change?.place.orEmpty()
+    /** The key that groups pieces by partition; empty for outcomes without a change. */
+    val partitionPath: String get() = change?.partitionPath.orEmpty()
 
     private companion object {
         const val serialVersionUID = 1L

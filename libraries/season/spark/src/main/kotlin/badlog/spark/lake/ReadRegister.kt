@@ -5,9 +5,9 @@ import badlog.season.lake.RegisteredLog
 import badlog.spark.storage.RemoteFolder
 import org.apache.spark.api.java.function.FlatMapFunction
 
-/** Reads which logs [lake] has, of the file of a table of matches. */
+/** Reads the logs of [lake] from files of its table of matches. */
 internal class ReadRegister(private val lake: RemoteFolder, private val work: LakeWork) : FlatMapFunction<String, RegisteredLog> {
-    override fun call(file: String): Iterator<RegisteredLog> = inScratch { scratch ->
+    override fun call(file: String): Iterator<RegisteredLog> = withScratchFolder { scratch ->
         lake.fetch(file, scratch.resolve(file))
         ExecutorPieces.of(work).registered(scratch).iterator()
     }
@@ -15,7 +15,7 @@ internal class ReadRegister(private val lake: RemoteFolder, private val work: La
     internal companion object {
         private const val serialVersionUID = 1L
 
-        /** Returns whether [file], seen from a lake, is one of a table of matches. */
+        /** Returns whether [file], relative to a lake, is a file of the table of matches. */
         fun isMatches(file: String): Boolean =
             file.startsWith(LakeLayout.MATCHES + "/") && file.endsWith("/" + LakeLayout.MATCHES + LakeLayout.ENDING)
     }

@@ -13,7 +13,7 @@ import badlog.spark.storage.RemoteFolder
 import badlog.spark.storage.RemoteLog
 import badlog.spark.storage.addressOf
 import badlog.spark.storage.logsIn
-import badlog.spark.storage.plain
+import badlog.spark.storage.withoutChecksums
 import org.apache.hadoop.fs.Path
 import org.apache.spark.HashPartitioner
 import org.apache.spark.api.java.JavaSparkContext
@@ -22,22 +22,24 @@ import scala.Tuple2
 import java.io.IOException
 
 /**
- * A log that a lake does not have.
+ * A file that is not in the lake.
+ *
  *
  * @property path its address.
  * @property message why, as a sentence.
- * @property isNoLog whether it is something else than a log.
+ * @property isNoLog whether it is something other than a log.
  */
 public class RefusedLog internal constructor(public val path: String, public val message: String, public val isNoLog: Boolean)
 
 /**
- * What became of folders of logs.
+ * The outcome for folders of logs.
  *
- * @property written how many logs were written.
- * @property salvaged how many of them lost something.
- * @property unchanged how many the lake had already.
- * @property removed how many logs the lake had whose files are gone.
- * @property refused the files that are not in the lake, in no order.
+ *
+ * @property written the number of logs written.
+ * @property salvaged the number of written logs with lost data.
+ * @property unchanged the number of logs that were already in the lake.
+ * @property removed the number of logs removed from the lake because their files are gone.
+ * @property refused the files that are not in the lake, in no particular order.
  */
 public class SparkLakeResult internal constructor(
     public val written: Int,
@@ -48,36 +50,35 @@ public class SparkLakeResult internal constructor(
 )
 
 /**
- * A lake, as `docs/season.md` specifies it, on any file system that Spark knows, made by a cluster: the same files as those of
- * [badlog.season.lake.Lake]. One program at a time may write to it.
+ * A lake made by a cluster, on any file system that Spark supports. `docs/season.md` specifies its files; they are the same as those of
+ * [badlog.season.lake.Lake]. Only one program at a time may write to it.
  *
- * @param address of its folder, which all machines of the cluster have.
- * @param hasSamples false for the tables of all logs alone: enough where only the rules are asked, and much less to write.
+ * @param address the address of its folder, accessible to all machines of the cluster.
+ * @param hasSamples false to write only the tables of all logs: enough for findings of rules, and much less data.
  */
 public class SparkLake(private val spark: JavaSparkContext, private val address: String, private val hasSamples: Boolean = true) {
     private val configuration = SerializableConfiguration(spark.hadoopConfiguration())
     private val lake = RemoteFolder(address, configuration, LakeLayout.DRAFT)
 
     /**
-     * Makes the lake have the logs below [folders] as they are now; those that have not changed are not read. Each log is a task of its
-     * own, up to [MAX_TASKS] of them. A task that is lost is done again, and leaves nothing half. This program learns names and counts
-     * alone, never samples.
+     * Updates the lake to the current state of the logs below [folders]. Only changed logs are read. Each log is a task of its own, up to
+     * [MAX_TASKS] tasks. A lost task is repeated and leaves no partial files. The driver receives only names and counts, never samples.
      *
-     * @param folders addresses of folders or files, of any file system; that of a lake stands for the logs that it was made of.
-     * @param rules what findings are looked for, and what topics are called.
-     * @param maxBytes the size of the largest file to read, in bytes; a log needs some 3 times as much memory, packed ones 15 times.
-     * @throws LakeException when the address is of something else than a lake, or a folder cannot be looked into.
+     * @param folders addresses of folders or files, on any file system; the address of a lake means the logs that it was made of.
+     * @param rules the rules for findings, and the names of topics.
+     * @param maxBytes the size of the largest file to read, in bytes; a log needs about 3 times as much memory, a compressed one 15 times.
+     * @throws LakeException if the address is not a lake, or a folder cannot be listed.
      */
     public fun refresh(folders: List<String>, rules: RuleSet, maxBytes: Long = Long.MAX_VALUE): SparkLakeResult {
         try {
-            requireOwn()
+            requireLakeOrEmpty()
             val work = LakeWork(rules.toJson(), hasSamples)
             val files = dropDrafts(lake.files())
             val inventory = inventory(files, work)
             val logs = folders.flatMap(::logsOf).distinctBy { it.source.path }
             val (small, large) = logs.partition { it.source.size <= maxBytes }
             val isBelow = belowAny(folders)
-            // What is too large now was not perhaps, and stays as it is.
+            // A log that is too large now may have been read with a higher limit, so it stays in the lake.
             val isGone = large.mapTo(HashSet()) { it.source.path }.let { kept -> { path: String -> path !in kept && isBelow(path) } }
             val plan = inventory.plan(small.map { it.source }, ExecutorPieces.of(work).maker, isGone) { it in files }
             val outcomes = if (plan.changed.isEmpty() && plan.gone.isEmpty()) emptyList() else run(plan, small, work)
@@ -101,13 +102,13 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         }
     }
 
-    /** Nobody's files are to be among those of a lake. */
-    private fun requireOwn() {
+    /** Requires a lake, or an empty folder for a new one: a lake must not be mixed with other files. */
+    private fun requireLakeOrEmpty() {
         if (lake.has(LakeLayout.MARK)) return
         if (lake.entries().any { !it.startsWith(".") }) {
             throw LakeException("$address has other files in it; name an empty folder, or a new one.")
         }
-        // A run that is interrupted leaves a lake, too.
+        // The mark is written first, so that an interrupted run also leaves a lake.
         lake.put(LakeInventory.of(address, null, emptyList()).markAfter(emptyList(), emptyMap()), LakeLayout.MARK)
     }
 
@@ -120,7 +121,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         return spark.parallelize(tables, minOf(tables.size, MAX_TASKS)).flatMap(ReadRegister(lake, work)).collect()
     }
 
-    /** Returns the logs in [folder]; where that is a lake, those that it was made of. */
+    /** Returns the logs in [folder]; if it is a lake, the logs that it was made of. */
     private fun logsOf(folder: String): List<RemoteLog> {
         val other = RemoteFolder(folder, configuration, LakeLayout.DRAFT)
         if (!other.has(LakeLayout.MARK)) return logsIn(folder, configuration.value())
@@ -134,17 +135,17 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
     private fun belowAny(folders: List<String>): (String) -> Boolean {
         val tops = folders.map { folder ->
             val path = Path(folder)
-            addressOf(plain(path.getFileSystem(configuration.value())).makeQualified(path)).removeSuffix("/")
+            addressOf(withoutChecksums(path.getFileSystem(configuration.value())).makeQualified(path)).removeSuffix("/")
         }
         return { path -> tops.any { path == it || path.startsWith("$it/") } }
     }
 
     private fun run(plan: LakePlan, logs: List<RemoteLog>, work: LakeWork): List<LogOutcome> {
         val byPath = logs.associateBy { it.source.path }
-        // The largest first, so that none is waited for at the end.
+        // The largest first, so that no large log runs alone at the end.
         val plans = plan.changed.map { RemotePlan(it, byPath.getValue(it.source.path)) }.sortedByDescending { it.planned.source.size }
         val written = spark.parallelize(plans, plans.size.coerceIn(1, MAX_TASKS)).flatMapToPair(WriteLog(lake, work, configuration))
-        val gone = plan.gone.map { Tuple2(it.place, LogPiece(LakeChange.Remove(it), null)) }
+        val gone = plan.gone.map { Tuple2(it.partitionPath, LogPiece(LakeChange.Remove(it), null)) }
         val pieces = written.union(spark.parallelizePairs(gone, 1))
         val tables = (plans.size / LOGS_PER_TABLE_TASK).coerceIn(spark.defaultParallelism(), MAX_TABLE_TASKS)
         val outcomes = pieces.repartitionAndSortWithinPartitions(HashPartitioner(tables)).mapPartitions(WriteTables(lake, work)).collect()
@@ -153,7 +154,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         return outcomes
     }
 
-    /** Deletes what killed tasks have left among [files]; returns the others. */
+    /** Deletes the drafts of killed tasks among [files]. Returns the other files. */
     private fun dropDrafts(files: Set<String>): Set<String> {
         val (drafts, whole) = files.partition { it.substringAfterLast('/').startsWith(LakeLayout.DRAFT) }
         drafts.forEach(lake::delete)
@@ -170,7 +171,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
         "It is larger than the limit of ${bytes shr MEGA} MB; raise --max-size, and give executors the memory for it."
 
     public companion object {
-        /** So many tasks Spark's driver keeps track of in its usual memory; with more logs, each task has several. */
+        /** The number of tasks that Spark's driver can track in its default memory; with more logs, a task has several. */
         public const val MAX_TASKS: Int = 100_000
 
         private const val LOGS_PER_TABLE_TASK = 200

@@ -14,7 +14,7 @@ import java.io.Serializable
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A log to be written: what is planned with it, and where it is. */
+/** A log to be written, with its plan and its files. */
 internal class RemotePlan(val planned: PlannedLog, val log: RemoteLog) : Serializable {
     private companion object {
         const val serialVersionUID = 1L
@@ -22,19 +22,19 @@ internal class RemotePlan(val planned: PlannedLog, val log: RemoteLog) : Seriali
 }
 
 /**
- * The work on one log: fetches it, reads it, runs the rules, and writes its files into [lake]. Its pieces of the tables go on, by their
- * place. Done again, or twice at once, it writes the same files.
+ * The work on one log: fetches it, reads it, runs the rules, and writes its files into [lake]. Its pieces of the tables are passed on by
+ * partition. A repeated or duplicate run writes the same files.
  */
 internal class WriteLog(private val lake: RemoteFolder, private val work: LakeWork, private val configuration: SerializableConfiguration) :
     PairFlatMapFunction<RemotePlan, String, LogPiece> {
-    override fun call(plan: RemotePlan): Iterator<Tuple2<String, LogPiece>> = inScratch { scratch ->
+    override fun call(plan: RemotePlan): Iterator<Tuple2<String, LogPiece>> = withScratchFolder { scratch ->
         val path = plan.planned.source.path
         val pieces = try {
             piecesOf(plan.planned, fetched(plan.log, scratch), scratch)
         } catch (e: UnfetchedLogException) {
             listOf(LogPiece(null, LogOutcome(path, e.message)))
         }
-        pieces.map { Tuple2(it.place, it) }.iterator()
+        pieces.map { Tuple2(it.partitionPath, it) }.iterator()
     }
 
     private fun piecesOf(log: PlannedLog, file: Path, scratch: Path): List<LogPiece> {
@@ -53,13 +53,13 @@ internal class WriteLog(private val lake: RemoteFolder, private val work: LakeWo
                 )
                 listOfNotNull(
                     LogPiece(LakeChange.Put(entry), outcome),
-                    former?.takeIf { it.place != entry.place }?.let { LogPiece(LakeChange.Remove(it), null) },
+                    former?.takeIf { it.partitionPath != entry.partitionPath }?.let { LogPiece(LakeChange.Remove(it), null) },
                 )
             }
         }
     }
 
-    /** Networks fail now and then, so it is tried more than once. */
+    /** Copies the files of [log] to [scratch], with retries, because networks fail now and then. */
     private fun fetched(log: RemoteLog, scratch: Path): Path {
         var attempt = 1
         while (true) {

@@ -9,22 +9,22 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The work on the tables of some places of [lake]: takes those that are there, makes the changes, and puts them back, that of matches
- * last. What comes in is sorted by place. Done again, or twice at once, it writes the same. Gives what became of the logs.
+ * The work on the tables of some partitions of [lake]: fetches the tables, changes them, and writes them back, the table of matches last.
+ * Its input is sorted by partition. A repeated or duplicate run writes the same files. It returns the outcomes for the logs.
  */
 internal class WriteTables(private val lake: RemoteFolder, private val work: LakeWork) :
     FlatMapFunction<Iterator<Tuple2<String, LogPiece>>, LogOutcome> {
     override fun call(pieces: Iterator<Tuple2<String, LogPiece>>): Iterator<LogOutcome> {
         val outcomes = ArrayList<LogOutcome>()
-        val places = Places(pieces, outcomes)
+        val partitions = PartitionChanges(pieces, outcomes)
         while (true) {
-            val place = places.next() ?: return outcomes.iterator()
-            if (place.isNotEmpty()) write(place, places.changes()) else places.changes().forEach { _ -> }
+            val partitionPath = partitions.next() ?: return outcomes.iterator()
+            if (partitionPath.isNotEmpty()) write(partitionPath, partitions.changes()) else partitions.changes().forEach { _ -> }
         }
     }
 
-    private fun write(place: String, changes: Iterator<LakeChange>) = inScratch { scratch ->
-        val files = LakeLayout.TABLES.map { table -> "$table/$place/$table${LakeLayout.ENDING}" }
+    private fun write(partitionPath: String, changes: Iterator<LakeChange>) = withScratchFolder { scratch ->
+        val files = LakeLayout.TABLES.map { table -> "$table/$partitionPath/$table${LakeLayout.ENDING}" }
         for (file in files) lake.fetch(file, scratch.resolve(file))
         ExecutorPieces.of(work).merge(scratch, changes)
         for (file in files) putBack(scratch.resolve(file), file)
@@ -37,17 +37,17 @@ internal class WriteTables(private val lake: RemoteFolder, private val work: Lak
     }
 }
 
-/** The changes of [pieces], which are sorted by place, one place after the other. Adds what became of each log to [outcomes]. */
-private class Places(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
+/** The changes in [pieces], sorted by partition. The outcome for each log is added to [outcomes]. */
+private class PartitionChanges(private val pieces: Iterator<Tuple2<String, LogPiece>>, private val outcomes: MutableList<LogOutcome>) {
     private var ahead: Tuple2<String, LogPiece>? = take()
 
-    /** Returns the next place; null after the last one. Call it when all changes of the previous place have been taken. */
+    /** Returns the next partition; null after the last one. Call it after taking all changes of the previous partition. */
     fun next(): String? = ahead?._1()
 
-    /** Returns the changes of the [next] place, as they come. */
+    /** Returns the changes of the [next] partition, as a lazy sequence. */
     fun changes(): Iterator<LakeChange> {
-        val place = next()
-        return generateSequence { if (ahead?._1() == place) ahead?._2().also { ahead = take() } else null }
+        val partitionPath = next()
+        return generateSequence { if (ahead?._1() == partitionPath) ahead?._2().also { ahead = take() } else null }
             .onEach { piece -> piece.outcome?.let(outcomes::add) }
             .mapNotNull { it.change }
             .iterator()

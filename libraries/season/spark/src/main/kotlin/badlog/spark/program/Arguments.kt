@@ -1,24 +1,24 @@
 package badlog.spark.program
 
-/** What was typed cannot be understood; the message says what. */
+/** Thrown for invalid arguments; the message describes the mistake. */
 internal class UsageException(override val message: String) : Exception(message)
 
 /**
  * The arguments after the name of a job.
  *
- * @property named those that are not options, in their order.
+ * @property named the arguments that are not options, in their order.
  */
 internal class Arguments private constructor(val named: List<String>, private val options: Map<String, String>) {
     /** Returns the value of the option [name]; null if it is not given. */
     fun option(name: String): String? = options[name]
 
-    /** Returns the value of the option [name], which has to be given. */
+    /** Returns the value of the option [name], which is required. */
     fun required(name: String): String = options[name] ?: throw UsageException("$name is missing.")
 
-    /** Returns the limit for the size of files, in bytes. */
+    /** Returns the maximum size of files, in bytes. */
     fun maxBytes(): Long {
         val text = options[MAX_SIZE] ?: return Long.MAX_VALUE
-        val megabytes = text.toLongOrNull()?.takeIf { it in 1..MOST_MEGABYTES }
+        val megabytes = text.toLongOrNull()?.takeIf { it in 1..MAX_MEGABYTES }
             ?: throw UsageException("$MAX_SIZE $text: it is a number of MB, such as 500.")
         return megabytes shl MEGA
     }
@@ -29,9 +29,9 @@ internal class Arguments private constructor(val named: List<String>, private va
         const val FORMAT = "--format"
         const val MAX_SIZE = "--max-size"
         private const val MEGA = 20
-        private const val MOST_MEGABYTES = 1L shl 40
+        private const val MAX_MEGABYTES = 1L shl 40
 
-        /** Those of a job that knows the options [known], each of which has a value. */
+        /** Returns the arguments in [words] of a job with the options [known], each followed by a value. */
         fun of(words: List<String>, known: Set<String>): Arguments {
             val named = ArrayList<String>()
             val options = HashMap<String, String>()

@@ -24,12 +24,12 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
         report(lake, refresh(SparkLake(context, lake), arguments))
     }
 
-    /** `rules LOGS… --out FOLDER`: runs the rules, and shows what they found. */
+    /** `rules LOGS… --out FOLDER`: runs the rules, and shows their findings. */
     fun rules(words: List<String>) {
         val arguments = Arguments.of(words, setOf(Arguments.OUT, Arguments.RULES, Arguments.MAX_SIZE))
         val out = arguments.required(Arguments.OUT)
         report(out, refresh(SparkLake(context, out, hasSamples = false), arguments))
-        LakeQuery(spark, out).ask(COUNTS).show(SHOWN, false)
+        LakeQuery(spark, out).ask(COUNTS).show(MAX_PRINTED_ROWS, false)
     }
 
     /** `sql LAKE QUERY`: answers a question about a lake. */
@@ -40,7 +40,7 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
         val answer = LakeQuery(spark, lake).ask(query)
         val out = arguments.option(Arguments.OUT)
         if (out == null) {
-            answer.show(SHOWN, false)
+            answer.show(MAX_PRINTED_ROWS, false)
         } else {
             val format = arguments.option(Arguments.FORMAT) ?: "parquet"
             if (format !in FORMATS) throw UsageException("${Arguments.FORMAT} $format: there are ${FORMATS.joinToString()}.")
@@ -77,8 +77,8 @@ internal class Jobs(private val spark: SparkSession, private val say: (String) -
     }
 
     private companion object {
-        /** So many rows of an answer are printed at most. */
-        const val SHOWN = 100
+        /** The maximum number of rows printed. */
+        const val MAX_PRINTED_ROWS = 100
         val FORMATS = listOf("parquet", "csv", "json")
         const val COUNTS =
             "SELECT rule, severity, count(DISTINCT log) AS logs, count(*) AS findings FROM findings GROUP BY rule, severity " +

@@ -10,10 +10,10 @@ import org.apache.spark.sql.SparkSession
 import org.apache.spark.util.SerializableConfiguration
 
 /**
- * SQL over a lake, by Spark: the tables that `docs/season.md` names, by the same names, in Spark's own SQL.
+ * Queries of a lake in Spark's own SQL, with the tables and names of `docs/season.md`.
  *
- * @param address of the lake's folder, on any file system that Spark knows.
- * @throws LakeException when it is not a lake, or one of another version.
+ * @param address the address of the lake's folder, on any file system that Spark supports.
+ * @throws LakeException if it is not a lake, or has another version.
  */
 public class LakeQuery(private val spark: SparkSession, private val address: String) {
     private val views: SparkViews
@@ -26,9 +26,9 @@ public class LakeQuery(private val spark: SparkSession, private val address: Str
     }
 
     /**
-     * Returns the answer to [sql], which is calculated when it is used.
+     * Returns the answer to [sql], evaluated lazily.
      *
-     * @throws org.apache.spark.sql.AnalysisException when it is wrong, or names what is not there.
+     * @throws org.apache.spark.sql.AnalysisException if the query is invalid, or names an unknown table or column.
      */
     public fun ask(sql: String): Dataset<Row> {
         views.makeFor(sql)

@@ -3,21 +3,24 @@ package badlog.spark.sql
 import org.apache.spark.sql.SparkSession
 
 /**
- * The columns of all files of samples, known by the table of topics.
+ * The columns of all files of samples, according to the table of topics.
  *
- * @param types of each column its type; of those that differ from log to log, one that all of them fit into.
- * @property mixed the columns that differ so, with that type.
+ * @param types the type of each column; for a column with different types in different logs, one that holds all of them.
+ * @property mixed the columns with different types in different logs, with that common type.
  */
 internal class SampleColumns private constructor(private val types: Map<String, String>, val mixed: Map<String, String>) {
-    /** Files whose columns have the same types: [types] has those of the columns that are mixed. */
+    /** Files with the same column types; [types] holds the types of the mixed columns. */
     class Kind(val files: List<String>, val types: Map<String, String>)
 
-    /** Returns what to read the files as: of a column whose name [typeOf] changes into a type, that type. */
+    /**
+     * Returns the schema for reading the files. [typeOf] returns a column's type; if it returns the name unchanged, the common type is
+     * used.
+     */
     fun schema(typeOf: (String) -> String): String = FIXED + types.entries.joinToString("") { (name, type) ->
         ", ${quoted(name)} ${typeOf(name).takeIf { it != name } ?: type}"
     }
 
-    /** All files of samples, by the types of their [mixed] columns. */
+    /** Returns all files of samples, grouped by the types of their [mixed] columns. */
     fun kinds(spark: SparkSession): List<Kind> {
         val names = mixed.keys.joinToString { literal(it.lowercase()) }
         val rows = spark.sql(
@@ -38,7 +41,7 @@ internal class SampleColumns private constructor(private val types: Map<String, 
     }
 
     companion object {
-        /** Those of the lake whose table of topics [spark] has. */
+        /** Returns the columns according to the table of topics in [spark]. */
         fun of(spark: SparkSession): SampleColumns {
             val found = spark.sql(
                 "SELECT min(column_name), collect_set($TYPE) FROM topics " +
@@ -50,7 +53,7 @@ internal class SampleColumns private constructor(private val types: Map<String, 
 
         private const val FIXED = "log STRING, type STRING, number INT, t DOUBLE, timestamp TIMESTAMP"
 
-        /** What a column holds, by what the table of topics says of it; as the layout of lakes has it. */
+        /** The type of a column, calculated from its row in the table of topics as the layout of lakes prescribes. */
         private const val TYPE =
             "CASE WHEN kind IN ('state', 'event') OR array_contains(attributes, 'log') THEN 'STRING' " +
                 "WHEN kind = 'boolean' THEN 'BOOLEAN' ELSE 'DOUBLE' END"

@@ -11,24 +11,24 @@ import org.apache.spark.sql.functions.expr
 import org.apache.spark.sql.types.StructType
 
 /**
- * What queries of a lake may name, under the names that `badlog sql` has. A view is made when a query first mentions it: those of the
- * samples ask the table of topics for their columns, so that no file is opened to see what is in it.
+ * The views for queries of a lake, with the same names as in `badlog sql`. A view is created when a query first mentions it. Views of
+ * samples get their columns from the table of topics, so that no file is opened to learn its columns.
  *
- * @param address of the lake's folder.
+ * @param address the address of the lake's folder.
  */
 internal class SparkViews(private val spark: SparkSession, private val address: String, private val lake: RemoteFolder) {
     private val made = HashSet<String>()
 
     init {
-        // Seasons are numbers and events are not, also where they look like it.
+        // Seasons are numbers; events are texts, even those that look like numbers.
         spark.conf().set("spark.sql.sources.partitionColumnTypeInference.enabled", false)
-        // Names of topics stand between the same quotes as in `badlog sql`.
+        // Names of topics have the same quotes as in `badlog sql`.
         spark.conf().set("spark.sql.ansi.enabled", true)
         spark.conf().set("spark.sql.ansi.doubleQuotedIdentifiers", true)
         spark.conf().set("spark.sql.session.timeZone", "UTC")
     }
 
-    /** Makes what [sql] mentions. */
+    /** Creates the views that [sql] mentions. */
     fun makeFor(sql: String) {
         for (view in LakeLayout.TABLES + LakeLayout.SAMPLES + LakeLayout.SERIES + STATISTICS) {
             if (sql.contains(view, ignoreCase = true)) make(view)
@@ -54,7 +54,7 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         )
     }
 
-    /** Spark takes each byte of a percent-encoded name for a letter. */
+    /** Decodes the columns of the partition: Spark treats each byte of a percent-encoded name as a character. */
     private fun placed(rows: Dataset<Row>): Dataset<Row> = rows
         .withColumn("season", col("season").cast("int"))
         .withColumn("event", expr("decode(encode(event, 'ISO-8859-1'), 'UTF-8')"))
@@ -76,14 +76,14 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         }.reduce(Dataset<Row>::unionByName)
     }
 
-    /** Returns a column for each topic, which has its statistics in one. */
+    /** Returns a column for each topic, with all of its statistics. */
     private fun matchStatistics(): Dataset<Row> {
         make(LakeLayout.MATCHES)
         make("statistics")
         val topics = spark.sql("SELECT DISTINCT topic FROM statistics ORDER BY topic").collectAsList().map { it.getString(0) }
         val taken = spark.table(LakeLayout.MATCHES).columns().mapTo(HashSet()) { it.lowercase() }
         val columns = topics.joinToString { topic ->
-            "any_value($FIGURES) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
+            "any_value($FIELDS) FILTER (WHERE topic = ${literal(topic)}) AS ${quoted(freeName(topic) { taken.add(it.lowercase()) })}"
         }
         return spark.sql("SELECT * FROM matches LEFT JOIN (SELECT log, $columns FROM statistics GROUP BY log) USING (log)")
     }
@@ -93,17 +93,17 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         const val PLACE = "season STRING, event STRING"
         const val SERIES =
             "log STRING, type STRING, number INT, topic STRING, t DOUBLE, timestamp TIMESTAMP, value DOUBLE, text STRING"
-        const val FIGURES =
+        const val FIELDS =
             "named_struct('unit', unit, 'count', count, 'min', min, 'max', max, 'mean', mean, 'median', median, 'p5', p5, 'p95', p95, " +
                 "'first', first, 'last', last)"
     }
 }
 
-/** Returns the columns of a table of all logs, as Spark declares them: known, so that no file is opened to learn them. */
+/** Returns the columns of a table of all logs as Spark declares them. They are known, so that no file is opened. */
 private fun schemaOf(table: String): String =
     LakeLayout.columnsOf(table).joinToString { (name, type) -> "${quoted(name)} ${sparkType(type)}" }
 
-/** Returns what Spark calls the type that DuckDB calls [type]. */
+/** Returns Spark's name for DuckDB's type [type]. */
 private fun sparkType(type: String): String = when {
     type.endsWith("[]") -> "ARRAY<${sparkType(type.removeSuffix("[]"))}>"
 

@@ -16,26 +16,26 @@ import java.nio.file.Files
 import java.util.UUID
 
 /**
- * A folder on any file system that Hadoop knows, so Spark: a disk, HDFS, an object store. Its functions throw an [IOException] if that
+ * A folder on any file system that Hadoop supports, such as a disk, HDFS or an object store. Its functions throw an [IOException] if that
  * file system fails.
  *
  * @param address the address of the folder, as it was given to `spark-submit`.
- * @param draft how the names of unfinished files begin.
+ * @param draft the beginning of the names of unfinished files.
  */
 internal class RemoteFolder(private val address: String, private val configuration: SerializableConfiguration, private val draft: String) :
     Serializable {
     private val top: Path get() = Path(address)
 
-    /** Returns what is seen from this folder as [name], in folders that slashes separate. */
+    /** Returns the path of [name] below this folder; slashes separate folders. */
     private fun path(name: String): Path = name.split('/').fold(top, ::Path)
 
     /** Returns whether there is a file or folder called [name]. */
     fun has(name: String): Boolean = system().exists(path(name))
 
-    /** Returns the names of all files in this folder and in those in it; none where it is not there. */
+    /** Returns the names of all files in this folder and its subfolders; none if it does not exist. */
     fun files(): Set<String> = names(top).toSet()
 
-    /** Returns the names of the files and folders in this folder; none where it is not there. */
+    /** Returns the names of the files and folders directly in this folder; none if it does not exist. */
     fun entries(): List<String> = try {
         system().listStatus(top).map { it.path.name }
     } catch (_: FileNotFoundException) {
@@ -53,10 +53,10 @@ internal class RemoteFolder(private val address: String, private val configurati
     /** Returns the text of the file [name]. */
     fun text(name: String): String = system().open(path(name)).use { it.readAllBytes().decodeToString() }
 
-    /** Writes [text] to the file [name], which is there whole or as it was. */
+    /** Writes [text] to the file [name] atomically. */
     fun put(text: String, name: String): Unit = put(text.byteInputStream(), name)
 
-    /** Copies [file] of this machine to [name], which is there whole or as it was, whoever else does the same. */
+    /** Copies [file] of this machine to [name] atomically, even if others do the same at the same time. */
     fun put(file: java.nio.file.Path, name: String): Unit = Files.newInputStream(file).use { put(it, name) }
 
     private fun put(bytes: InputStream, name: String) {
@@ -72,7 +72,7 @@ internal class RemoteFolder(private val address: String, private val configurati
     }
 
     private fun replace(system: FileSystem, from: Path, to: Path) {
-        // Renaming replaces on a disk; elsewhere it has to be asked for, which not every file system can.
+        // On a disk, renaming replaces the target; other file systems need an option for that, and some lack it.
         val isDone = system is RawLocalFileSystem && system.rename(from, to)
         if (isDone) return
         try {
@@ -83,7 +83,7 @@ internal class RemoteFolder(private val address: String, private val configurati
         }
     }
 
-    /** Copies the file [name] to [file] of this machine, if it is there. */
+    /** Copies the file [name] to [file] of this machine, if it exists. */
     fun fetch(name: String, file: java.nio.file.Path) {
         val source = path(name)
         if (!system().exists(source)) return
@@ -91,13 +91,13 @@ internal class RemoteFolder(private val address: String, private val configurati
         system().open(source).use { Files.copy(it, file) }
     }
 
-    /** Deletes the file [name], if it is there. */
+    /** Deletes the file [name], if it exists. */
     fun delete(name: String) {
         system().delete(path(name), false)
     }
 
-    /** Returns the file system; of a disk, the one that leaves no checksums among the files. */
-    private fun system(): FileSystem = plain(top.getFileSystem(configuration.value()))
+    /** Returns the file system; for a disk, the one that writes no checksum files. */
+    private fun system(): FileSystem = withoutChecksums(top.getFileSystem(configuration.value()))
 
     private companion object {
         const val serialVersionUID = 1L
@@ -105,5 +105,5 @@ internal class RemoteFolder(private val address: String, private val configurati
     }
 }
 
-/** Returns [system], but of a disk the one that leaves no files with checksums among the others. */
-internal fun plain(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system
+/** Returns [system]; for a disk, the one that writes no checksum files. */
+internal fun withoutChecksums(system: FileSystem): FileSystem = if (system is LocalFileSystem) system.raw else system

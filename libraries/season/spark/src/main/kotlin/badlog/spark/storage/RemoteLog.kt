@@ -14,19 +14,21 @@ import java.io.Serializable
 import java.nio.file.Files
 
 /**
- * A log on any file system that Hadoop knows.
+ * A log on any file system that Hadoop supports.
  *
- * @property files the addresses of its files, mostly one; a log of the Driver Station may have two.
+ * @property files the addresses of its files, usually one; a log of the Driver Station may have two.
  */
 internal class RemoteLog(val source: LogSource, val files: List<String>) : Serializable {
     /**
-     * Copies its files into [folder] of this machine; returns the first.
+     * Copies its files into [folder] of this machine. Returns the first one.
      *
-     * @throws IOException when they cannot be read.
+     * @throws IOException if they cannot be read.
      */
     fun fetch(folder: java.nio.file.Path, configuration: Configuration): java.nio.file.Path = files.map { address ->
         val path = Path(address)
-        folder.resolve(path.name).also { copy -> plain(path.getFileSystem(configuration)).open(path).use { Files.copy(it, copy) } }
+        folder.resolve(path.name).also { copy ->
+            withoutChecksums(path.getFileSystem(configuration)).open(path).use { Files.copy(it, copy) }
+        }
     }.first()
 
     private companion object {
@@ -35,14 +37,14 @@ internal class RemoteLog(val source: LogSource, val files: List<String>) : Seria
 }
 
 /**
- * Returns what may be logs in [folder] and, if it [isDeep], in the folders in it, in their natural order, as `badlog lake` finds them on
- * a disk.
+ * Returns the possible logs in [folder] and, if [isDeep], in its subfolders. They are in natural order, as `badlog lake` finds them on a
+ * disk.
  *
- * @throws IOException when it cannot be looked into.
+ * @throws IOException if the folder cannot be listed.
  */
 internal fun logsIn(folder: String, configuration: Configuration, isDeep: Boolean = true): List<RemoteLog> {
     val path = Path(folder)
-    val system = plain(path.getFileSystem(configuration))
+    val system = withoutChecksums(path.getFileSystem(configuration))
     val top = system.makeQualified(path)
     val found = if (system.getFileStatus(top).isFile) listOf(system.getFileStatus(top)) else filesIn(system, top, isDeep)
     val seconds = found.mapNotNull { second -> firstPartOf(plainPath(second))?.let { it to second } }.toMap()
@@ -63,7 +65,7 @@ private fun filesIn(system: FileSystem, folder: Path, isDeep: Boolean): List<Fil
     return found
 }
 
-/** Nothing on a cluster can read a `.hoot`. */
+/** Returns whether [name] may be a log; nothing on a cluster can read a `.hoot`. */
 private fun mayBeLog(name: String): Boolean =
     !name.startsWith(".") && LogName.of(name).mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true) &&
         !name.endsWith(".hoot", ignoreCase = true)
@@ -81,7 +83,7 @@ private fun logOf(first: FileStatus, second: FileStatus?, top: Path): RemoteLog 
     return RemoteLog(source, parts.map { it.path.toString() })
 }
 
-/** Returns what a lake knows the file at [path] by: on a disk, what every program calls it. */
+/** Returns the address that identifies the file at [path] in a lake; for a disk, the plain path. */
 internal fun addressOf(path: Path): String = if (path.toUri().scheme in DISK) path.toUri().path else path.toString()
 
 private fun plainPath(status: FileStatus) = java.nio.file.Path.of(status.path.toUri().path)

@@ -6,7 +6,7 @@ import badlog.season.put
 import badlog.season.refresh
 import badlog.spark.SPARK_HOME
 import badlog.spark.SPARK_IS_HERE
-import badlog.spark.shouldBeTheLake
+import badlog.spark.shouldEqualLake
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -21,11 +21,11 @@ import kotlin.io.path.readText
 private const val LOGS = 150
 private const val ROWS = 4_000
 
-/** What Spark says of a worker that is gone. */
+/** Spark's messages about a lost worker. */
 private val LOSS = Regex("Lost executor|Removed executor|worker lost", RegexOption.IGNORE_CASE)
 
 class KilledWorkerSpec : FunSpec({
-    test("a cluster that loses a worker in the middle makes the lake of one process, row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("a cluster that loses a worker makes the same lake as one process, row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             val logs = folder / "logs"
             for (match in 1..LOGS) {
@@ -35,13 +35,13 @@ class KilledWorkerSpec : FunSpec({
             logs.put("cut.bag", matchBag(200, 12.0, 11.0, event = "Event 1") + "0.2")
             logs.put("notes.bag", ByteArray(5000) { (it * 31).toByte() })
             refresh(logs, folder / "expected")
-            // On a busy machine, a job may have finished before anybody looks.
+            // On a busy machine, a job may finish before its first check.
             val isInTheMiddle = (1..5).any { attempt ->
                 val lake = folder / "lake$attempt"
                 val place = (folder / "cluster$attempt").createDirectories()
                 LocalCluster(SPARK_HOME!!, place).use { cluster ->
                     val job = cluster.submit(System.getProperty("badlog.spark.jar"), "lake", "$logs", "--out", "$lake")
-                    val written = untilWritten(lake / "samples", job)
+                    val written = awaitWritten(lake / "samples", job)
                     cluster.killWorker()
                     withClue({ cluster.log("job").takeLast(4_000) }) {
                         job.waitFor(15, TimeUnit.MINUTES) shouldBe true
@@ -50,7 +50,7 @@ class KilledWorkerSpec : FunSpec({
                     val output = (place / "job.out").readText()
                     output shouldContain "${LOGS + 1} written (1 with data missing), 1 not in the lake"
                     output shouldContain "${logs / "notes.bag"}: "
-                    lake shouldBeTheLake folder / "expected"
+                    lake shouldEqualLake folder / "expected"
                     written in 1 until LOGS && LOSS in cluster.log("job")
                 }
             }
@@ -59,8 +59,8 @@ class KilledWorkerSpec : FunSpec({
     }
 })
 
-/** Waits until some logs are in [samples]; returns how many. */
-private fun untilWritten(samples: Path, job: Process): Int {
+/** Waits until some logs are in [samples]. Returns their number. */
+private fun awaitWritten(samples: Path, job: Process): Int {
     while (job.isAlive) {
         val written = if (Files.isDirectory(samples)) filesIn(samples) else 0
         if (written >= LOGS / 10) return written
@@ -69,5 +69,5 @@ private fun untilWritten(samples: Path, job: Process): Int {
     return 0
 }
 
-/** Files come and go while one counts. */
+/** Counts files, which may appear and disappear meanwhile. */
 private fun filesIn(folder: Path): Int = folder.toFile().walk().count { it.name.endsWith(".parquet") }

@@ -7,13 +7,13 @@ import kotlin.io.path.div
 import kotlin.io.path.readText
 
 /**
- * A standalone cluster of Spark on 127.0.0.1: processes of a master and two workers, each with one core. What they say is in [folder].
+ * A standalone Spark cluster on 127.0.0.1: processes of a master and two workers, each with one core. Their output is in [folder].
  *
- * @param home where Spark is.
+ * @param home the folder of Spark.
  */
 internal class LocalCluster(private val home: Path, private val folder: Path) : AutoCloseable {
     private val master = start("master", "org.apache.spark.deploy.master.Master", "--host", HOST, "--port", "0", "--webui-port", "0")
-    private val address = said("master") { ADDRESS.find(it)?.value }
+    private val address = awaitOutput("master") { ADDRESS.find(it)?.value }
     private val workers = (1..2).map { number ->
         start(
             "worker$number", "org.apache.spark.deploy.worker.Worker", "--host", HOST, "--cores", "1", "--memory", "1g", "--webui-port", "0",
@@ -22,10 +22,10 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
     }
 
     init {
-        for (number in 1..2) said("worker$number") { text -> text.takeIf { "Successfully registered" in it } }
+        for (number in 1..2) awaitOutput("worker$number") { text -> text.takeIf { "Successfully registered" in it } }
     }
 
-    /** Submits the job [words] of [jar]; what it says is in the files `job` and `job.out` of the folder. */
+    /** Submits the job [words] of [jar]. Its output is in the files `job` and `job.out` of the folder. */
     fun submit(jar: String, vararg words: String): Process {
         val options = listOf(
             "spark.executor.memory=700m",
@@ -42,7 +42,7 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
         ).redirectOutput((folder / "job.out").toFile()).start()
     }
 
-    /** Kills a worker and its executor, as if its machine went dark. */
+    /** Kills a worker and its executor, as a power cut would. */
     fun killWorker() {
         val worker = workers.first()
         val executors = worker.descendants().toList()
@@ -50,7 +50,7 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
         executors.forEach(ProcessHandle::destroyForcibly)
     }
 
-    /** What the process [name] says. */
+    /** Returns the output of the process [name]. */
     fun log(name: String): String = (folder / name).readText()
 
     private fun start(name: String, vararg command: String): Process = process(name, listOf("${home / "bin/spark-class"}") + command).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
@@ -64,8 +64,8 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
         )
     }
 
-    /** What [find] finds in what [name] says, as soon as it does. */
-    private fun said(name: String, find: (String) -> String?): String {
+    /** Waits until [find] returns something for the output of [name], and returns that. */
+    private fun awaitOutput(name: String, find: (String) -> String?): String {
         val end = System.nanoTime() + TimeUnit.MINUTES.toNanos(5)
         while (System.nanoTime() < end) {
             val text = (folder / name).takeIf(Files::exists)?.readText().orEmpty()
@@ -82,7 +82,7 @@ internal class LocalCluster(private val home: Path, private val folder: Path) : 
         process.waitFor()
     }
 
-    // Called before the workers are there, too.
+    // Also called before the workers exist.
     private fun List<Process>?.orEmpty(): List<Process> = this ?: emptyList()
 
     private companion object {

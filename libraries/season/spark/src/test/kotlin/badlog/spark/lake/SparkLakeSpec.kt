@@ -14,7 +14,7 @@ import badlog.season.refresh
 import badlog.season.written
 import badlog.spark.LocalSpark
 import badlog.spark.SPARK_IS_HERE
-import badlog.spark.shouldBeTheLake
+import badlog.spark.shouldEqualLake
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -54,7 +54,7 @@ private fun variedLogs(logs: Path) {
 }
 
 class SparkLakeSpec : FunSpec({
-    test("the lake that Spark makes is that of one process, file by file and row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("Spark makes the same lake as one process, file by file and row by row").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             variedLogs(folder / "logs")
             val expected = refresh(folder / "logs", folder / "expected")
@@ -63,11 +63,11 @@ class SparkLakeSpec : FunSpec({
             result.salvaged shouldBe expected.outcomes.count { it.isSalvaged }
             result.refused.map { it.path to it.message }.toSet() shouldBe
                 expected.outcomes.filter { it.message != null }.map { "${it.log.file.path}" to it.message }.toSet()
-            folder / "lake" shouldBeTheLake folder / "expected"
+            folder / "lake" shouldEqualLake folder / "expected"
         }
     }
 
-    test("a second run reads nothing, and one process goes on with the lake where Spark left it").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("a second run reads nothing, and one process can continue the lake that Spark made").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             variedLogs(folder / "logs")
             val first = onSpark(folder / "logs", folder / "lake")
@@ -81,7 +81,7 @@ class SparkLakeSpec : FunSpec({
         }
     }
 
-    test("what changed is written again, what is gone leaves, and a log that is of another event now is there once")
+    test("changed logs are rewritten, deleted ones removed, and a log with a new event is there once")
         .config(enabledOrReasonIf = SPARK_IS_HERE) {
             inFolder { folder ->
                 val logs = folder / "logs"
@@ -94,7 +94,7 @@ class SparkLakeSpec : FunSpec({
                 result.written shouldBe 2
                 result.removed shouldBe 1
                 refresh(logs, folder / "expected")
-                folder / "lake" shouldBeTheLake folder / "expected"
+                folder / "lake" shouldEqualLake folder / "expected"
             }
         }
 
@@ -115,7 +115,7 @@ class SparkLakeSpec : FunSpec({
         }
     }
 
-    test("what killed tasks have left goes, and no reader sees it").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("leftovers of killed tasks are removed, and no reader sees them").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             (folder / "logs").put("one.bag", matchBag(1, 12.0))
             onSpark(folder / "logs", folder / "lake")
@@ -126,7 +126,7 @@ class SparkLakeSpec : FunSpec({
         }
     }
 
-    test("a folder with other files in it is left alone").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("a folder with other files in it is not changed").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             (folder / "logs").put("one.bag", matchBag(1, 12.0))
             (folder / "mine").put("thesis.txt", "mine")

@@ -29,14 +29,14 @@ import kotlin.io.path.readText
 
 private val SESSION by lazy { SparkSession.builder().sparkContext(LocalSpark.context.sc()).getOrCreate() }
 
-/** The answer as `answerOf` writes that of DuckDB. */
+/** Returns Spark's answer in the form in which `answerOf` returns DuckDB's. */
 private fun sparkAnswer(lake: Path, sql: String): String = LakeQuery(SESSION, "$lake").ask(sql).collectAsList().joinToString("\n") { row ->
     (0 until row.length()).joinToString("|") { column -> row.get(column).let { if (it is String) "\"$it\"" else "$it" } }
 }
 
 private fun inLake(work: (Path) -> Unit) = inFolder { folder ->
     for (match in 1..4) (folder / "logs").put("q$match.bag", matchBag(match, 12.5, 11.5 - match, event = "Mill/Creek ü ${match % 2}"))
-    // A topic that has numbers in one log and texts in another, and one whose name has another case.
+    // A topic with numbers in one log and texts in another, and one with another letter case.
     (folder / "logs").put("mixed.csv", "Time,System/Battery Voltage,Extra\n0,low,1\n1,high,2\n")
     (folder / "logs").put("case.csv", "Time,EXTRA\n0,5\n1,6\n")
     (folder / "logs").put("one.wpilog", TestLog().start(1, "/Arm", "double").double(1, 1_000_000, 1.5).double(1, 2_000_000, 2.5).bytes)
@@ -45,7 +45,7 @@ private fun inLake(work: (Path) -> Unit) = inFolder { folder ->
 }
 
 class LakeQuerySpec : FunSpec({
-    test("Spark answers what DuckDB answers, about every table").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("Spark and DuckDB have the same answers about every table").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inLake { folder ->
             val queries = listOf(
                 "SELECT log, season, event, type, number, title, duration, format, salvaged FROM matches ORDER BY log",
@@ -87,7 +87,7 @@ class LakeQuerySpec : FunSpec({
             sparkAnswer(folder / "found", findings) shouldBe "\"q3.bag\"|\"Low battery\"\n\"q4.bag\"|\"Low battery\""
             sparkAnswer(folder / "again", findings) shouldBe sparkAnswer(folder / "found", findings)
             (folder / "found").written().filterKeys { it.startsWith("samples/") || it.startsWith("series/") } shouldBe emptyMap()
-            // A lake with samples is another thing than what is there.
+            // A lake with samples differs from the existing one.
             SparkLake(LocalSpark.context, "${folder / "found"}").refresh(listOf("${folder / "logs"}"), RuleSet.BUILT_IN).written shouldBe 7
             (folder / "found").written().filterKeys { it.startsWith("samples/") }.shouldNotBeEmpty()
         }

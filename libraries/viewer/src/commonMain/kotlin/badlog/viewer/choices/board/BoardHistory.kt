@@ -26,7 +26,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
      * Shows [board], a change of [shown], which is the part of [now] that the open log can show: the rest stays. Nothing changes if it shows
      * the same.
      */
-    fun changed(board: Board, shown: Board = now): BoardHistory {
+    internal fun changed(board: Board, shown: Board = now): BoardHistory {
         val own = identified(board)
         val whole = if (shown === now) own else own.mergedWith(now, shown)
         if (whole.showsSame(now)) return this
@@ -34,21 +34,24 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         return BoardHistory(all, all.lastIndex, newId)
     }
 
+    /** Begins with [board] instead. */
+    internal fun begunWith(board: Board): BoardHistory = BoardHistory(board, newId)
+
     /** Undoes the last change. */
-    fun undone(): BoardHistory = if (canUndo) BoardHistory(steps, at - 1, newId) else this
+    internal fun undone(): BoardHistory = if (canUndo) BoardHistory(steps, at - 1, newId) else this
 
     /** Redoes what [undone] undid. */
-    fun redone(): BoardHistory = if (canRedo) BoardHistory(steps, at + 1, newId) else this
+    internal fun redone(): BoardHistory = if (canRedo) BoardHistory(steps, at + 1, newId) else this
 
     /** Returns this history with each of its boards changed by [change], which can therefore not be undone. */
-    fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map { Step(it.board.change(), it.isNew) })
+    internal fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map { Step(it.board.change(), it.isNew) })
 
     /**
      * Returns this history with what other tabs or windows have changed of the board that they remember in one place, since this one
      * [read] it: in each of its boards, so that undoing does not undo what others did. [now] is then what to remember; what was changed
      * here before that is no longer later than what others do.
      */
-    fun mergedWith(stored: Board, read: Board): BoardHistory {
+    internal fun mergedWith(stored: Board, read: Board): BoardHistory {
         if (stored == read) return BoardHistory(steps.map { Step(it.board, isNew = false) }, at, newId)
         val merged = ArrayList<Step>()
         for ((i, step) in steps.withIndex()) {

@@ -35,7 +35,7 @@ data class Viewport(
         get() = minOf(maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300), full.width)
 
     /** Shows the range from [from] to [to], in any order, as one of many steps of a gesture, which [back] skips. */
-    fun moved(from: Double, to: Double): Viewport {
+    internal fun moved(from: Double, to: Double): Viewport {
         if (!from.isFinite() || !to.isFinite()) return this
         val width = abs(to - from).coerceIn(narrowest, full.width)
         val start = ((from + to) / 2 - width / 2).coerceIn(full.from, maxOf(full.from, full.to - width))
@@ -43,19 +43,19 @@ data class Viewport(
     }
 
     /** Shows the range from [from] to [to], in any order; [back] returns from it. */
-    fun showing(from: Double, to: Double): Viewport = remembered().moved(from, to)
+    internal fun showing(from: Double, to: Double): Viewport = remembered().moved(from, to)
 
     /** Shows a moment, or the range from [from] to [to], with a little around it. */
-    fun around(from: Double, to: Double): Viewport = showing(from - full.width / AROUND, to + full.width / AROUND)
+    internal fun around(from: Double, to: Double): Viewport = showing(from - full.width / AROUND, to + full.width / AROUND)
 
     /** Remembers the visible range for [back], at the start of a gesture of many steps. */
-    fun remembered(): Viewport = copy(
+    internal fun remembered(): Viewport = copy(
         history = if (history.lastOrNull() == visible) history else (history + visible).takeLast(MAX_HISTORY),
         ahead = emptyList(),
     )
 
     /** Makes the visible range [factor] times as wide, keeping x = [center] in place on the screen, as one of many steps. */
-    fun scaled(factor: Double, center: Double): Viewport {
+    internal fun scaled(factor: Double, center: Double): Viewport {
         val width = (visible.width * factor).coerceIn(narrowest, full.width)
         val share = (center - visible.from) / visible.width
         val start = (center - width * share).coerceIn(full.from, maxOf(full.from, full.to - width))
@@ -63,7 +63,7 @@ data class Viewport(
     }
 
     /** Zooms by [steps], in if positive, around the [cursor] if that is visible, otherwise around the middle. */
-    fun zoomed(steps: Int, cursor: Double?): Viewport {
+    internal fun zoomed(steps: Int, cursor: Double?): Viewport {
         val center = if (cursor != null && cursor in visible) cursor else (visible.from + visible.to) / 2
         var zoomed = remembered()
         repeat(abs(steps)) { zoomed = zoomed.scaled(if (steps > 0) 1 / ZOOM else ZOOM, center) }
@@ -71,16 +71,16 @@ data class Viewport(
     }
 
     /** Moves by [distance] in x, backwards if negative, as one of many steps. */
-    fun shifted(distance: Double): Viewport = moved(visible.from + distance, visible.to + distance)
+    internal fun shifted(distance: Double): Viewport = moved(visible.from + distance, visible.to + distance)
 
     /** Moves by [share] of the visible range, backwards if negative. */
-    fun panned(share: Double): Viewport = remembered().shifted(visible.width * share)
+    internal fun panned(share: Double): Viewport = remembered().shifted(visible.width * share)
 
     /** Shows everything. */
-    fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
+    internal fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
 
     /** Shows the time from the first of [enabled] to the last; nothing changes if that is unknown. */
-    fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
+    internal fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
         if (enabled.isEmpty()) return this
         val from = enabled.minOf { it.span.from }
         val to = enabled.maxOf { it.span.to }
@@ -88,23 +88,29 @@ data class Viewport(
     }
 
     /** Shows the previous range. */
-    fun back(): Viewport {
+    internal fun back(): Viewport {
         val before = history.dropLastWhile { it == visible }
         val last = before.lastOrNull() ?: return copy(history = before)
         return copy(visible = last, history = before.dropLast(1), ahead = ahead + visible)
     }
 
     /** Shows the range that [back] left. */
-    fun forward(): Viewport {
+    internal fun forward(): Viewport {
         val next = ahead.lastOrNull() ?: return this
         return copy(visible = next, history = history + visible, ahead = ahead.dropLast(1))
     }
 
     /** Makes [x] visible, moving no further than necessary. */
-    fun revealing(x: Double): Viewport = if (x in visible || !x.isFinite()) this else showing(x - visible.width / 2, x + visible.width / 2)
+    internal fun revealing(x: Double): Viewport = if (x in visible ||
+        !x.isFinite()
+    ) {
+        this
+    } else {
+        showing(x - visible.width / 2, x + visible.width / 2)
+    }
 
     /** Returns the viewport after the recording has grown to [grown]: it follows the end if that was visible. */
-    fun grown(grown: Span): Viewport = when {
+    internal fun grown(grown: Span): Viewport = when {
         !isZoomed -> copy(full = grown, visible = grown)
 
         isAtEnd -> copy(full = grown).moved(grown.to - visible.width, grown.to)

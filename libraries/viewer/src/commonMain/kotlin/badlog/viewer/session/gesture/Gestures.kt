@@ -4,7 +4,9 @@ import badlog.viewer.input.DoubleClick
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Action
 import badlog.viewer.state.Place
+import badlog.viewer.state.PlaceAction
 import kotlin.math.hypot
 
 /** What gestures change, on the page and in the window. */
@@ -15,8 +17,8 @@ interface GestureTarget {
     /** Whether something else moves the cursor that is not pinned, such as playback. */
     val isCursorLed: Boolean get() = false
 
-    /** Goes to the result of [step]. */
-    fun go(step: Place.() -> Place)
+    /** Lets [action] change the state. */
+    fun send(action: Action)
 }
 
 /**
@@ -99,7 +101,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
 
     /** Handles a pointer that leaves the plot. */
     fun leave() {
-        if (!isActive) target.go { copy(cursors = cursors.left()) }
+        if (!isActive) target.send(PlaceAction.Leave)
     }
 
     /** Cancels a drag: what it has changed is as before. */
@@ -151,9 +153,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
 
     /** Handles a click that is not the second of a double click. */
     internal open fun clickAt(at: PlotPointer, isShifted: Boolean) {
-        val x = placeAt(at)?.let(::within) ?: return
-        val reach = reachOf(at)
-        target.go { copy(cursors = if (isShifted) cursors.shiftClicked(x, reach) else cursors.clicked(x, reach)) }
+        placeAt(at)?.let { target.send(PlaceAction.Click(it, reachOf(at), isShifted)) }
     }
 
     /** Returns the maximum distance on x at which a click at [at] is still on a cursor. */
@@ -161,16 +161,14 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
 
     /** Moves the cursor to [x], unless something else moves it. */
     internal fun hoverAt(x: Double) {
-        if (target.place.cursors.isPinned || !target.isCursorLed) target.go { copy(cursors = cursors.hovering(within(x))) }
+        if (target.place.cursors.isPinned || !target.isCursorLed) target.send(PlaceAction.Hover(x))
     }
-
-    private fun within(x: Double) = target.place.range.full.let { x.coerceIn(it.from, it.to) }
 
     private fun click(at: PlotPointer, isShifted: Boolean) {
         if (isShifted) return clickAt(at, true)
         if (clicks.isSecond(at.x, at.millis)) {
             // The first click of a double click does not count by itself.
-            target.go { copy(cursors = beforeClick) }
+            target.send(PlaceAction.Point(beforeClick))
             return reset()
         }
         beforeClick = target.place.cursors

@@ -3,6 +3,7 @@ package badlog.viewer.session.gesture
 import badlog.viewer.input.DragKind
 import badlog.viewer.input.OverviewGrip
 import badlog.viewer.input.PlotPointer
+import badlog.viewer.state.PlaceAction
 
 /**
  * What a mouse or fingers do over the overview, which always shows the whole log: they move the visible range or one of its edges, or
@@ -28,24 +29,17 @@ class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
         val (_, start, _, before) = target.drag ?: return
         val x = placeAt(at)
         val seen = before.visible
-        change {
+        target.send(
             when (grip) {
-                OverviewGrip.LEFT -> moved(minOf(x, seen.to), seen.to)
-                OverviewGrip.RIGHT -> moved(seen.from, maxOf(x, seen.from))
-                OverviewGrip.WINDOW -> moved(seen.from + x - start, seen.to + x - start)
-                OverviewGrip.NEW -> moved(start, x)
-            }
-        }
+                OverviewGrip.LEFT -> PlaceAction.Move(minOf(x, seen.to), seen.to)
+                OverviewGrip.RIGHT -> PlaceAction.Move(seen.from, maxOf(x, seen.from))
+                OverviewGrip.WINDOW -> PlaceAction.Move(seen.from + x - start, seen.to + x - start)
+                OverviewGrip.NEW -> PlaceAction.Move(start, x)
+            },
+        )
     }
 
     override fun hover(at: PlotPointer) = Unit
 
-    override fun clickAt(at: PlotPointer, isShifted: Boolean) {
-        val x = placeAt(at)
-        target.go {
-            val seen = range.visible
-            val shown = if (x in seen) range else range.showing(x - seen.width / 2, x + seen.width / 2)
-            copy(range = shown, cursors = cursors.pinnedAt(x))
-        }
-    }
+    override fun clickAt(at: PlotPointer, isShifted: Boolean) = target.send(PlaceAction.Pick(placeAt(at)))
 }

@@ -3,7 +3,7 @@ package badlog.viewer.session.gesture
 import badlog.core.analysis.Span
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.DragKind
-import badlog.viewer.state.Place
+import badlog.viewer.state.PlaceAction
 
 /**
  * A drag over a plot.
@@ -28,6 +28,6 @@ data class PlotDrag(
     /** The part of the height of the lines that it covers, from the top. */
     val ySpan: Span get() = Span(minOf(startY, y), maxOf(startY, y))
 
-    /** Returns where somebody is who has cancelled it at [place]. */
-    fun cancelledAt(place: Place): Place = if (kind == DragKind.PAN) place.copy(range = before) else place
+    /** What takes back what it has changed so far; null if that is nothing. */
+    val undoing: PlaceAction? get() = if (kind == DragKind.PAN) PlaceAction.Range(before) else null
 }

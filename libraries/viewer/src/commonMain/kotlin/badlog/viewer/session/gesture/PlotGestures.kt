@@ -1,12 +1,14 @@
 package badlog.viewer.session.gesture
 
 import badlog.core.analysis.Span
-import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.DragKind
+import badlog.viewer.input.KeyAction
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.input.PointerButton
 import badlog.viewer.input.Wheel
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Action
+import badlog.viewer.state.PlaceAction
 import kotlin.math.abs
 
 /** What gestures over a plot change. */
@@ -53,14 +55,14 @@ open class PlotGestures(private val target: PlotTarget, private val isAxis: Bool
 
     override fun begin(kind: DragKind, start: PlotPointer) {
         target.drag = PlotDrag(kind, placeAt(start), lineShareAt(start), target.place.range)
-        if (kind == DragKind.PAN) change { remembered() }
+        if (kind == DragKind.PAN) target.send(PlaceAction.Remember)
     }
 
     override fun drag(at: PlotPointer) {
         val drag = target.drag ?: return
         val x = placeAt(at)
         // What was touched stays under the pointer.
-        if (drag.kind == DragKind.PAN) return change { shifted(drag.startX - x) }
+        if (drag.kind == DragKind.PAN) return target.send(PlaceAction.Shift(drag.startX - x))
         val shown = x.coerceIn(visible.from, visible.to)
         target.drag = drag.copy(x = shown, y = lineShareAt(at))
         hoverAt(shown)
@@ -69,9 +71,9 @@ open class PlotGestures(private val target: PlotTarget, private val isAxis: Bool
     override fun end() {
         val drag = target.drag ?: return
         when (drag.kind) {
-            DragKind.ZOOM -> if (drag.xSpan.width > 0) change { showing(drag.startX, drag.x) }
+            DragKind.ZOOM -> if (drag.xSpan.width > 0) target.send(PlaceAction.Show(drag.startX, drag.x))
             DragKind.ZOOM_Y -> if (drag.ySpan.width > 0) target.showY(drag.ySpan)
-            DragKind.SELECT -> target.go { copy(selection = drag.xSpan.takeIf { it.width > 0 }) }
+            DragKind.SELECT -> target.send(PlaceAction.Select(drag.xSpan.takeIf { it.width > 0 }))
             DragKind.PAN -> Unit
         }
     }
@@ -79,25 +81,23 @@ open class PlotGestures(private val target: PlotTarget, private val isAxis: Bool
     override fun forget(isGivenUp: Boolean) {
         val drag = target.drag ?: return
         target.drag = null
-        if (isGivenUp) target.go { drag.cancelledAt(this) }
+        if (isGivenUp) drag.undoing?.let(target::send)
     }
 
     override fun reset() {
-        change { reset() }
+        target.send(Action.Press(KeyAction.SHOW_ALL))
         target.showY(null)
     }
 
-    override fun beginPinch() = change { remembered() }
+    override fun beginPinch() = target.send(PlaceAction.Remember)
 
-    override fun pinch(other: PlotPointer, factor: Double) = change { scaled(factor, placeAt(other)) }
+    override fun pinch(other: PlotPointer, factor: Double) = target.send(PlaceAction.Scale(factor, placeAt(other)))
 
     override fun wheel(at: PlotPointer, right: Double, down: Double): Boolean {
         val turned = wheel.turned(target.place.range, right, down, at.ctrl, at.shift, placeAt(at), at.width, at.millis) ?: return false
-        change { turned }
+        target.send(PlaceAction.Range(turned))
         return true
     }
 
     private fun lineShareAt(at: PlotPointer) = (at.shareY / target.lineShare).coerceIn(0.0, 1.0)
-
-    internal fun change(step: Viewport.() -> Viewport) = target.go { copy(range = range.step()) }
 }

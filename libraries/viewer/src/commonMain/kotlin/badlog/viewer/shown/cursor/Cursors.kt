@@ -14,6 +14,9 @@ data class Cursors(val pinned: Double? = null, val second: Double? = null, val h
     /** Where values are read: at A, or otherwise under the pointer; null for nowhere. */
     val x: Double? get() = pinned ?: hover
 
+    /** The cursors without the pointer, as a figure shows them. */
+    val withoutPointer: Cursors get() = copy(hover = null)
+
     /** Where a person looks for marks: under the pointer, or otherwise at A; null for nowhere. */
     val pointed: Double? get() = hover ?: pinned
 
@@ -25,28 +28,28 @@ data class Cursors(val pinned: Double? = null, val second: Double? = null, val h
         get() = if (pinned == null || second == null || pinned == second) null else Span(minOf(pinned, second), maxOf(pinned, second))
 
     /** Moves the pointer to [x]; neither A nor B moves. */
-    fun hovering(x: Double): Cursors = copy(hover = x)
+    internal fun hovering(x: Double): Cursors = copy(hover = x)
 
     /** Removes the pointer, which left the graphs. If nothing is pinned, values are still read at its last place. */
-    fun left(): Cursors = if (isPinned) copy(hover = null) else this
+    internal fun left(): Cursors = if (isPinned) copy(hover = null) else this
 
-    fun pinnedAt(x: Double): Cursors = copy(pinned = x)
+    internal fun pinnedAt(x: Double): Cursors = copy(pinned = x)
 
     /** Handles a click at [x]: pins A there; a click on A, at most [reach] beside it, removes both cursors. */
-    fun clicked(x: Double, reach: Double): Cursors = if (isNear(pinned, x, reach)) Cursors(hover = x) else pinnedAt(x)
+    internal fun clicked(x: Double, reach: Double): Cursors = if (isNear(pinned, x, reach)) Cursors(hover = x) else pinnedAt(x)
 
     /** Handles a Shift-click at [x]: puts B there, or A if there is none; a click on B, at most [reach] beside it, removes B. */
-    fun shiftClicked(x: Double, reach: Double): Cursors = when {
+    internal fun shiftClicked(x: Double, reach: Double): Cursors = when {
         !isPinned -> pinnedAt(x)
         isNear(second, x, reach) -> copy(second = null)
         else -> copy(second = x)
     }
 
     /** Pins A where values are read, and puts B there as well, to be [moved]; removes an existing B. */
-    fun withSecond(): Cursors = if (second == null) copy(pinned = x, second = x) else copy(second = null)
+    internal fun withSecond(): Cursors = if (second == null) copy(pinned = x, second = x) else copy(second = null)
 
     /** Moves A, or B if there is one, by [step], and pins it. If A has no place, it starts at [start]. */
-    fun moved(start: Double, step: (Double) -> Double): Cursors = when {
+    internal fun moved(start: Double, step: (Double) -> Double): Cursors = when {
         second != null -> copy(second = step(second))
         else -> pinnedAt(x?.let(step) ?: start)
     }
@@ -55,7 +58,7 @@ data class Cursors(val pinned: Double? = null, val second: Double? = null, val h
     val moving: Double? get() = second ?: x
 
     /** Removes what came last: B, or else the pin of A, or else the cursor. */
-    fun cancelled(): Cursors = when {
+    internal fun cancelled(): Cursors = when {
         second != null -> copy(second = null)
         isPinned -> copy(pinned = null)
         else -> copy(hover = null)

@@ -133,7 +133,7 @@ class PlotGesturesSpec : FunSpec({
 
     test("a double click shows everything, and its first click does not count") {
         val plot = TestPlot(Span(20.0, 40.0))
-        plot.go { copy(cursors = Cursors(pinned = 25.0)) }
+        plot.place = plot.place.copy(cursors = Cursors(pinned = 25.0))
         val gestures = over(plot)
         gestures.stroke(pointer(500))
         plot.place.cursors.pinned shouldBe 30.0

@@ -1,10 +1,18 @@
 package badlog.viewer.session.gesture
 
+import badlog.core.analysis.EnabledSpan
 import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.board.BoardHistory
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.PlotPointer
 import badlog.viewer.input.PointerButton
+import badlog.viewer.shown.cursor.CursorSteps
+import badlog.viewer.state.Action
 import badlog.viewer.state.Place
+import badlog.viewer.state.Shown
+import badlog.viewer.state.ViewerState
+import badlog.viewer.state.reduce
 
 /** A pointer on a frame of 1000 by 100 pixels. */
 internal fun pointer(
@@ -28,13 +36,23 @@ internal class TestPlot(visible: Span = Span(0.0, 100.0), override val lineShare
     val parts = ArrayList<Span?>()
     val visible get() = place.range.visible
 
-    override fun go(step: Place.() -> Place) {
-        place = place.step()
+    override fun send(action: Action) {
+        place = place.after(action)
     }
 
     override fun showY(part: Span?) {
         parts += part
     }
+}
+
+/** Returns where [action] leads from here. */
+internal fun Place.after(action: Action): Place = reduce(ViewerState(this, BoardHistory()), NOTHING, action).state.place
+
+private val NOTHING = object : Shown {
+    override val samples = CursorSteps(emptyList())
+    override val enabled = emptyList<EnabledSpan>()
+    override val found = null
+    override val graphs = Board()
 }
 
 /** Presses at the first of [places], goes to the others, and releases at the last. */

@@ -11,6 +11,7 @@ import badlog.viewer.draw.path.XyLog
 import badlog.viewer.draw.path.XyPicture
 import badlog.viewer.input.PointerButton
 import badlog.viewer.shown.cursor.Cursors
+import badlog.viewer.state.Action
 import badlog.viewer.state.Place
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
@@ -36,8 +37,8 @@ class XyGesturesSpec : FunSpec({
 
         override fun seen(width: Double, height: Double): Plane = plane ?: all
 
-        override fun go(step: Place.() -> Place) {
-            place = place.step()
+        override fun send(action: Action) {
+            place = place.after(action)
         }
     }
 
@@ -61,7 +62,7 @@ class XyGesturesSpec : FunSpec({
 
     test("a drag zooms to the frame that it has covered, in any direction; a double click shows all of it") {
         val path = TestPath()
-        path.go { copy(cursors = Cursors(pinned = 1.0)) }
+        path.place = path.place.copy(cursors = Cursors(pinned = 1.0))
         val gestures = XyGestures(path)
         gestures.press(pointer(600, y = 80))
         gestures.move(pointer(200, y = 40))

@@ -5,31 +5,31 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 
-class UsualLineSpec : FunSpec({
-    test("a few points far away do not turn the line") {
+class TheilSenLineSpec : FunSpec({
+    test("a few outliers do not turn the line") {
         val x = (1..20).map { it.toDouble() }
         val y = x.map { if (it in 18.0..19.0) 0.0 else 12 - 0.1 * it }
-        val line = checkNotNull(UsualLine.through(x, y))
+        val line = checkNotNull(TheilSenLine.through(x, y))
         line.slope shouldBe (-0.1 plusOrMinus 1e-9)
         line.at(10.0) shouldBe (11.0 plusOrMinus 1e-9)
     }
 
-    test("thousands of points have a line, for which nobody waits") {
+    test("thousands of points have the right line") {
         val x = List(20_000) { (it * 7919 % 20_000).toDouble() }
-        UsualLine.through(x, x.map { 3 * it - 1 })!!.run { slope to at(0.0) } shouldBe (3.0 to -1.0)
+        TheilSenLine.through(x, x.map { 3 * it - 1 })!!.run { slope to at(0.0) } shouldBe (3.0 to -1.0)
     }
 
     test("calculating a line can be interrupted") {
         Thread.currentThread().interrupt()
-        shouldThrow<InterruptedException> { UsualLine.through(listOf(1.0, 2.0), listOf(1.0, 2.0)) }
+        shouldThrow<InterruptedException> { TheilSenLine.through(listOf(1.0, 2.0), listOf(1.0, 2.0)) }
     }
 
     test("points above each other have no line") {
-        UsualLine.through(listOf(1.0, 1.0), listOf(1.0, 2.0)) shouldBe null
+        TheilSenLine.through(listOf(1.0, 1.0), listOf(1.0, 2.0)) shouldBe null
     }
 
-    test("a line is cut where it leaves a chart") {
-        val falling = checkNotNull(UsualLine.through(listOf(0.0, 10.0), listOf(20.0, 0.0)))
+    test("a line ends at the edge of a chart") {
+        val falling = checkNotNull(TheilSenLine.through(listOf(0.0, 10.0), listOf(20.0, 0.0)))
         falling.within(0.0..10.0, 4.0..16.0) shouldBe (2.0 to 8.0)
         falling.within(0.0..10.0, -50.0..50.0) shouldBe (0.0 to 10.0)
         falling.within(0.0..10.0, 30.0..50.0) shouldBe null

@@ -1,11 +1,11 @@
 package badlog.charts.kind
 
 /**
- * The line that most points are near: Theil and Sen’s, the median of the slopes between all pairs. A few points far away, which are those that
- * a chart is to show, do not turn it.
+ * The Theil–Sen line through most points: its slope is the median of the slopes between all pairs. A few outliers, which the chart has to
+ * show, do not turn it.
  */
-internal class UsualLine(val slope: Double, private val intercept: Double) {
-    /** Returns its height at [x]. */
+internal class TheilSenLine(val slope: Double, private val intercept: Double) {
+    /** Returns its y at [x]. */
     fun at(x: Double): Double = intercept + slope * x
 
     /** Returns the part of [x] in which it is within [y]; null if it is nowhere. */
@@ -22,9 +22,9 @@ internal class UsualLine(val slope: Double, private val intercept: Double) {
          *
          * @throws InterruptedException if the thread was interrupted.
          */
-        fun through(x: List<Double>, y: List<Double>): UsualLine? {
+        fun through(x: List<Double>, y: List<Double>): TheilSenLine? {
             // There are as many slopes as pairs, and more points would not give another line.
-            val count = minOf(x.size, MOST_POINTS)
+            val count = minOf(x.size, MAX_POINTS)
             val chosen = IntArray(count) { (it.toLong() * x.size / count).toInt() }
             val slopes = DoubleArray(count * (count - 1) / 2)
             var known = 0
@@ -38,10 +38,10 @@ internal class UsualLine(val slope: Double, private val intercept: Double) {
             if (known == 0) return null
             slopes.sort(0, known)
             val slope = (slopes[(known - 1) / 2] + slopes[known / 2]) / 2
-            return UsualLine(slope, Quartiles.of(x.indices.map { y[it] - slope * x[it] }).median)
+            return TheilSenLine(slope, Quartiles.of(x.indices.map { y[it] - slope * x[it] }).median)
         }
 
-        /** They have half a million pairs. */
-        private const val MOST_POINTS = 1000
+        /** The number of points with half a million pairs. */
+        private const val MAX_POINTS = 1000
     }
 }

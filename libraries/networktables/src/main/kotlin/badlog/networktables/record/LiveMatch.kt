@@ -3,13 +3,13 @@ package badlog.networktables.record
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** What the robot's topics in `/FMSInfo`, or from 2027 on in `/DriverStation`, say of the match. */
-internal class MatchFacts {
+/** The match according to the robot's topics in `/FMSInfo`, or from 2027 on in `/DriverStation`. */
+internal class LiveMatch {
     private var event = ""
     private var type = 0L
     private var number = 0L
 
-    /** Whether the robot is enabled; null if it does not say so. */
+    /** Whether the robot is enabled; null if unknown. */
     var isEnabled: Boolean? = null
         private set
 
@@ -24,7 +24,7 @@ internal class MatchFacts {
             return (if (place.isEmpty()) "" else "_$place") + "_${TYPES[type.toInt() - 1]}$number"
         }
 
-    /** Takes a value of the topic [name], as in a record. */
+    /** Handles a value of the topic [name], in the form of a record's payload. */
     fun handle(name: String, payload: ByteArray) {
         when (name.substringAfterLast('/')) {
             "EventName" -> event = payload.decodeToString()
@@ -42,13 +42,13 @@ internal class MatchFacts {
         /** The folders of these topics, until 2026 and from 2027 on. */
         val FOLDERS = listOf("/FMSInfo/", "/DriverStation/")
 
-        /** Returns whether the topic [name] is one of them. */
-        fun isOne(name: String): Boolean = FOLDERS.any { name.startsWith(it) && name.indexOf('/', it.length) < 0 }
+        /** Returns whether the topic [name] is directly in one of these folders. */
+        fun isMatchTopic(name: String): Boolean = FOLDERS.any { name.startsWith(it) && name.indexOf('/', it.length) < 0 }
 
         /** The topic that says whether the robot is enabled, in its lowest bit. */
         const val CONTROL = "FMSControlData"
 
-        /** The same from 2027 on: a struct of 64 bits, of which the lower 58 are the op mode. */
+        /** The same from 2027 on: a struct of 64 bits, the lower 58 of them the op mode. */
         const val CONTROL_2027 = "ControlWord"
         private const val ENABLED = 1L
         private const val ENABLED_2027 = 1L shl 58

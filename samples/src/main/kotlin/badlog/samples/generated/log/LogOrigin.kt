@@ -4,15 +4,15 @@ import badlog.samples.generated.robot.MatchRun
 import badlog.samples.generated.robot.Phase
 
 /**
- * Who logs the match of a robot whose program uses WPILib's own logger.
+ * The logger and season of a match that WPILib's own logger records.
  *
- * @property clockSeconds what its clock shows more than that of a robot of 2026, which begins with the program.
+ * @property clockSeconds the offset of its clock in s from a 2026 robot's, which starts with the program.
  */
-internal enum class Wording(val clockSeconds: Double) {
-    /** As the names of the match are; the robot of 2026 for WPILib's. */
+internal enum class LogOrigin(val clockSeconds: Double) {
+    /** The naming of the match; for WPILib's logger, a 2026 robot. */
     AS_NAMED(0.0),
 
-    /** The robot of 2027, whose clock began a day before. */
+    /** The robot of 2027, with a clock that started a day earlier. */
     ROBOT_OF_2027(86_400.0),
 
     /** The Driver Station of 2027, on a laptop that has been on for five hours. */
@@ -20,7 +20,8 @@ internal enum class Wording(val clockSeconds: Double) {
 }
 
 /**
- * The names of WPILib's logger on a robot of 2027: a struct with the control word, Telemetry instead of a dashboard, and poses as structs.
+ * Returns the topics of WPILib's logger on a robot of 2027: a struct with the control word, Telemetry instead of a dashboard, and poses as
+ * structs.
  */
 internal fun robotTopicsOf2027(run: MatchRun): List<LoggedTopic> = TopicList().apply {
     for (folder in listOf("DS:c", "NT:/DriverStation/C")) {
@@ -40,7 +41,7 @@ internal fun robotTopicsOf2027(run: MatchRun): List<LoggedTopic> = TopicList().a
     }
 }.topics
 
-/** What the Driver Station of 2027 logs of the same match. */
+/** Returns the topics that the Driver Station of 2027 logs in the same match. */
 internal fun stationTopicsOf2027(run: MatchRun): List<LoggedTopic> = TopicList().apply {
     val robot = run.robot
     add("systemTime", ValueType.Whole, null, every = CLOCK_LOOPS) { wallMicros(run) }
@@ -76,10 +77,10 @@ private fun packedWord(run: MatchRun): Long =
 
 private fun bit(index: Int, isSet: Boolean) = if (isSet) 1L shl index else 0L
 
-/** The time of day at which the loop of [run] ran. */
+/** Returns the time of the current loop of [run], in µs since 1970. */
 private fun wallMicros(run: MatchRun): Long = SEASON_MICROS + Math.floorMod(run.plan.seed, MATCHES) * HOUR_MICROS + (run.now * 1e6).toLong()
 
-/** 2027-03-06 15:00:00 UTC: the first match of the season. One follows another after an hour. */
+/** 2027-03-06 15:00:00 UTC: the first match of the season. Matches are an hour apart. */
 private const val SEASON_MICROS = 1_804_345_200_000_000L
 private const val HOUR_MICROS = 3_600_000_000L
 private const val MATCHES = 997L

@@ -9,14 +9,14 @@ import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
 
 /**
- * Follows what servers send, and decides what is written. Use it on one thread; the functions throw [java.io.IOException] if the log cannot
- * be written.
+ * Handles the events of all servers and decides which values are written. Use it on one thread; the functions throw [java.io.IOException]
+ * if the log cannot be written.
  *
- * @param sources the servers; the first is the robot's, whose clock is that of the log.
+ * @param sources the servers; the first is the robot's, and the log uses its clock.
  * @param dropped returns the number of values dropped so far.
- * @param clock returns this computer's time in µs, from any moment.
+ * @param clock returns this computer's time in µs, from an arbitrary origin.
  */
-internal class Session(
+internal class RecordSession(
     private val sources: List<Source>,
     private val options: RecordOptions,
     private val listener: RecordListener,
@@ -25,7 +25,7 @@ internal class Session(
 ) {
     private val robot = sources.first()
     private val output = LogOutput(options)
-    private var match = MatchFacts()
+    private var match = LiveMatch()
     private var subscriptions = 0
     private var ignored = 0L
     private var flushedMicros = 0L
@@ -33,13 +33,13 @@ internal class Session(
     private var connectedMicros = 0L
     private var isSilenceNoted = false
 
-    /** How far it is. */
+    /** The current progress. */
     val progress: RecordProgress get() = output.progress(robot.isSubscribed)
 
     fun take(incoming: Incoming) {
         val source = incoming.link.source
         if (incoming is Incoming.Opened) return opened(source, incoming.link)
-        // Of a connection that has been replaced.
+        // The connection has been replaced.
         if (source.link !== incoming.link) return
         when (incoming) {
             is Incoming.Text -> for (message in serverMessages(incoming.text) { ignore(source, it) }) take(source, message)
@@ -58,7 +58,7 @@ internal class Session(
         val isSilent = options.isPerEnable && robot.isSubscribed && match.isEnabled == null && now - connectedMicros > PAUSE_MICROS
         if (isSilent && !isSilenceNoted) {
             isSilenceNoted = true
-            val missing = "neither ${MatchFacts.CONTROL} nor ${MatchFacts.CONTROL_2027}"
+            val missing = "neither ${LiveMatch.CONTROL} nor ${LiveMatch.CONTROL_2027}"
             note("The robot publishes $missing, so nobody knows when it is enabled; record the whole session instead.")
         }
     }
@@ -93,13 +93,13 @@ internal class Session(
         if (isAnother) clockChanged(source, before)
         val link = source.link ?: return
         if (source.isSubscribed) {
-            // The server's values are those of its former clock; connected anew, it sends those of the new one.
+            // The server's values have times of its former clock; after reconnecting it sends them with the new one.
             if (isAnother) link.close("its clock was set")
             return
         }
         source.isSubscribed = true
         subscribe(link, "", isAll = options.isWanted == null)
-        if (options.isWanted != null) MatchFacts.FOLDERS.forEach { subscribe(link, it, isAll = true) }
+        if (options.isWanted != null) LiveMatch.FOLDERS.forEach { subscribe(link, it, isAll = true) }
         if (options.isWanted != null) subscribe(link, SCHEMAS, isAll = true)
         if (source.isRobot) connectedMicros = local
         if (output.isOpen) {
@@ -111,7 +111,7 @@ internal class Session(
         listener.connected(source.server.name, link.address)
     }
 
-    /** The server of [source] has another clock; by the former one, it is [before] now. */
+    /** Handles a new clock of the server of [source]; its former clock would now show [before]. */
     private fun clockChanged(source: Source, before: Long) {
         val name = source.server.name
         if (source.isRobot) {
@@ -119,7 +119,7 @@ internal class Session(
             if (output.isOpen) listener.noted(text)
             output.message(text, before)
             finish(before)
-            match = MatchFacts()
+            match = LiveMatch()
         } else {
             note("The clock of the $name began anew, as after a restart of its program; its values are still in the robot's time.")
         }
@@ -164,7 +164,7 @@ internal class Session(
 
     private fun announced(source: Source, message: ServerMessage.Announce) {
         val logName = source.server.prefix + message.name
-        val isAlways = message.name.startsWith(SCHEMAS) || MatchFacts.isOne(message.name)
+        val isAlways = message.name.startsWith(SCHEMAS) || LiveMatch.isMatchTopic(message.name)
         val wanted = options.isWanted
         if (wanted != null && !isAlways && !wanted(logName)) return
         if (source.server.isMirror && message.name in robot.byName) return
@@ -183,7 +183,7 @@ internal class Session(
         if (wanted != null && !isAlways) source.link?.let { subscribe(it, message.name, isAll = true, isPrefix = false) }
     }
 
-    /** The mirror [source] was faster than the robot to announce the topic [name]. */
+    /** Stops recording the topic [name] from the mirror [source], which announced it before the robot did. */
     private fun unmirror(source: Source, name: String) {
         val topic = source.byName.remove(name) ?: return
         source.byId.values.remove(topic)
@@ -199,7 +199,7 @@ internal class Session(
     private inner class Values(private val source: Source, private val localMicros: Long) : ValueSink {
         override fun typeOf(id: Long): TopicType? {
             val topic = source.byId[id]
-            // Values are sent after the announcement of their topic, but for those that are not wanted.
+            // Values follow their topic's announcement; unknown ids belong to topics that are not recorded.
             return topic?.type
         }
 
@@ -213,8 +213,8 @@ internal class Session(
             topic.latest = payload
             topic.latestMicros = micros
             val wasOpen = output.isOpen
-            if (source.isRobot && MatchFacts.isOne(topic.name)) handle(topic, payload)
-            // A file that was opened by this value has it.
+            if (source.isRobot && LiveMatch.isMatchTopic(topic.name)) handle(topic, payload)
+            // A file opened because of this value already contains it.
             val isInOrder = if (wasOpen) output.value(topic, time) else true
             if (!isInOrder) {
                 note(
@@ -242,14 +242,14 @@ internal class Session(
         match.nameEnd?.let(output::match)
     }
 
-    /** The robot's time now; 0 if it is not known, when no file is open either. */
+    /** Returns the robot's current time; 0 if unknown, in which case no file is open. */
     private fun robotMicros(): Long = robot.sync.offset?.let { clock() + it } ?: 0
 
-    /** Returns [micros] of the server of [source] in the robot's time. */
+    /** Converts [micros] of the server of [source] to the robot's time. */
     private fun logMicros(source: Source, micros: Long): Long {
-        val own = source.sync.offset
-        val robots = robot.sync.offset
-        return if (source.isRobot || own == null || robots == null) micros else micros - own + robots
+        val ownOffset = source.sync.offset
+        val robotOffset = robot.sync.offset
+        return if (source.isRobot || ownOffset == null || robotOffset == null) micros else micros - ownOffset + robotOffset
     }
 
     private fun ignore(source: Source, what: String) {
@@ -264,7 +264,7 @@ internal class Session(
     private companion object {
         const val SCHEMAS = "/.schema/"
 
-        /** How often the server sends values. */
+        /** The period with which the server sends values. */
         const val PERIOD_SECONDS = 0.05
 
         /** With that period, and a sync each 100 ms, a cut costs less than 0.25 s. */

@@ -1,0 +1,45 @@
+package badlog.viewer.state
+
+import badlog.viewer.choices.board.Board
+
+/** An action that changes the graphs of the board, besides keys. */
+sealed interface BoardAction : Action {
+    /** Begins with [board], without a history, as for another log. Then shows [visited], the board of a link, if there is one. */
+    data class Begin(val board: Board, val visited: Board? = null) : BoardAction
+
+    /** Begins with [board] instead of the graphs that a person arranged; those that show a finding stay above it. */
+    data class BeginBelowEvidence(val board: Board) : BoardAction
+
+    /**
+     * Begins with [drawn], graphs that can be drawn, unless a person has changed something. Those that are new are there to show a
+     * finding.
+     */
+    data class BeginWithEvidence(val drawn: Board) : BoardAction
+
+    /** Shows [board], the board of a link. Undoing brings back the person's own board, which stays remembered until a change. */
+    data class Visit(val board: Board) : BoardAction
+
+    /** Shows [board] instead of all graphs; can be undone. */
+    data class ShowAll(val board: Board) : BoardAction
+
+    /** Shows [board] instead of the graphs that are drawn; can be undone. */
+    data class Show(val board: Board) : BoardAction
+
+    /** Takes back the change from the graphs [before] to [after]; later changes stay. */
+    data class TakeBack(val before: Board, val after: Board) : BoardAction
+
+    /** Takes over what others have changed of the board, which is [stored] now and was [read] before. */
+    data class Merge(val stored: Board, val read: Board) : BoardAction
+
+    /** Calls the line [line] [name] from now on, also in what undoing restores. */
+    data class Rename(val line: String, val name: String) : BoardAction
+
+    /** Removes [lines], which can be drawn no more, also from what undoing restores. */
+    data class Forget(val lines: Set<String>) : BoardAction
+
+    /** Shows [board] above all other graphs. It replaces the unchanged graphs of the previous finding. */
+    data class ShowEvidence(val board: Board) : BoardAction
+
+    /** Keeps graph [id], which shows a finding; all of them for null. They then count as arranged by a person. */
+    data class Keep(val id: Int? = null) : BoardAction
+}

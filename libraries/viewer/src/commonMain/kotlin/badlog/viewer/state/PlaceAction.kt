@@ -1,0 +1,76 @@
+package badlog.viewer.state
+
+import badlog.core.analysis.Span
+import badlog.rules.Finding
+import badlog.viewer.choices.range.Viewport
+import badlog.viewer.draw.mark.FindingPlace
+import badlog.viewer.shown.cursor.Cursors
+
+/** What changes where a person is in a log, besides keys: gestures, lists, videos, files. See [Place]. */
+sealed interface PlaceAction : Action {
+    /** Shows all of [full], as for another log: without cursor, selection and finding. */
+    data class Open(val full: Span) : PlaceAction
+
+    /** Shows a log that has grown to [full]. If that is another x axis, as [isOtherAxis] says, all of it is shown. */
+    data class Grow(val full: Span, val isOtherAxis: Boolean = false) : PlaceAction
+
+    /** Goes to the end of the log, and stays there if the log grows. */
+    data object GoToEnd : PlaceAction
+
+    /** Goes to the end of a log that has grown; going back skips this. */
+    data object FollowEnd : PlaceAction
+
+    /** Keeps the visible range while the log grows. */
+    data object Pause : PlaceAction
+
+    /** Pins the cursor at [x], or at the nearest end of the log, and shows it; if it [isWithSurroundings], these, too. */
+    data class GoTo(val x: Double, val isWithSurroundings: Boolean = false) : PlaceAction
+
+    /** Selects [finding] where the person is; null for none. */
+    data class Visit(val finding: FindingPlace<Finding>?) : PlaceAction
+
+    /** Shows x between [from] and [to], in any order; going back returns from it. */
+    data class Show(val from: Double, val to: Double) : PlaceAction
+
+    /** Shows the selected range. */
+    data object ShowSelection : PlaceAction
+
+    /** Remembers the visible range for going back, at the start of a gesture of many steps. */
+    data object Remember : PlaceAction
+
+    /** Shows x between [from] and [to], in any order, as one of many steps. */
+    data class Move(val from: Double, val to: Double) : PlaceAction
+
+    /** Moves the visible range by [distance] in x, backwards if negative, as one of many steps. */
+    data class Shift(val distance: Double) : PlaceAction
+
+    /** Makes the visible range [factor] times as wide around [center], as one of many steps. */
+    data class Scale(val factor: Double, val center: Double) : PlaceAction
+
+    /** Shows [range], to which a gesture has led, or in which it began. */
+    class Range internal constructor(internal val range: Viewport) : PlaceAction
+
+    /** Selects [span]; null for nothing. */
+    data class Select(val span: Span?) : PlaceAction
+
+    /** Moves the pointer to [x]. */
+    data class Hover(val x: Double) : PlaceAction
+
+    /** The pointer leaves the graphs. */
+    data object Leave : PlaceAction
+
+    /** Clicks [x], or shift-clicks it, see [Cursors.clicked]. */
+    data class Click(val x: Double, val reach: Double, val isShifted: Boolean) : PlaceAction
+
+    /** Clicks [x] in the overview: pins the cursor there, and shows it in the middle if it is not visible. */
+    data class Pick(val x: Double) : PlaceAction
+
+    /** Moves the cursor at which values are read to [x]; a pinned one stays pinned. */
+    data class MoveCursor(val x: Double) : PlaceAction
+
+    /** Places the cursors as they were before the first click of two. */
+    class Point internal constructor(internal val cursors: Cursors) : PlaceAction
+
+    /** Removes the first of these that exists: selection, second cursor, pinned cursor, cursor. */
+    data object Cancel : PlaceAction
+}
