@@ -42,16 +42,15 @@ internal class ExportCommand :
         "export match.bag --rules my-rules.toml --attach notes.txt",
     )
 
-    override fun makeTask(): Task =
-        ExportTask(
-            paths,
-            output.plan(paths, match.isOne),
-            attachments,
-            compared,
-            video,
-            search.search(hooks, virtual.definitions),
-            isJson,
-            field,
-            match.choice(paths),
-        )
+    override fun makeTask(): Task = ExportTask(
+        paths,
+        output.plan(paths, match.isOne),
+        attachments,
+        compared,
+        video,
+        search.search(hooks, virtual.definitions),
+        isJson,
+        field,
+        match.choice(paths, isJson),
+    )
 }

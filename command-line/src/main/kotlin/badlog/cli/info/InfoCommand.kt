@@ -66,7 +66,7 @@ internal class InfoCommand :
             if (showsProblems) add(InfoPart.PROBLEMS)
         }
         if (xTopic != null && match.isOne) throw UsageError("--x cannot be used together with --align or --offset; merge the logs first")
-        return InfoTask(paths, parts, xTopic, virtual.definitions, only.choice, isJson, match.choice(paths))
+        return InfoTask(paths, parts, xTopic, virtual.definitions, only.choice, isJson, match.choice(paths, isJson))
     }
 }
 

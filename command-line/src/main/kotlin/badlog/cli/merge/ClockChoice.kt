@@ -1,11 +1,10 @@
 package badlog.cli.merge
 
+import badlog.catalog.match.roleOf
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
-import badlog.files.isOfDriverStation
-import badlog.formats.revlog.RevlogFormat
 import badlog.signals.clock.ClockFit
 import badlog.signals.clock.ClockPlace
 import badlog.signals.clock.ClockedLog
@@ -13,6 +12,7 @@ import badlog.signals.clock.EnabledEdge
 import badlog.signals.clock.motorFit
 import badlog.signals.clock.onOneClock
 import badlog.signals.match.NaturalOrder
+import badlog.signals.match.files.FileRole
 import badlog.signals.withSignals
 import java.math.BigDecimal
 import java.nio.file.Path
@@ -88,22 +88,32 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
             val seconds = place.seconds + later
             if (round(seconds * MICROS) == 0.0) return@mapIndexed part
             val isByMotors = isOfMotors(part)
-            val by = part.later(if (isByMotors) maxOf(seconds, -part.firstX) else seconds)
+            // The robot's clock stays, so that what motor controllers logged before its 0 has no place.
+            val by = (if (isByMotors) part.since(-seconds) else part).later(seconds)
             val fit = place.fit ?: places.mapNotNull { it?.fit }.takeIf { later != 0.0 }?.minByOrNull { it.edges }
             by.also { moves += Move(it, fit?.edges ?: 0, fit?.error ?: 0.0, if (isByMotors) "motors driven" else "enabled") }
         }
-        val beside = station?.let { one -> one.beside(moved[own.indexOf(one.robot)]).also { moves += Move(it, one.fit.edges, one.fit.error) } }
+        val beside = station?.let { one ->
+            one.beside(moved[own.indexOf(one.robot)]).also { moves += Move(it, one.fit.edges, one.fit.error) }
+        }
         return MovedLogs(moved + listOfNotNull(beside), moves)
     }
 
     /** Whether nothing says where one of [parts] stands, so that all of them may move. */
-    private fun isFree(parts: List<LogPart>) = alignsEnabled && offsets.isEmpty() && parts.none(::isOfMotors)
+    private fun isFree(parts: List<LogPart>) = alignsEnabled && parts.none { part -> offsets.any { it.isOf(part.file) } }
 
     private fun placesOf(parts: List<LogPart>): List<ClockPlace?> {
         val given = parts.indices.mapNotNull { i -> offsets.find { it.isOf(parts[i].file) }?.let { i to it.seconds } }.toMap()
         val others = parts.indices.filter { it !in given && !isOfMotors(parts[it]) }
-        // The first keeps its clock; without --align, so do all.
-        val kept = if (alignsEnabled) others.take(1) else others
+        // The others are aligned with a log that has an offset, or else with the first; without --align, all keep their clocks.
+        val isBesideGiven = given.keys.any { !isOfMotors(parts[it]) }
+        val kept = if (!alignsEnabled) {
+            others
+        } else if (isBesideGiven) {
+            emptyList()
+        } else {
+            others.take(1)
+        }
         val edges = if (alignsEnabled && others.size + given.size > 1) edgesOf(parts, others, given.keys) else emptyMap()
         val places = onOneClock(parts.size, given + kept.associateWith { 0.0 }) { one, other -> fitOf(parts, edges, one, other) }
         if (alignsEnabled) parts.indices.find { places[it] == null }?.let { throw unplaced(parts, it) }
@@ -114,9 +124,8 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     private fun edgesOf(parts: List<LogPart>, others: List<Int>, given: Set<Int>): Map<Int, List<EnabledEdge>> {
         val shown = (others + given).associateWith { clocked(parts[it]).edges }
         others.find { shown.getValue(it).isEmpty() }?.let { silent ->
-            throw Failure(
-                "${parts[silent].file} does not show when the robot was enabled or disabled; use --offset ${parts[silent].file}=SECONDS instead.",
-            )
+            val file = parts[silent].file
+            throw Failure("$file does not show when the robot was enabled or disabled; use --offset $file=SECONDS instead.")
         }
         return shown
     }
@@ -141,32 +150,34 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
 
     /** Returns by how much all of [parts] move, so that one keeps its clock, and none without rows begins before 0. */
     private fun laterFor(parts: List<LogPart>, places: List<ClockPlace?>): Double {
-        val offsets = places.map { it?.seconds ?: 0.0 }
-        val last = offsets.max()
-        val early = parts.zip(offsets).filterNot { (part, _) -> part.hasRows || part.firstX.isNaN() }
+        val offsets = parts.indices.filterNot { isOfMotors(parts[it]) }.map { parts[it] to (places[it]?.seconds ?: 0.0) }
+        val last = offsets.maxOfOrNull { (_, offset) -> offset } ?: return 0.0
+        val early = offsets.filterNot { (part, _) -> part.hasRows || part.firstX.isNaN() }
             .minOfOrNull { (part, offset) -> part.firstX + offset - last }
         return maxOf(0.0, -(early ?: 0.0)) - last
     }
 
-    /** Returns how the clock of a log of REV's motor controllers, which does not show when the robot was enabled, relates to [robot]'s. */
+    /**
+     * Returns how the clock of a log of REV's motor controllers, which does not show when the robot was enabled, relates to [robot]'s.
+     */
     private fun byMotors(part: LogPart, robot: LogPart): ClockFit? {
         val signals = signalsBeside(robot.file)
         val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals, it.file.fileName.toString()) }
         return motorFit(own, others, signals)
     }
-
-    private fun clocked(part: LogPart) = ClockedLog(part.file.fileName.toString(), part.recording, signalsBeside(part.file))
 }
 
-/** Whether [part] is a log of REV's motor controllers. */
-internal fun isOfMotors(part: LogPart): Boolean = part.recording.format == RevlogFormat
+private fun isOfMotors(part: LogPart): Boolean = part.role == FileRole.MOTORS
 
-/**
- * The order of logs in a merge, whatever the order in which they were named: those of robots, those of Driver Stations, those of motor
- * controllers; in each case by name.
- */
+/** Returns what shows which other log is from the same time as [part]. */
+internal fun clocked(part: LogPart) = ClockedLog(part.file.fileName.toString(), part.recording, signalsBeside(part.file))
+
+/** What wrote this log. */
+internal val LogPart.role: FileRole get() = roleOf(file.fileName.toString(), recording)
+
+/** The order of logs in a merge, whatever the order in which they were named: by what wrote them, and then by name. */
 internal val PART_ORDER: Comparator<LogPart> =
-    compareBy<LogPart> { part -> if (isOfMotors(part)) 2 else if (part.recording.isOfDriverStation) 1 else 0 }
+    compareBy<LogPart> { it.role }
         .thenBy(NaturalOrder) { it.file.fileName.toString() }
         .thenBy { it.file.toAbsolutePath().normalize().toString() }
 
@@ -187,7 +198,7 @@ internal fun LogPart.later(seconds: Double): LogPart {
         fun later(times: DoubleArray) = moved.getOrPut(times) { DoubleArray(times.size) { round(times[it] * MICROS + micros) / MICROS } }
         val topics = recording.topics.map { it.copy(times = it.times?.let(::later)) }
         if (firstX * MICROS + micros < 0) throw Failure("$file would start before 0; give the other logs a positive --offset instead.")
-        return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
+        return with(recording.copy(topics = topics), offset + micros / MICROS)
     }
     val x = xTopic ?: throw Failure("$file has no x axis, so it cannot be moved; name the topic of time with --x.")
     if (Units.secondsIn(x.unit) == null && !Units.isNone(x.unit)) {
@@ -196,7 +207,7 @@ internal fun LogPart.later(seconds: Double): LogPart {
     val by = BigDecimal.valueOf(micros / MICROS / secondsPerX)
     val later = x.copy(samples = DoubleArray(x.samples.size) { x.samples[it].plus(by) })
     val topics = recording.topics.map { if (it === x) later else it }
-    return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
+    return with(recording.copy(topics = topics), offset + micros / MICROS)
 }
 
 /** Decimal addition, without rounding errors of binary fractions. */

@@ -38,6 +38,9 @@ internal class MergeCommand :
 
     override fun makeTask(): Task {
         if (appends && joins) throw UsageError("--append and --join cannot be used together")
+        if (isZip(out) && (appends || joins || xTopic != null)) {
+            throw UsageError("a ZIP has the logs as they are, so --append, --join and --x cannot be used with it")
+        }
         val mode = if (appends) {
             MergeMode.APPEND
         } else if (joins) {
@@ -45,6 +48,6 @@ internal class MergeCommand :
         } else {
             MergeMode.BY_TOPICS
         }
-        return MergeTask(paths, match.merging(paths, mode), out, OutputPlan(null, paths, isForced), xTopic, isJson)
+        return MergeTask(paths, match.merging(paths, mode, acceptsOnly = true), out, OutputPlan(null, paths, isForced), xTopic, isJson)
     }
 }

@@ -18,7 +18,7 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
     val parts = merge.groups.flatMap { it.parts }
     val salvaged = parts.filter { it.recording.isSalvaged }
         .map { wrapped("  salvaged: ", "${it.file}; badlog info shows what is lost", INDENT) }
-    val text = listOf("-> $target") + textLines(merge, leftOut) + clockLines(moved) + leftOut.lines + salvaged
+    val text = listOf("-> $target") + textLines(merge, leftOut) + clockLines(moved.moves, moved.pauses) + leftOut.lines + salvaged
     val repeated = merge.groups.sumOf { it.repeated }
     val hasRows = recording.format.hasRows
     val json = MergeJson(
@@ -40,7 +40,7 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
 /** Returns the outcome of a ZIP of the logs [moved], as they are, which was written to [target]. */
 internal fun zipOutcome(moved: MovedLogs, target: Path): Outcome {
     val count = counted(moved.parts.size.toLong(), "log")
-    val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved)
+    val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved.moves, moved.pauses)
     val json = ZipJson(moved.parts.map { it.file.toString() }, moved.moves.map(::MoveJson), moved.pauses.map(::PauseJson))
     return Outcome(isSalvaged = false, text.joinToString("\n"), jsonOf(json))
 }
@@ -63,6 +63,11 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
         }
         if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), "duplicate $noun")}, kept once")
     }
+    addAll(renamedLines(merge))
+}
+
+/** Returns what has another name than in its log. */
+internal fun renamedLines(merge: Merged): List<String> = buildList {
     for (renaming in merge.renamed.take(LISTED)) {
         val why = if (renaming.reason.isEmpty()) "" else "; ${renaming.reason}"
         add(wrapped("  renamed: ", "“${renaming.from}” of ${renaming.part.file} is “${renaming.to}”$why", INDENT))
@@ -70,7 +75,8 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
 
-private fun clockLines(moved: MovedLogs): List<String> = moved.moves.map { move ->
+/** Returns what [moves] and [pauses] mean. */
+internal fun clockLines(moves: List<Move>, pauses: List<Pause>): List<String> = moves.map { move ->
     val by = "${move.part.file} by ${shortNumber(move.part.offset, DIGITS)} s"
     val how = when (move.edges) {
         0 -> if (move.error > 0) "; aligned by the clocks, to about ${shortNumber(move.error, ERROR_DIGITS)} s" else ""
@@ -78,7 +84,7 @@ private fun clockLines(moved: MovedLogs): List<String> = moved.moves.map { move 
         else -> "; ${move.edges} edges of ${move.what} fit within ${shortNumber(move.error, ERROR_DIGITS)} s"
     }
     wrapped("  moved: ", by + how, INDENT)
-} + moved.pauses.map { pause ->
+} + pauses.map { pause ->
     val text = "${pause.one.file} ends ${XTime.clock(pause.seconds)} before ${pause.other.file} begins; if they were recorded together, " +
         "use --align enabled or --offset"
     wrapped("  apart: ", text, INDENT)

@@ -2,11 +2,9 @@ package badlog.cli.merge
 
 import badlog.catalog.match.FileForZip
 import badlog.catalog.match.writeMatchZip
-import badlog.cli.command.Outcome
 import badlog.cli.input.Failure
 import badlog.cli.output.LogFormat
 import badlog.cli.output.writeLog
-import badlog.files.isOfDriverStation
 import badlog.files.terminal.Progress
 import badlog.files.writeAtomically
 import badlog.signals.match.files.FileRole
@@ -17,7 +15,7 @@ import java.nio.file.Path
  *
  * @param station the folder to search for the Driver Station log of the robot's log, which is put beside it; empty for the log's own
  *   folder, null for none.
- * @param acceptsOnly whether that is the only one there is, whatever its clock, since a person named a single match.
+ * @param acceptsOnly whether that is the only one there is, whatever its clock, as long as its match does not contradict.
  */
 internal class Merging(
     private val mode: MergeMode,
@@ -25,53 +23,62 @@ internal class Merging(
     private val station: Path?,
     private val acceptsOnly: Boolean,
 ) {
+    private val finder = StationFinder()
+
     /**
      * Writes one log of [logs], in whatever order they are, to [target].
      *
      * @throws Failure if they cannot become one.
      */
-    fun write(logs: List<LogPart>, target: Path, progress: Progress): Outcome {
+    fun write(logs: List<LogPart>, target: Path, progress: Progress): MergeResult {
         val sorted = logs.sortedWith(PART_ORDER)
-        val robot = sorted.firstOrNull()
-        val beside = if (station == null || robot == null) null else StationPart.of(robot, folderBeside(robot.file, station), acceptsOnly)
+        if (sorted.isEmpty()) throw Failure("Merging needs at least two logs, but there is none.")
+        val beside = station?.let { stationFor(sorted, it) }
         val parts = sorted + listOfNotNull(beside?.part)
-        if (parts.size < 2) throw Failure("Merging needs at least two logs, but there is ${if (parts.isEmpty()) "none" else "one"}.")
+        if (parts.size < 2 && !parts[0].isMatch) throw Failure("Merging needs at least two logs, but there is one.")
         val moved = clocks.moved(parts, beside)
         return if (isZip(target)) zipped(moved, target) else merge(moved, target, progress)
     }
 
-    /** Whether a Driver Station's log of the match of [log] is found. */
-    fun hasStation(log: LogPart): Boolean = station != null && StationPart.find(log, folderBeside(log.file, station), acceptsOnly) != null
+    /** Writes one log of a robot's and a Driver Station's, [beside], to [target]. */
+    fun write(beside: StationPart, target: Path, progress: Progress): MergeResult =
+        merge(clocks.moved(listOf(beside.robot, beside.part), beside), target, progress)
+
+    /** Returns the Driver Station's log of the match of [log]; null if there is none. */
+    fun stationOf(log: LogPart): StationPart? = station?.let { finder.find(log, folderBeside(log.file, it), acceptsOnly) }
+
+    private fun stationFor(logs: List<LogPart>, folder: Path): StationPart {
+        val robots = logs.filter { it.role == FileRole.ROBOT && !it.isMatch }
+        // A camera's log, for example, does not show when the robot was enabled.
+        val robot = robots.find { clocked(it).edges.isNotEmpty() } ?: robots.firstOrNull()
+            ?: throw Failure("--with-ds needs the log of a robot; name one.")
+        return finder.of(robot, folderBeside(robot.file, folder), acceptsOnly)
+    }
 
     /** Topics keep times of their own if one log has them, or the result can. */
-    private fun merge(moved: MovedLogs, target: Path, progress: Progress): Outcome {
+    private fun merge(moved: MovedLogs, target: Path, progress: Progress): MergeResult {
         val parts = moved.parts
         val wanted = LogFormat.ofName(target)
         if (parts.all { it.hasRows } && wanted?.hasRows != false) {
             val merged = Merge(parts, mode).merged()
             val format = wanted ?: LogFormat.of(merged.recording)
-            return mergeOutcome(merged, moved, target, writeLog(merged.recording, format, target, progress = progress))
+            return MergeResult.Made(merged, moved, target, writeLog(merged.recording, format, target, progress = progress))
         }
         parts.find { !it.hasRows }?.let { wanted?.require(it.recording, target) }
         val records = MergedRecords(parts.map { it.withOwnTimes() }, mode)
         val merged = records.write(target, progress)
-        return mergeOutcome(merged, moved, target, records.leftOut)
+        return MergeResult.Made(merged, moved, target, records.leftOut)
     }
 
-    /** The files stay as they are; their clocks are stated beside them, that of the first being the match's. */
-    private fun zipped(moved: MovedLogs, target: Path): Outcome {
-        val own = moved.parts.first().offset
-        val errors = moved.moves.associate { it.part to it.error.takeIf { _ -> it.edges > 0 } }
-        val files = moved.parts.map { FileForZip(it.file, roleOf(it), it.offset - own, errors[it]) }
+    /** The files stay as they are; their clocks are stated beside them, that of the first robot's log being the match's. */
+    private fun zipped(moved: MovedLogs, target: Path): MergeResult {
+        moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} is of several logs; name these, to make one ZIP of all.") }
+        val robot = moved.parts.find { it.role == FileRole.ROBOT }
+            ?: throw Failure("A ZIP of a match needs the log of a robot, whose clock is that of the match; name one.")
+        val errors = moved.moves.associate { it.part to it.error.takeIf { _ -> it.edges > 1 } }
+        val files = moved.parts.map { FileForZip(it.file, it.role, it.offset - robot.offset, errors[it]) }
         writeAtomically(target) { writeMatchZip(files, it) }
-        return zipOutcome(moved, target)
-    }
-
-    private fun roleOf(part: LogPart): FileRole = when {
-        part.recording.isOfDriverStation -> FileRole.STATION
-        isOfMotors(part) -> FileRole.MOTORS
-        part.file.toString().endsWith(".hoot", ignoreCase = true) -> FileRole.CAN_BUS
-        else -> FileRole.ROBOT
+        return MergeResult.Zipped(moved, target)
     }
 }
 

@@ -63,7 +63,7 @@ internal class ReportCommand(private val parts: PluginLoader) :
             xTopic,
             match.station.takeUnless { match.isOne },
             parts,
-            match.choice(paths),
+            match.choice(paths, isJson),
         )
     }
 }

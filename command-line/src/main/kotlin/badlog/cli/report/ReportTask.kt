@@ -9,7 +9,6 @@ import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.merge.MatchChoice
-import badlog.cli.merge.isSingle
 import badlog.cli.merge.matched
 import badlog.cli.plugin.ChartService
 import badlog.cli.plugin.PluginLoader
@@ -80,7 +79,7 @@ internal class ReportTask(
             val named = search.namedRules()
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
-            stations = station?.let { StationsBeside(it, rules.signals, isSingle(paths)) }
+            stations = station?.let { StationsBeside(it, rules.signals) }
             Report(
                 rules,
                 search.hooksWith(named),
@@ -99,7 +98,7 @@ internal class ReportTask(
         }
         val logs = LogFiles(paths, console, opensMatches = true)
         val pages = try {
-            pagesPlan?.let { 
+            pagesPlan?.let {
                 val exporter = HtmlExporter(maker = maker)
                 ReportPages(ReportFolder(it.folder, logs.files, rules, search.virtualTopics, it.isForced, it.field, exporter))
             }

@@ -19,9 +19,8 @@ import java.util.concurrent.ConcurrentHashMap
  * Adds the Driver Station's log to each log of a robot, for rules. Thread-safe.
  *
  * @param folder the folder to search for them; empty for the folder of each log.
- * @param acceptsOnly see [StationLogs.of].
  */
-internal class StationsBeside(private val folder: Path, private val signals: SignalVocabulary, private val acceptsOnly: Boolean = false) {
+internal class StationsBeside(private val folder: Path, private val signals: SignalVocabulary) {
     private val logsIn = ConcurrentHashMap<Path, StationLogs>()
     private val found = ConcurrentHashMap<Path, Found>()
 
@@ -32,7 +31,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
         if (view.recording.isOfDriverStation) return view
         val below = if (folder.toString().isEmpty()) file.path.toAbsolutePath().parent else folder
         val robot = ClockedLog(file.name, view.recording, signals)
-        val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path, acceptsOnly) ?: return view
+        val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
         found[file.path] = Found(station.log.name, station.fit)
         return StationOverlay(view, station.station, station.fit, signals).forRules
     }

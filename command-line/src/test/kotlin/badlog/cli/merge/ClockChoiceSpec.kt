@@ -166,6 +166,29 @@ class ClockChoiceSpec : FunSpec({
         }
     }
 
+    test("the log of a robot comes before that of a CAN bus, whatever their names") {
+        inFolder { folder ->
+            val recording = readRecording(folder.match("robot", "a", 7.0), LOG_FORMATS)
+            listOf("aaa.hoot", "robot.wpilog").map { LogPart(folder / it, recording) }.sortedWith(PART_ORDER).map { "${it.file.fileName}" } shouldBe
+                listOf("robot.wpilog", "aaa.hoot")
+        }
+    }
+
+    test("a log with an offset keeps that, and the others are aligned with it") {
+        inFolder { folder ->
+            val one = folder.match("one", "a", 7.0)
+            val two = folder.match("two", "b", 1200.0)
+            for (order in listOf(listOf(one, two), listOf(two, one))) {
+                for ((offset, begin) in listOf("one.wpilog=3" to 10.0, "two.wpilog=-1100" to 100.0)) {
+                    val target = folder / "m.wpilog"
+                    badlog("merge", *order.toTypedArray(), "--align", "enabled", "--offset", offset, "-o", target, "--force").code shouldBe ExitCode.WHOLE
+                    val merged = readRecording(target, LOG_FORMATS)
+                    listOf("a", "b").map { merged.times(it)?.first() } shouldBe listOf(begin, begin)
+                }
+            }
+        }
+    }
+
     test("rows are moved in the unit of their x, and keep their digits") {
         inFolder { folder ->
             fun bag(name: String, unit: String, rows: String) = folder.with(

@@ -48,6 +48,32 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
+    test("what motor controllers logged before the robot's 0 is left out, rather than put where it does not belong") {
+        inFolder { folder ->
+            val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val late = arm.map { it.start + 2..it.endInclusive + 2 }
+            said("merge", robot, folder.with("REV_1.revlog", revlog(0.0, late)), "-o", folder / "both.wpilog") shouldContain "REV_1.revlog by -2 s"
+            val output = readRecording(folder / "both.wpilog", LOG_FORMATS).topics.single { it.name == "REV/Spark-3/APPLIED_OUTPUT" }
+            output.times?.first() shouldBe (0.02 plusOrMinus 0.021)
+            // The first start of the motor in both.
+            output.times?.get(output.samples.indexOfFirst { it > 0.1 }) shouldBe (3.0 plusOrMinus 0.021)
+        }
+    }
+
+    test("--align finds the clock of each log, also if the first of them would begin before 0 and there is one of motor controllers") {
+        inFolder { folder ->
+            fun enabled(late: Double) = listOf(late to false, late + 3 to true, late + 20 to false, late + 22 to true, late + 29 to false)
+            val early = folder.wpilog("a.wpilog", listOf(Logged("a/Robot Enabled", "boolean", "", enabled(5.0)), Logged("a/x", "double", "", listOf(0.0 to 1.0))))
+            val robot = folder.wpilog("b.wpilog", listOf(Logged("b/Robot Enabled", "boolean", "", enabled(0.0)), Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val motors = folder.with("REV_1.revlog", revlog(1.0, arm.map { it.start + 0.6..it.endInclusive + 0.6 }))
+            for (order in listOf(listOf(early, robot, motors), listOf(motors, robot, early))) {
+                val said = said("merge", *order.toTypedArray(), "--align", "enabled", "-o", folder / "all.wpilog", "--force")
+                said shouldContain "b.wpilog by 5 s"
+                said shouldContain "REV_1.revlog by 4.4 s"
+            }
+        }
+    }
+
     test("it is called a REV log everywhere, and what is written of it is a WPILOG by name, too") {
         inFolder { folder ->
             val log = folder.with("REV_1.revlog", revlog(1.0, arm))

@@ -112,7 +112,9 @@ class Report(
             if (file in unreadable) {
                 emptyList()
             } else {
-                LogContent.examined(file, virtualTopics, rules.signals, { it.overX(file) }, ReadOptions(cores = cores, maker = maker)) { content ->
+                LogContent.examined(file, virtualTopics, rules.signals, {
+                    it.overX(file)
+                }, ReadOptions(cores = cores, maker = maker)) { content ->
                     if (content !is LogContent.Log) return@examined emptyList()
                     hooks.map { hook -> HookOutcome.of(hook, content.recording).let { it to it.findings(content.view.xAxis.unit) } }
                 }

@@ -3,8 +3,10 @@ package badlog.exporter.program
 import badlog.exporter.BADLOG_VERSION
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
+import badlog.files.GzipReader
 import badlog.files.LogName
 import badlog.files.ResultPlace
+import badlog.formats.LOG_FORMATS
 import badlog.formats.READABLE_LOGS
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
@@ -22,6 +24,7 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.clikt.parameters.types.path
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -56,12 +59,16 @@ internal class ArgumentParser {
         var isAttaching = false
         var isValue = false
         for ((index, argument) in arguments.withIndex()) {
-            val isOption = argument.startsWith("-")
             if (argument == "--") return all + arguments.drop(index)
-            isAttaching = if (isOption) argument in ATTACHING else isAttaching && (isValue || isAttachment(argument))
-            if (isAttaching && !isOption && !isValue) all += ATTACHING.first()
+            if (argument.startsWith("-")) {
+                isValue = BEFORE_FILE.matches(argument)
+                isAttaching = isValue || WITH_FILE.matches(argument)
+            } else {
+                isAttaching = isAttaching && (isValue || isAttachment(argument))
+                if (isAttaching && !isValue) all += "-a"
+                isValue = false
+            }
             all += argument
-            isValue = isOption && isAttaching
         }
         return all
     }
@@ -69,9 +76,22 @@ internal class ArgumentParser {
     /** Whether [word], after a file to attach, is another one, rather than a log, a folder or the page. */
     private fun isAttachment(word: String): Boolean = try {
         val file = Path.of(word)
-        !LogName.of("${file.fileName}").mayBeLog && PAGES.none { word.endsWith(it, ignoreCase = true) } && Files.isRegularFile(file)
+        val name = "${file.fileName}"
+        // A log may have any name; what a file without an ending is, its name does not show.
+        '.' in name.drop(1) && !LogName.of(name).mayBeLog && PAGES.none { name.endsWith(it, ignoreCase = true) } &&
+            Files.isRegularFile(file) && !beginsLikeLog(file)
     } catch (_: InvalidPathException) {
         false
+    }
+
+    private fun beginsLikeLog(file: Path): Boolean {
+        val head = try {
+            Files.newInputStream(file).use { it.readNBytes(HEAD) }
+        } catch (_: IOException) {
+            return false
+        }
+        val isBag = head.decodeToString().removePrefix("\uFEFF").trimStart().let { it.startsWith("{") && BAG in it }
+        return isBag || GzipReader.isGzip(head, head.size) || LOG_FORMATS.any { it.matches(head, head.size) }
     }
 
     private class Command : CoreCliktCommand(NAME) {
@@ -135,7 +155,14 @@ internal class ArgumentParser {
 
     private companion object {
         const val NAME = "badlog-html"
-        val ATTACHING = listOf("-a", "--attach")
         val PAGES = listOf(".html", ".htm")
+
+        /** The option for a file to attach, which may follow others of one letter. */
+        val BEFORE_FILE = Regex("--attach|-[tcgo]*a")
+        val WITH_FILE = Regex("--attach=.+|-[tcgo]*a.+")
+
+        /** What the line of JSON of a bag has near its beginning. */
+        const val BAG = "\"topics\""
+        const val HEAD = 1 shl 16
     }
 }

@@ -54,7 +54,15 @@ class BadlogHtmlSpec : FunSpec({
         inFolder { folder ->
             val (one, two) = folder.with("a.txt", "one") to folder.with("b.txt", "two")
             val log = folder.with("match.bag")
-            for (arguments in listOf(listOf("-a", one, two, log), listOf(log, "--attach", one, two), listOf("-a", one, "-a", two, log))) {
+            val ways = listOf(
+                listOf("-a", one, two, log),
+                listOf(log, "--attach", one, two),
+                listOf("-a", one, "-a", two, log),
+                listOf(log, "--attach=$one", two),
+                listOf("-t", "-a$one", two, log),
+                listOf("-ta", one, two, log),
+            )
+            for (arguments in ways) {
                 val ended = run(*arguments.toTypedArray(), "--out", folder / "out/page.html")
                 ended.code shouldBe ExitCode.WHOLE
                 ended.lines shouldContainExactly listOf("${folder / "out/page.html"}")
@@ -63,6 +71,12 @@ class BadlogHtmlSpec : FunSpec({
             run("-a", one, log, folder / "out/page.html").code shouldBe ExitCode.WHOLE
             ReadPage(folder / "out/page.html").attachments.keys shouldBe setOf("a.txt")
             run("-a", one, two).code shouldBe ExitCode.USAGE
+            // A log is one by its content, whatever its name.
+            for (name in listOf("match", "match.txt", "match.dat")) {
+                val other = folder.with(name)
+                run("-a", one, other, "--out", folder / "$name.html").code shouldBe ExitCode.WHOLE
+                ReadPage(folder / "$name.html").attachments.keys shouldBe setOf("a.txt")
+            }
         }
     }
 

@@ -2,14 +2,15 @@ package badlog.catalog.match
 
 import badlog.core.recording.Problem
 import badlog.core.recording.Recording
-import badlog.files.FolderScan
 import badlog.files.LogMaker
 import badlog.files.LogName
 import badlog.files.NotReadException
 import badlog.files.ReadOptions
 import badlog.files.ReadResult
+import badlog.files.UnreadableFileException
 import badlog.files.inMadeFolder
 import badlog.files.isOfDriverStation
+import badlog.files.partsOfLog
 import badlog.files.readLog
 import badlog.files.reading
 import badlog.files.wholeLogs
@@ -24,16 +25,17 @@ import badlog.signals.match.files.FoundMatches
 import badlog.signals.match.files.MatchFile
 import badlog.signals.match.files.MatchManifest
 import badlog.signals.match.files.MatchManifestException
+import badlog.signals.match.files.StatedFile
 import badlog.signals.match.files.matchesOf
 import badlog.signals.match.files.recording
 import java.io.BufferedOutputStream
 import java.nio.file.Files
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
-import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.name
 
 /**
- * Makes one log of the files of a match: those in a ZIP, or those beside a `match.json`.
+ * Makes one log of the logs of a match: those in a ZIP, or those beside a `match.json` that it names.
  *
  * The logs of the folder are read by the signals that are beside the ZIP or the `match.json`.
  */
@@ -49,48 +51,78 @@ object MatchMaker : LogMaker {
         }
     }
 
+    /** Returns whether [file] is a ZIP or `match.json` of a match. */
+    fun isSource(file: Path): Boolean = isSource(file, reading(file) { Files.newInputStream(file).use { it.readNBytes(ZIP.length) } })
+
     override fun make(file: Path, made: Path, checkpoint: () -> Unit): List<Problem> {
-        val recording = inMadeFolder { folder ->
-            if (file.name == MatchManifest.NAME) {
-                val parent = file.toAbsolutePath().parent
-                val files = FolderScan.of(parent, checkpoint).files.map { it.path }
-                val manifest = reading(file) { Files.newInputStream(file).use { it.readNBytes(MANIFEST_BYTES) } }.decodeToString()
-                joined(file, manifest, files.associateBy { parent.relativize(it).invariantSeparatorsPathString }, checkpoint)
-            } else {
-                MatchZip(file).use { zip -> joined(file, zip.manifest(), zip.unpack(folder, checkpoint), checkpoint) }
+        val recording = if (file.name == MatchManifest.NAME) {
+            val stated = statedIn(file, textOf(file))
+            joined(file, stated, logsBeside(file, stated), checkpoint)
+        } else {
+            inMadeFolder { folder ->
+                MatchZip(file).use { zip ->
+                    joined(file, zip.manifest()?.let { statedIn(file, it) }.orEmpty(), zip.unpack(folder, checkpoint), checkpoint)
+                }
             }
         }
         writing(made) {
             BufferedOutputStream(Files.newOutputStream(made), BUFFER).use { out ->
+                // What a reader lacks in it is a problem of the logs already.
                 WpilogWriter(recording).write({ _, _ -> checkpoint() }) { bytes, size -> out.write(bytes, 0, size) }
             }
         }
         return recording.problems
     }
 
-    private fun joined(file: Path, manifest: String?, files: Map<String, Path>, checkpoint: () -> Unit): Recording {
-        val stated = try {
-            manifest?.let(MatchManifest::of)?.files.orEmpty().associateBy { it.name }
-        } catch (e: MatchManifestException) {
-            throw refused(file, e.message)
-        }
+    /** Returns the files that [manifest], a `match.json`, names and that exist, with the second files of logs; none if it cannot be read. */
+    fun filesOf(manifest: Path): Set<Path> = try {
+        logsBeside(manifest, statedIn(manifest, textOf(manifest))).values.flatMapTo(HashSet(), ::partsOfLog)
+    } catch (_: UnreadableFileException) {
+        emptySet()
+    }
+
+    private fun textOf(manifest: Path) = reading(manifest) {
+        Files.newInputStream(manifest).use { it.readNBytes(MANIFEST_BYTES) }
+    }.decodeToString()
+
+    private fun statedIn(file: Path, text: String): List<StatedFile> = try {
+        MatchManifest.of(text).files
+    } catch (e: MatchManifestException) {
+        throw refused(file, e.message)
+    }
+
+    private fun logsBeside(manifest: Path, stated: List<StatedFile>): Map<String, Path> =
+        stated.mapNotNull { file -> besideOrNull(manifest, file.name)?.let { file.name to it } }.toMap()
+
+    private fun besideOrNull(manifest: Path, name: String): Path? = try {
+        manifest.resolveSibling(name).takeIf { Files.isRegularFile(it) }
+    } catch (_: InvalidPathException) {
+        // Windows has no file of that name.
+        null
+    }
+
+    private fun joined(file: Path, stated: List<StatedFile>, files: Map<String, Path>, checkpoint: () -> Unit): Recording {
         val signals = FolderRules.of(file).rules.signals
+        val statedOf = stated.associateBy { it.name }
         val sentences = ArrayList<String>()
         val first = wholeLogs(files.values.toList()) { it }.toSet()
         val given = files.filterValues { it in first }.mapNotNull { (name, path) ->
             checkpoint()
-            if (isVideo(name)) return@mapNotNull MatchFile(name, FileRole.VIDEO, null, stated[name]?.seconds, stated[name]?.error)
             when (val read = readLog(path, LOG_FORMATS, ReadOptions(name = path.name))) {
-                is ReadResult.Read -> {
-                    val role = stated[name]?.role ?: roleOf(name, read.recording)
-                    MatchFile(name, role, ClockedLog(path.name, read.recording, signals), stated[name]?.seconds, stated[name]?.error)
+                is ReadResult.Read -> statedOf[name].let { one ->
+                    MatchFile(
+                        name,
+                        one?.role ?: roleOf(name, read.recording),
+                        ClockedLog(path.name, read.recording, signals),
+                        one?.seconds,
+                        one?.error,
+                    )
                 }
 
                 is ReadResult.NotRead -> null.also { sentences += "$name: ${read.message.replace("$path", name)}" }
             }
         }
-        val partsOfOthers = files.filterValues { it !in first }.keys
-        (stated.keys - files.keys - partsOfOthers).mapTo(sentences) { "$it is missing, which ${MatchManifest.NAME} names." }
+        (statedOf.keys - files.keys).mapTo(sentences) { "$it is missing, which ${MatchManifest.NAME} names." }
         val found = matchesOf(given)
         val match = found.matches.singleOrNull() ?: throw refused(file, sentenceFor(found, sentences))
         return match.recording(found.left.map { (_, why) -> why } + sentences)
@@ -103,13 +135,6 @@ object MatchMaker : LogMaker {
             "a folder or ZIP of its own, or state in a ${MatchManifest.NAME} how their clocks fit."
     }
 
-    private fun roleOf(name: String, recording: Recording): FileRole = when {
-        recording.isOfDriverStation -> FileRole.STATION
-        recording.format == RevlogFormat -> FileRole.MOTORS
-        LogName.of(name.substringAfterLast('/')).ending.equals(".hoot", ignoreCase = true) -> FileRole.CAN_BUS
-        else -> FileRole.ROBOT
-    }
-
     private fun refused(file: Path, sentence: String) = NotReadException(ReadResult.NotRead.noLog(file, sentence))
 
     private const val ZIP = "PK\u0003\u0004"
@@ -117,7 +142,10 @@ object MatchMaker : LogMaker {
     private const val MANIFEST_BYTES = 1 shl 20
 }
 
-/** Returns whether [name] is that of a video. */
-internal fun isVideo(name: String): Boolean = name.substringAfterLast('.', "").lowercase() in VIDEOS
-
-private val VIDEOS = setOf("mp4", "mov", "m4v", "mkv", "webm", "avi")
+/** Returns what wrote the log called [name], whose content is [recording]. */
+fun roleOf(name: String, recording: Recording): FileRole = when {
+    recording.isOfDriverStation -> FileRole.STATION
+    recording.format == RevlogFormat -> FileRole.MOTORS
+    LogName.of(name.substringAfterLast('/')).ending.equals(".hoot", ignoreCase = true) -> FileRole.CAN_BUS
+    else -> FileRole.ROBOT
+}

@@ -3,31 +3,34 @@ package badlog.catalog.match
 import badlog.files.LogName
 import badlog.files.NotReadException
 import badlog.files.ReadResult
+import badlog.files.reading
 import badlog.files.safeName
 import badlog.files.writing
 import badlog.signals.match.files.MatchManifest
 import badlog.signals.match.files.isNameInside
 import java.io.IOException
+import java.nio.charset.Charset
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.zip.CRC32
+import java.util.zip.GZIPInputStream
 import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 
 /**
  * The logs in the ZIP [file], which may have come from anywhere: a name from the ZIP leads nowhere but into a folder of badlog, links are
- * files like others, and whatever grows without end is refused.
+ * files like others, and whatever grows without end is refused. Anything but logs and a `match.json` is passed over.
  *
  * @throws NotReadException if it is not a ZIP, or not one that people make of logs.
  */
 internal class MatchZip(private val file: Path) : AutoCloseable {
-    private val zip: ZipFile = try {
-        ZipFile(file.toFile())
-    } catch (_: IOException) {
-        throw refused("This is not a ZIP that can be read; make it again.")
-    } catch (_: IllegalArgumentException) {
-        throw refused("This is not a ZIP that can be read; make it again.")
+    /** A log, or the `match.json`, called [name], with slashes. */
+    private class Named(val name: String, val entry: ZipEntry) {
+        val isManifest: Boolean get() = name.substringAfterLast('/') == MatchManifest.NAME
     }
-    private val entries: List<ZipEntry> = try {
+
+    private val zip: ZipFile = opened()
+    private val entries: List<Named> = try {
         checked(zip.entries().asSequence())
     } catch (e: Throwable) {
         zip.close()
@@ -35,120 +38,179 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
     }
 
     /** Whether anything in it may be a log. */
-    val hasLogs: Boolean get() = entries.any { isManifest(it.name) || LogName.of(it.name.substringAfterLast('/')).ending.isNotEmpty() }
+    val hasLogs: Boolean get() = entries.isNotEmpty()
 
     /** The text of its `match.json`; null if there is none. */
-    fun manifest(): String? = entries.filter { isManifest(it.name) }.minByOrNull { it.name.length }
-        ?.let { textOf(it) }
+    fun manifest(): String? = entries.find { it.isManifest }?.let(::textOf)
 
     /**
-     * Writes its logs into [folder], and returns them by their names in the ZIP.
+     * Writes its logs into [folder], and returns them by their names beside the `match.json`.
      *
      * @param checkpoint called after each piece; may throw to cancel.
      */
     fun unpack(folder: Path, checkpoint: () -> Unit): Map<String, Path> {
-        val outer = entries.firstOrNull { isManifest(it.name) }?.name?.removeSuffix(MatchManifest.NAME).orEmpty()
+        val outer = entries.find { it.isManifest }?.name?.removeSuffix(MatchManifest.NAME).orEmpty()
         val folders = LinkedHashMap<String, Path>()
         var bytes = 0L
-        return entries.filterNot { isManifest(it.name) }.filter { isWanted(it.name) }.associate { entry ->
-            val parent = entry.name.substringBeforeLast('/', "")
-            val place = folders.getOrPut(parent) {
+        return entries.filterNot { it.isManifest }.associate { log ->
+            val place = folders.getOrPut(log.name.substringBeforeLast('/', "")) {
                 writing(folder) { Files.createDirectory(folder.resolve("${folders.size}")) }
             }
-            val target = place.resolve(safeName(entry.name.substringAfterLast('/')))
-            bytes += copy(entry, target, ALL_BYTES - bytes, checkpoint)
-            entry.name.removePrefix(outer) to target
+            val target = place.resolve(safeName(log.name.substringAfterLast('/')))
+            bytes += copy(log, target, ALL_BYTES - bytes, checkpoint)
+            bytes += inflatedBytes(log, target, ALL_BYTES - bytes, checkpoint)
+            log.name.removePrefix(outer) to target
         }
     }
 
     override fun close(): Unit = zip.close()
 
-    private fun copy(entry: ZipEntry, target: Path, most: Long, checkpoint: () -> Unit): Long {
-        val piece = ByteArray(1 shl 16)
-        var size = 0L
-        val stream = try {
-            zip.getInputStream(entry)
-        } catch (_: IOException) {
-            throw damaged(entry)
+    private fun opened(): ZipFile {
+        for (charset in CHARSETS) {
+            try {
+                return ZipFile(file.toFile(), charset)
+            } catch (_: IOException) {
+                // Its names may be in another character set.
+            } catch (_: IllegalArgumentException) {
+                // As above, of some versions of Java.
+            }
         }
-        stream.use {
+        throw refused("This is not a ZIP that can be read; make it again.")
+    }
+
+    private fun copy(log: Named, target: Path, most: Long, checkpoint: () -> Unit): Long {
+        val sum = CRC32()
+        val bound = Bound(log, log.entry.compressedSize, most, checkpoint)
+        val piece = ByteArray(PIECE)
+        inside(log) { zip.getInputStream(log.entry) }.use { stream ->
             writing(target) { Files.newOutputStream(target) }.use { out ->
                 while (true) {
-                    val count = try {
-                        stream.read(piece)
-                    } catch (_: IOException) {
-                        throw damaged(entry)
-                    }
-                    if (count < 0) return size
-                    size += count
-                    // The sizes that a ZIP names may be wrong.
-                    if (size > most) throw tooLarge()
-                    if (size > RATIO_COUNTS_FROM && size / RATIO > entry.compressedSize) throw grows(entry)
+                    val count = inside(log) { stream.read(piece) }
+                    if (count < 0) break
+                    bound.add(count)
+                    sum.update(piece, 0, count)
                     writing(target) { out.write(piece, 0, count) }
-                    checkpoint()
                 }
             }
         }
+        if (sum.value != log.entry.crc) throw damaged(log)
+        return bound.size
     }
 
-    private fun textOf(entry: ZipEntry): String {
-        val bytes = try {
-            zip.getInputStream(entry).use { it.readNBytes(MANIFEST_BYTES + 1) }
+    /** Returns the size of what is inside the log [target] if that is itself compressed; 0 otherwise. */
+    private fun inflatedBytes(log: Named, target: Path, most: Long, checkpoint: () -> Unit): Long {
+        val head = reading(target) { Files.newInputStream(target).use { it.readNBytes(XZ.size) } }
+        if (head.contentEquals(XZ)) throw refused("“${shown(log.name)}” in it is compressed with xz; put the log itself into the ZIP.")
+        val bound = Bound(log, Files.size(target), most, checkpoint)
+        if (head.size < GZIP.size || GZIP.indices.any { head[it] != GZIP[it] }) return 0
+        val piece = ByteArray(PIECE)
+        try {
+            GZIPInputStream(Files.newInputStream(target)).use { stream ->
+                while (true) {
+                    val count = stream.read(piece)
+                    if (count < 0) break
+                    bound.add(count)
+                }
+            }
+        } catch (e: NotReadException) {
+            throw e
         } catch (_: IOException) {
-            throw damaged(entry)
+            // A log that was cut off is read as far as it goes.
         }
+        return bound.size
+    }
+
+    /** Counts the bytes of [log]; the sizes that a ZIP names may be wrong. */
+    private inner class Bound(
+        private val log: Named,
+        private val compressed: Long,
+        private val most: Long,
+        private val checkpoint: () -> Unit,
+    ) {
+        var size = 0L
+            private set
+
+        fun add(count: Int) {
+            size += count
+            if (size > most) throw tooLarge()
+            if (size > RATIO_COUNTS_FROM && size / RATIO > compressed) throw grows(log.name)
+            checkpoint()
+        }
+    }
+
+    private fun textOf(log: Named): String {
+        val bytes = inside(log) { zip.getInputStream(log.entry).use { it.readNBytes(MANIFEST_BYTES + 1) } }
         if (bytes.size > MANIFEST_BYTES) throw refused("Its ${MatchManifest.NAME} is far too large; write a new one.")
+        if (CRC32().apply { update(bytes) }.value != log.entry.crc) throw damaged(log)
         return bytes.decodeToString()
     }
 
-    private fun checked(all: Sequence<ZipEntry>): List<ZipEntry> {
-        if (zip.size() > FILES) throw refused("It has more than $FILES files; make a ZIP of one match only.")
-        val seen = HashSet<String>()
-        val files = ArrayList<ZipEntry>()
+    private fun <T> inside(log: Named, read: () -> T): T = try {
+        read()
+    } catch (_: IOException) {
+        throw damaged(log)
+    }
+
+    private fun checked(all: Sequence<ZipEntry>): List<Named> {
+        val seen = HashMap<String, String>()
+        val logs = ArrayList<Named>()
         var bytes = 0L
         for (entry in all) {
-            if (!isNameInside(entry.name.removeSuffix("/"))) {
-                throw refused("“${shown(entry)}” in it is not the name of a file in a ZIP; make the ZIP again from the folder.")
+            // Windows PowerShell 5 writes backslashes.
+            val name = entry.name.replace('\\', '/')
+            if (name.endsWith('/') || isHidden(name) || !isWanted(name)) continue
+            if (!isNameInside(
+                    name,
+                )
+            ) {
+                throw refused("“${shown(name)}” in it is not the name of a file in a ZIP; make the ZIP again from the folder.")
             }
             // Windows and macOS would take both for the same file.
-            if (!seen.add(entry.name.trimEnd('/').lowercase())) {
-                throw refused("It has two files called “${shown(entry)}”; make the ZIP again from the folder.")
+            seen.put(name.split('/').joinToString("/", transform = ::safeName).lowercase(), name)?.let { other ->
+                throw refused("“${shown(other)}” and “${shown(name)}” in it are one name on some systems; rename one of them.")
             }
-            if (entry.isDirectory || isHidden(entry.name)) continue
             bytes += maxOf(0, entry.size)
             if (bytes > ALL_BYTES) throw tooLarge()
-            if (entry.size > RATIO_COUNTS_FROM && entry.size / RATIO > entry.compressedSize) throw grows(entry)
-            files += entry
+            if (entry.size > RATIO_COUNTS_FROM && entry.size / RATIO > entry.compressedSize) throw grows(name)
+            logs += Named(name, entry)
+            if (logs.size > LOGS) throw refused("It has more than $LOGS logs; make a ZIP of one match only.")
         }
-        return files
+        if (logs.count { it.isManifest } > 1) throw refused("It has several ${MatchManifest.NAME}; make a ZIP of one match only.")
+        return logs
     }
 
     private fun refused(sentence: String) = NotReadException(ReadResult.NotRead.noLog(file, sentence))
 
-    private fun damaged(entry: ZipEntry) = refused("“${shown(entry)}” in it is damaged; make the ZIP again.")
+    private fun damaged(log: Named) = refused("“${shown(log.name)}” in it is damaged; make the ZIP again.")
 
-    private fun grows(entry: ZipEntry) =
-        refused("“${shown(entry)}” in it grows more than $RATIO times when it is read, as no log does; leave it out.")
+    private fun grows(name: String) =
+        refused("“${shown(name)}” in it grows more than $RATIO times when it is read, as no log does; leave it out.")
 
-    private fun tooLarge() = refused("Its files have more than ${ALL_BYTES shr 30} GB together; make a ZIP of one match only.")
+    private fun tooLarge() = refused("Its logs have more than ${ALL_BYTES shr 30} GB together; make a ZIP of one match only.")
 
-    private fun shown(entry: ZipEntry) = entry.name.take(MAX_SHOWN)
-
-    private fun isManifest(name: String) = name.substringAfterLast('/') == MatchManifest.NAME
-
-    private fun isWanted(name: String) = LogName.of(name.substringAfterLast('/')).ending.isNotEmpty() || isVideo(name)
+    private fun shown(name: String) = name.take(MAX_SHOWN)
 
     private companion object {
-        const val FILES = 500
+        const val LOGS = 500
         const val ALL_BYTES = 8L shl 30
         const val MANIFEST_BYTES = 1 shl 20
         const val MAX_SHOWN = 100
+        const val PIECE = 1 shl 16
 
         /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
         const val RATIO = 200L
         const val RATIO_COUNTS_FROM = 1L shl 20
+
+        /** How logs begin that are themselves compressed. */
+        val GZIP = byteArrayOf(0x1f, 0x8b.toByte())
+        val XZ = byteArrayOf(0xfd.toByte(), '7'.code.toByte(), 'z'.code.toByte(), 'X'.code.toByte(), 'Z'.code.toByte(), 0)
+
+        /** Windows writes names in its own character set if they fit. Java may lack that; then any that accepts all bytes will do. */
+        val CHARSETS = listOfNotNull(Charsets.UTF_8, "IBM437".takeIf(Charset::isSupported)?.let(Charset::forName), Charsets.ISO_8859_1)
     }
 }
 
+private fun isWanted(name: String) = name.substringAfterLast('/').let { it == MatchManifest.NAME || LogName.of(it).mayBeLog }
+
 /** Returns whether a file called [name] is hidden, or one that macOS adds to a ZIP. */
-private fun isHidden(name: String): Boolean = name.split('/').any { it.startsWith(".") || it == "__MACOSX" }
+private fun isHidden(name: String): Boolean = name.split('/').any { it == "__MACOSX" || (it.startsWith(".") && it != ".." && it != ".") }

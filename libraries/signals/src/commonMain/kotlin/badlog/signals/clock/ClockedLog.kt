@@ -43,8 +43,8 @@ class ClockedLog(val name: String, val recording: Recording, internal val vocabu
     val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
 
     private companion object {
-        /** The form in which WPILib names its logs, in UTC. */
-        val NAMED = Regex("(?<!\\d)(\\d{4})(\\d{2})(\\d{2})_(\\d{2})(\\d{2})(\\d{2})(?!\\d)")
+        /** The forms in which WPILib and CTRE name their logs, in UTC. */
+        val NAMED = Regex("(?<!\\d)(\\d{4})-?(\\d{2})-?(\\d{2})_(\\d{2})-?(\\d{2})-?(\\d{2})(?!\\d)")
     }
 }
 

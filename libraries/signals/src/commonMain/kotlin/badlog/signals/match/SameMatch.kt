@@ -9,14 +9,22 @@ package badlog.signals.match
  */
 internal fun MatchOfLog.isSameAs(other: MatchOfLog): Boolean? {
     val (one, two) = listOf(this, other).map { match -> match.type?.let { MatchType.of(it) } }
+    val differ = one != null && two != null && one != two
     val arePlayoffs = one in PLAYOFFS && two in PLAYOFFS
-    // A log may call a semifinal an elimination.
-    if (one != null && two != null && one != two && !arePlayoffs) return false
+    // A log may call a semifinal an elimination, but never a final a semifinal.
+    if (differ && !(arePlayoffs && (one in COUNTED || two in COUNTED))) return false
     val (own, others) = (number ?: return null) to (other.number ?: return null)
+    // A playoff goes on counting in its finals; until 2022, it counted quarterfinals in another order.
+    if (differ && (one in RECOUNTED || two in RECOUNTED)) return null
     if (own == others) return true
     val isCountedOtherwise = arePlayoffs && ('-' in own) != ('-' in others)
     if (!isCountedOtherwise) return false
     return if (own.removeSuffix("-1") == others.removeSuffix("-1")) true else null
 }
 
+/** Types that count all matches of a playoff in one row. */
+private val COUNTED = setOf(MatchType.ELIMINATION, MatchType.PLAYOFF)
+
+/** Types that count their own matches. */
+private val RECOUNTED = setOf(MatchType.QUARTERFINAL, MatchType.FINAL)
 private val PLAYOFFS = setOf(MatchType.QUARTERFINAL, MatchType.SEMIFINAL, MatchType.FINAL, MatchType.ELIMINATION, MatchType.PLAYOFF)

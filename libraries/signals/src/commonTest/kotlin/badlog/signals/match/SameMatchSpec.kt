@@ -28,4 +28,17 @@ class SameMatchSpec : FunSpec({
         same("Elimination 5", "Quarterfinal 1-2") shouldBe null
         same("Qualification 5", "Qualification 5-1") shouldBe false
     }
+
+    test("a final is not a semifinal, and has another number in the count of its playoff") {
+        same("Final 1", "Semifinal 1") shouldBe false
+        same("Final 1", "Semifinal 1-1") shouldBe false
+        same("Final 1", "Quarterfinal 1") shouldBe false
+        same("Semifinal 1", "Quarterfinal 1") shouldBe false
+        same("Final 1", "Final 1") shouldBe true
+        same("Final 1", "Final 2") shouldBe false
+        same("Final 1", "Elimination 14") shouldBe null
+        same("Final 1", "Elimination 1") shouldBe null
+        same("Playoff 3", "Elimination 3") shouldBe true
+        same("Playoff 3", "Elimination 4") shouldBe false
+    }
 })

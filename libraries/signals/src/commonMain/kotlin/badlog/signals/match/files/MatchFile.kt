@@ -19,9 +19,6 @@ enum class FileRole(val role: String) {
 
     /** REV's motor controllers: a `.revlog`. */
     MOTORS("motors"),
-
-    /** A camera. */
-    VIDEO("video"),
     ;
 
     companion object {
@@ -31,20 +28,14 @@ enum class FileRole(val role: String) {
 }
 
 /**
- * A file that may be of a match.
+ * A log that may be of a match.
  *
  * @property name its name, unique among the files.
- * @property log its content; null for a video.
+ * @property log its content.
  * @property seconds the offset of its clock, in s, if somebody stated it; null if it is to be found.
  * @property error by how much that may be wrong, in s, if that is stated too.
  */
-class MatchFile(
-    val name: String,
-    val role: FileRole,
-    val log: ClockedLog?,
-    val seconds: Double? = null,
-    val error: Double? = null,
-)
+class MatchFile(val name: String, val role: FileRole, val log: ClockedLog, val seconds: Double? = null, val error: Double? = null)
 
 /** How the clock of a file was found. */
 enum class ClockReason {
@@ -63,11 +54,8 @@ enum class ClockReason {
     /** By the battery voltage, which moves alike in both. */
     BATTERY,
 
-    /** By the time of day on both clocks. */
+    /** By the time of day on both clocks, which may be seconds off. */
     SYSTEM_TIME,
-
-    /** Both count from the start of the robot's program. */
-    PROGRAM_START,
 }
 
 /**
@@ -84,12 +72,11 @@ class MatchPart(val file: MatchFile, val seconds: Double, val reason: ClockReaso
             val within = error?.let { ", within ${millisOf(it)} ms" }.orEmpty()
             return when (reason) {
                 ClockReason.OWN -> "the clock of the match"
-                ClockReason.STATED -> "as stated"
+                ClockReason.STATED -> "as stated$within"
                 ClockReason.ENABLED -> "$edges edges of enabled fit$within"
                 ClockReason.MOTORS -> "$edges edges of motors driven fit$within"
                 ClockReason.BATTERY -> "the battery voltage moves alike$within"
-                ClockReason.SYSTEM_TIME -> "by the time of day$within"
-                ClockReason.PROGRAM_START -> "both count from the start of the robot's program"
+                ClockReason.SYSTEM_TIME -> "by the time of day, which may be seconds off"
             }
         }
 

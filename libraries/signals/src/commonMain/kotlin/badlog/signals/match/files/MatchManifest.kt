@@ -38,7 +38,7 @@ class MatchManifest(val files: List<StatedFile>) {
          * @throws MatchManifestException if it is not a manifest, or names something outside its folder.
          */
         fun of(text: String): MatchManifest = try {
-            val fields = JsonFields(JsonReader.readObject(text))
+            val fields = JsonFields(JsonReader.readObject(text.removePrefix(BYTE_ORDER_MARK)))
             if (fields.number("version") != VERSION) {
                 throw MatchManifestException("$NAME is of a newer badlog; update badlog.")
             }
@@ -62,12 +62,17 @@ class MatchManifest(val files: List<StatedFile>) {
             return StatedFile(name, role, seconds("seconds", name, fields), seconds("error", name, fields)?.takeIf { it >= 0 })
         }
 
-        private fun seconds(key: String, name: String, fields: JsonFields): Double? = fields.find(key)?.let { value ->
+        private fun seconds(key: String, name: String, fields: JsonFields): Double? = fields.find(key)?.takeIf {
+            it.json != "null"
+        }?.let { value ->
             value.json.toDoubleOrNull()?.takeIf { it in -MOST_SECONDS..MOST_SECONDS }
                 ?: throw MatchManifestException("$NAME gives $name a clock that is not a number of seconds.")
         }
 
         private const val MOST_SHOWN = 40
+
+        /** As editors of Windows write it. */
+        private const val BYTE_ORDER_MARK = "\uFEFF"
     }
 }
 

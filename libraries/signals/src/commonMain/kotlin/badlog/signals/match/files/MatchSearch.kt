@@ -7,117 +7,137 @@ import badlog.signals.clock.batteryFit
 import badlog.signals.clock.motorFit
 import badlog.signals.match.NaturalOrder
 import badlog.signals.match.isSameAs
-import badlog.signals.match.matchInName
 import kotlin.math.abs
 
 /**
  * Returns which of [files] belong to one match: each log of a robot is one, with the files that fit it alone.
  *
- * A number or type of match that contradicts excludes a file. Among the others, the moments of enabling or of driven motors decide, then
- * the battery voltage, then the clocks. A file that fits two matches alike is in neither. The order of [files] makes no difference.
+ * Whoever stated the clock of a file has also said that it belongs here. A number or type of match that contradicts excludes any other file.
+ * A file is then taken only if its clock fits by the moments of enabling or of driven motors, or by the battery voltage, and if the time of
+ * day or the number of the match shows the same match: all matches have the same periods. Whatever is doubtful is in no match. The order
+ * of [files] makes no difference.
  */
 fun matchesOf(files: List<MatchFile>): FoundMatches {
-    val sorted = files.sortedWith(compareBy<MatchFile> { it.role }.thenBy { it.seconds != 0.0 }.thenBy(NaturalOrder) { it.name })
-    val left = ArrayList<Pair<MatchFile, String>>()
-    val ofRobots = sorted.filter { it.role == FileRole.ROBOT && it.log != null }
+    val sorted = files.sortedWith(compareBy<MatchFile> { it.role }.thenBy(::rankOf).thenBy(NaturalOrder) { it.name })
+    val (timed, timeless) = sorted.partition { it.log.hasClock }
+    val left = ArrayList(timeless.map { it to "${it.name} has no samples over time, so it cannot be placed." })
+    val ofRobots = timed.filter { it.role == FileRole.ROBOT }
     // A log that does not show when the robot was enabled, such as a camera's, is put beside one that does.
-    val leading = ofRobots.filter { it.log?.edges?.isNotEmpty() == true || it.seconds != null }.ifEmpty { ofRobots }
+    val leading = ofRobots.filter { it.log.edges.isNotEmpty() || it.seconds != null }.ifEmpty { ofRobots }
     val groups = RobotGroups(leading).groups
     if (groups.isEmpty()) {
-        sorted.mapTo(left) { it to "${it.name} is without the log of a robot; a match begins with one." }
-        return FoundMatches(emptyList(), left)
+        return FoundMatches(emptyList(), left + timed.map { it to "${it.name} is without the log of a robot; a match begins with one." })
     }
     val found = groups.map { it.toMutableList() }
     val robots = groups.map { it.first().file }
-    stationsOf(robots, sorted.filter { it.role == FileRole.STATION }, left).forEachIndexed { i, part -> part?.let { found[i] += it } }
-    for (file in (ofRobots - leading.toSet()) + sorted.filter { it.role > FileRole.STATION }) {
-        val fits = robots.map { if (file.log == null) videoOf(file, it, robots.size) else fitOf(file, it, robots.size == 1) }
-        val sure = fits.indices.filter { fits[it]?.isSure == true }
-        val only = sure.singleOrNull() ?: sure.filter { isNamed(file, robots[it]) }.singleOrNull()
-        if (only != null) found[only] += checkNotNull(fits[only]).part else left += file to reasonFor(file, robots, fits.map { it?.part })
+    val others = timed - leading.toSet()
+    for (file in others.filter { it.seconds != null }) {
+        val home = homeOf(file, robots)
+        if (home == null) left += file to doubt(file, robots) else found[home] += file.statedBeside(robots[home])
+    }
+    val open = others.filter { it.seconds == null }
+    val (stations, logs) = open.partition { it.role == FileRole.STATION }
+    stationsOf(robots, stations, found.map { parts -> parts.any { it.file.role == FileRole.STATION } }, left)
+        .forEachIndexed { i, part -> part?.let { found[i] += it } }
+    for (file in logs) {
+        val fits = robots.map { fitOf(file, it) }
+        val only = fits.indices.filter { fits[it]?.isSure == true }.singleOrNull()
+        if (only != null) found[only] += checkNotNull(fits[only]).part else left += file to reasonFor(file, robots, fits)
     }
     return FoundMatches(found.map { parts -> OneMatch(parts, missingIn(parts, left.map { it.first })) }, left)
 }
 
-/** A place for a file in a match; doubtful unless [isSure]. */
-private class PossiblePart(val part: MatchPart, val isSure: Boolean)
-
-/** Returns for each of [robots] the Driver Station's log of its match, or null; those in no match are added to [left]. */
-private fun stationsOf(robots: List<MatchFile>, stations: List<MatchFile>, left: MutableList<Pair<MatchFile, String>>): List<MatchPart?> {
-    val stated = stations.filter { it.seconds != null }
-    val found = robots.map { robot ->
-        if (stated.isNotEmpty() && robots.size == 1) {
-            return@map MatchPart(stated.first(), checkNotNull(stated.first().seconds), ClockReason.STATED, stated.first().error)
-        }
-        val log = robot.log ?: return@map null
-        StationSearch<MatchFile>(log, { it.log?.start }, { it.log }).over(stations)?.let { pair ->
-            val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
-            MatchPart(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges)
-        }
-    }
-    val claims = robots.indices.filter { found[it] != null }.groupBy { found[it]!!.file }
-    val doubtful = claims.filterValues { it.size > 1 }.mapValues { (station, all) -> all.filterNot { isNamed(station, robots[it]) } }
-    for (station in stations) {
-        val all = claims[station].orEmpty()
-        val kept = all - doubtful[station].orEmpty().toSet()
-        if (all.isEmpty()) {
-            left += station to fitsNone(station)
-        } else if (all.size > 1 && kept.size != 1) {
-            left += station to doubt(station, all.map { robots[it] })
-        }
-    }
-    return found.mapIndexed { i, part ->
-        val all = part?.let { claims.getValue(it.file) }.orEmpty()
-        val kept = part?.let { all - doubtful[it.file].orEmpty().toSet() }.orEmpty()
-        part?.takeIf { all.size == 1 || kept == listOf(i) }
-    }
+/** The log whose clock is stated as that of the match comes first, then others with a stated clock. */
+private fun rankOf(file: MatchFile) = if (file.seconds == 0.0) {
+    0
+} else if (file.seconds != null) {
+    1
+} else {
+    2
 }
 
-/** Whether both [file] and [robot] name the same match. */
-private fun isNamed(file: MatchFile, robot: MatchFile): Boolean = matchOf(file).isSameAs(matchOf(robot)) == true
+/** Returns the place that is stated for this file, on the clock of [robot]. */
+internal fun MatchFile.statedBeside(robot: MatchFile): MatchPart =
+    MatchPart(this, checkNotNull(seconds) - (robot.seconds ?: 0.0), ClockReason.STATED, error)
 
-private fun matchOf(file: MatchFile) = file.log?.match ?: matchInName(file.name)
+/** Returns which of [robots] the stated clock of [file] refers to; null if that is open. */
+private fun homeOf(file: MatchFile, robots: List<MatchFile>): Int? = robots.indices.singleOrNull { robots[it].seconds != null }
+    ?: robots.indices.singleOrNull()
+    ?: robots.indices.singleOrNull { file.log.match.isSameAs(robots[it].log.match) == true }
+
+/** A place for a file in a match; doubtful unless [isSure]. */
+private class PossiblePart(val part: MatchPart, val isSure: Boolean, val contradicts: Boolean)
+
+/**
+ * Returns for each of [robots] that does not [have][haveOne] one the Driver Station's log of its match, or null. Those of [stations] that
+ * are in no match are added to [left].
+ */
+private fun stationsOf(
+    robots: List<MatchFile>,
+    stations: List<MatchFile>,
+    haveOne: List<Boolean>,
+    left: MutableList<Pair<MatchFile, String>>,
+): List<MatchPart?> {
+    val found = robots.mapIndexed { i, robot -> if (haveOne[i]) null else stationOf(robot, stations) }
+    for (station in stations) {
+        val claims = robots.indices.filter { found[it]?.part?.file === station }
+        if (claims.size == 1 && found[claims[0]]?.isSure == true) continue
+        left += station to reasonFor(station, robots, found.map { it?.takeIf { one -> one.part.file === station } })
+    }
+    return found.map { one -> one?.part?.takeIf { one.isSure && found.count { it?.part?.file === one.part.file } == 1 } }
+}
+
+private fun stationOf(robot: MatchFile, stations: List<MatchFile>): PossiblePart? {
+    val pair = StationSearch<MatchFile>(robot.log, { it.log.start }, { it.log }).over(stations) ?: return null
+    val isSame = pair.station.match.isSameAs(robot.log.match) == true
+    val byClocks = clocksOf(pair.station, robot.log)
+    val contradicts = byClocks != null && !agree(pair.fit.seconds, byClocks)
+    val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
+    // Two edges may be those of any match, and a laptop's clock an hour off.
+    val isSure = if (pair.fit.edges < FEWEST_EDGES) isSame && byClocks != null else isSame || !contradicts
+    return PossiblePart(MatchPart(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges), isSure, contradicts)
+}
 
 /** Returns the place of [file], a log of devices, beside [robot]; null if nothing shows it, or the match is another one. */
-private fun fitOf(file: MatchFile, robot: MatchFile, isOnly: Boolean): PossiblePart? {
-    val (own, others) = (file.log ?: return null) to (robot.log ?: return null)
-    file.seconds?.let { return PossiblePart(MatchPart(file, it, ClockReason.STATED, file.error), isOnly || isNamed(file, robot)) }
-    val isSame = matchOf(file).isSameAs(matchOf(robot))
+private fun fitOf(file: MatchFile, robot: MatchFile): PossiblePart? {
+    val (own, others) = file.log to robot.log
+    val isSame = own.match.isSameAs(others.match)
     if (isSame == false) return null
     val byClocks = clocksOf(own, others)
     fun part(fit: ClockFit, reason: ClockReason): PossiblePart {
-        val agrees = byClocks != null && OFF.any { abs(fit.seconds - byClocks - it) <= NEAR }
+        val agrees = byClocks != null && agree(fit.seconds, byClocks)
         val contradicts = byClocks != null && !agrees
-        val isSure = agrees || (!contradicts && (isSame == true || isOnly))
-        return PossiblePart(MatchPart(file, fit.seconds, reason, fit.error, fit.edges), isSure)
+        return PossiblePart(
+            MatchPart(file, fit.seconds, reason, fit.error, fit.edges),
+            agrees || (isSame == true && !contradicts),
+            contradicts,
+        )
     }
-    ClockFit.ofEdges(own.edges, others.edges, byClocks)?.takeIf { it.edges >= FEWEST }?.let { return part(it, ClockReason.ENABLED) }
+    ClockFit.ofEdges(own.edges, others.edges, byClocks)?.takeIf { it.edges >= FEWEST_EDGES }?.let { return part(it, ClockReason.ENABLED) }
     motorFit(own.view, others.view, others.vocabulary)?.let { return part(it, ClockReason.MOTORS) }
     batteryFit(own, others)?.let { return part(it, ClockReason.BATTERY) }
-    if (byClocks != null) {
-        val isDuring = own.first + byClocks < others.last && own.last + byClocks > others.first
-        return PossiblePart(MatchPart(file, byClocks, ClockReason.SYSTEM_TIME, CLOCK_ERROR), isDuring).takeIf { isDuring || isSame == true }
-    }
-    val fromStart = MatchPart(file, 0.0, ClockReason.PROGRAM_START)
-    return if (file.role == FileRole.MOTORS) PossiblePart(fromStart, isOnly || isSame == true) else null
+    if (byClocks == null) return null
+    val isDuring = own.first + byClocks < others.last && own.last + byClocks > others.first
+    return PossiblePart(MatchPart(file, byClocks, ClockReason.SYSTEM_TIME), isDuring && isSame == true, !isDuring)
+        .takeIf { isDuring || isSame == true }
 }
 
-/** Returns the place of the video [file], which is found by its name alone. */
-private fun videoOf(file: MatchFile, robot: MatchFile, count: Int): PossiblePart? {
-    val isSame = matchOf(file).isSameAs(matchOf(robot))
-    val reason = if (file.seconds == null) ClockReason.OWN else ClockReason.STATED
-    if (isSame == false) return null
-    return PossiblePart(MatchPart(file, file.seconds ?: 0.0, reason, file.error), isSame == true || count == 1)
-}
+/** Returns how the clock of [own] relates to that of [others] by the time of day; null if one does not show it. */
+internal fun clocksOf(own: ClockedLog, others: ClockedLog): Double? = own.start?.let { start -> others.start?.let { start - it } }
 
-private fun clocksOf(own: ClockedLog, others: ClockedLog): Double? = own.start?.let { start -> others.start?.let { start - it } }
+/** Whether [seconds] is what the clocks say, [byClocks], or an hour off, as with daylight saving time. */
+private fun agree(seconds: Double, byClocks: Double) = OFF.any { areNear(seconds - it, byClocks) }
 
-private fun reasonFor(file: MatchFile, robots: List<MatchFile>, fits: List<MatchPart?>): String {
+/** Whether two offsets between clocks, in s, are alike for clocks that were set by each other. */
+internal fun areNear(one: Double, other: Double): Boolean = abs(one - other) <= NEAR
+
+private fun reasonFor(file: MatchFile, robots: List<MatchFile>, fits: List<PossiblePart?>): String {
     val possible = robots.indices.filter { fits[it] != null }
     if (possible.size > 1) return doubt(file, possible.map { robots[it] })
-    val one = possible.singleOrNull() ?: return fitsNone(file)
-    return "${file.name} may be of the match of ${robots[one].name} (${checkNotNull(fits[one]).why}), but its clock contradicts; if it is, " +
-        "state its clock in a match.json."
+    val one = possible.singleOrNull()?.let { robots[it] to checkNotNull(fits[it]) } ?: return fitsNone(file)
+    val (robot, fit) = one
+    val why = if (fit.contradicts) "but the time of day contradicts" else "but neither the time of day nor the number of the match shows it"
+    return "${file.name} may be of the match of ${robot.name} (${fit.part.why}), $why; if it is, state its clock in a match.json."
 }
 
 private fun fitsNone(file: MatchFile): String =
@@ -132,8 +152,9 @@ private fun missingIn(parts: List<MatchPart>, left: List<MatchFile>): List<Strin
     }
 }
 
-/** In s: clocks are right, or an hour off, as with daylight saving time. */
+/** The fewest moments that show where a log belongs: the start and the end of a period. */
+internal const val FEWEST_EDGES = 2
+
+/** In s: clocks are right, or an hour off. */
 private val OFF = listOf(0.0, 3600.0, -3600.0)
 private const val NEAR = 5.0
-private const val FEWEST = 2
-private const val CLOCK_ERROR = 1.0

@@ -14,6 +14,11 @@ class MatchManifestSpec : FunSpec({
         MatchManifest.of(MatchManifest(files).text()).files.map { Triple(it.name, it.role, it.seconds) } shouldBe files.map { Triple(it.name, it.role, it.seconds) }
     }
 
+    test("a byte order mark and members that are null are as if they were not there") {
+        val text = "\uFEFF{\"version\":1,\"files\":[{\"name\":\"a\",\"role\":null,\"seconds\":null,\"error\":null}]}"
+        MatchManifest.of(text).files.single().run { listOf(name, role, seconds, error) } shouldBe listOf("a", null, null, null)
+    }
+
     test("what is wrong is said in a sentence") {
         fun said(text: String) = shouldThrow<MatchManifestException> { MatchManifest.of(text) }.message
         for (text in listOf("", "[]", "{}", "{\"version\":1,\"files\":[3]}", "{\"version\":1,\"files\":{}}", "{\"version\":1,\"files\":[{\"role\":\"robot\"}]}")) {

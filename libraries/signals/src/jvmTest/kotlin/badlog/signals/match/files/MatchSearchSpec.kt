@@ -1,6 +1,11 @@
 package badlog.signals.match.files
 
+import badlog.core.recording.CellCounts
+import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
+import badlog.core.recording.RecordingFormat
+import badlog.core.recording.TextColumn
+import badlog.core.recording.Topic
 import badlog.core.recording.Value
 import badlog.core.text.wallTimeText
 import badlog.signals.clock.clocked
@@ -23,7 +28,7 @@ private val PERIODS = listOf(20.0, 35.3, 37.1, 172.2)
 /** What a match of the day left: the file of each role, and how far the clock of each is ahead of the robot's. */
 private class Left(val files: List<MatchFile>, val ahead: Map<String, Double>)
 
-private fun file(name: String, role: FileRole, recording: Recording, seconds: Double? = null) = MatchFile(name, role, clocked(recording, name), seconds)
+private fun file(name: String, role: FileRole, recording: Recording, seconds: Double? = null, error: Double? = null) = MatchFile(name, role, clocked(recording, name), seconds, error)
 
 /**
  * Twelve matches, some of them replayed, of two robots, each with a laptop of its own, of which one is an hour ahead. A robot writes a bag;
@@ -59,7 +64,6 @@ private fun day(random: Random): List<Left> {
             file("robot $index", FileRole.ROBOT, own),
             file("station $index", FileRole.STATION, station),
             file("bus $index", FileRole.CAN_BUS, hoot),
-            MatchFile("r${index}_Q$number.mp4", FileRole.VIDEO, null),
         )
         Left(files, mapOf("station $index" to early - before, "bus $index" to early - bus))
     }
@@ -78,7 +82,7 @@ class MatchSearchSpec : FunSpec({
             for (match in found.matches) {
                 matches++
                 val index = match.robot.name.removePrefix("robot ").toInt()
-                val others = match.parts.drop(1).filter { it.file.role != FileRole.VIDEO }
+                val others = match.parts.drop(1)
                 withClue("run $run, match $index") {
                     others.forEach { (it.file.name in day[index].ahead.keys) shouldBe true }
                     others.forEach { it.seconds shouldBe (day[index].ahead.getValue(it.file.name) plusOrMinus 0.1) }
@@ -99,31 +103,92 @@ class MatchSearchSpec : FunSpec({
         found.matches.map { match -> match.parts.map { it.file.name } } shouldBe listOf(listOf("a"), listOf("b"))
         found.left.first { it.first.name == "bus" }.second shouldContain "a or b"
         found.left.first { it.first.name == "other" }.second shouldContain "fits none"
-        val alone = matchesOf(listOf(robot("a", "1"), file("bus", FileRole.CAN_BUS, bus))).matches.single()
-        alone.parts[1].run { seconds to reason } shouldBe (-5.0 to ClockReason.ENABLED)
-        alone.sentences.single() shouldContain "Driver Station's log is missing"
+    }
+
+    test("a log of devices is taken only if the time of day or the number shows the match, not by its edges alone") {
+        fun robot(start: String?, number: String?) = file("a", FileRole.ROBOT, logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)), start, listOfNotNull(number?.let { Value("Match Number", it) })))
+        fun bus(start: String?, number: String?, name: String = "bus.hoot", role: FileRole = FileRole.CAN_BUS) = file(
+            name,
+            role,
+            logOf(listOf(flag("Bus/Robot Enabled", 5.0, PERIODS.map { it + 5 }, 205.0)), start, listOfNotNull(number?.let { Value("Match Number", it) })),
+        )
+        fun taken(robot: MatchFile, other: MatchFile) = matchesOf(listOf(other, robot)).run { matches.single().parts.getOrNull(1) to left.singleOrNull()?.second }
+
+        for (role in listOf(FileRole.CAN_BUS, FileRole.MOTORS)) {
+            val (none, why) = taken(robot(null, null), bus(null, null, role = role))
+            none shouldBe null
+            checkNotNull(why) shouldContain "may be of the match of a (4 edges of enabled fit, within 0 ms), but neither the time of day nor the number"
+        }
+        // Both clocks are known, and an hour and some minutes apart.
+        val (other, contradiction) = taken(robot("2026-03-07 10:00:00 UTC", "4"), bus("2026-03-07 11:20:00 UTC", "4"))
+        other shouldBe null
+        checkNotNull(contradiction) shouldContain "but the time of day contradicts"
+        // The first sample of the bus is at 5 s.
+        taken(robot("2026-03-07 10:00:00 UTC", null), bus("2026-03-07 10:00:01 UTC", null)).first?.run { seconds to reason } shouldBe (-5.0 to ClockReason.ENABLED)
+        taken(robot("2026-03-07 10:00:00 UTC", null), bus("2026-03-07 11:00:01 UTC", null)).first?.seconds shouldBe -5.0
+        taken(robot(null, "4"), bus(null, "4")).first?.seconds shouldBe -5.0
+        // CTRE's names of files; x of 0 is at this time.
+        taken(robot("2024-03-07 10:04:05 UTC", null), bus(null, null, "rio_2024-03-07_10-04-00.hoot")).first?.seconds shouldBe -5.0
+        taken(robot("2024-03-07 10:04:05 UTC", null), bus(null, null, "rio_2024-03-07_11-34-00.hoot")).first shouldBe null
+        val silent = logOf(listOf(numbers("Bus/Angle", listOf(3.0 to 1.0, 9.0 to 2.0))), "2026-03-07 10:00:20 UTC")
+        val (byClock, offered) = taken(robot("2026-03-07 10:00:00 UTC", null), file("bus", FileRole.CAN_BUS, silent))
+        byClock shouldBe null
+        checkNotNull(offered) shouldContain "by the time of day, which may be seconds off"
+    }
+
+    test("a Driver Station's log whose clock contradicts is offered, not taken") {
+        fun station(start: String?) = file("station", FileRole.STATION, logOf(listOf(flag("Driver Station/Enabled", 0.0, PERIODS.map { it + 2 }, 205.0)), start))
+        val robot = file("a", FileRole.ROBOT, logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)), "2026-03-07 10:00:00 UTC"))
+        val other = matchesOf(listOf(robot, station("2026-03-08 10:00:00 UTC")))
+        other.matches.single().parts.size shouldBe 1
+        other.left.single().second shouldContain "may be of the match of a"
+        matchesOf(listOf(robot, station("2026-03-07 10:59:58 UTC"))).matches.single().parts[1].seconds shouldBe -2.0
+        matchesOf(listOf(robot, station(null))).matches.single().parts[1].seconds shouldBe -2.0
+        matchesOf(listOf(robot)).matches.single().sentences.single() shouldContain "Driver Station's log is missing"
+    }
+
+    test("stated clocks count from that of the match, whatever that of the first robot's log is, and all stated files are taken") {
+        fun robot(name: String, seconds: Double?) = file(name, FileRole.ROBOT, logOf(listOf(flag("$name/DS:enabled", 0.0, PERIODS, 200.0))), seconds)
+        fun station(name: String, seconds: Double?) = file(name, FileRole.STATION, logOf(listOf(flag("Driver Station/Enabled", 0.0, PERIODS, 200.0))), seconds, 0.02)
+        fun seconds(vararg files: MatchFile) = matchesOf(files.toList()).matches.single().parts.map { "${it.file.name} ${it.seconds}" }
+
+        seconds(robot("a", 3.0), robot("b", 5.5), station("x", -1.0), station("y", 20.0)) shouldBe listOf("a 0.0", "b 2.5", "x -4.0", "y 17.0")
+        // One is the clock of the match.
+        seconds(robot("a", 3.0), robot("b", 0.0), station("x", -1.0)) shouldBe listOf("b 0.0", "a 3.0", "x -1.0")
+        seconds(robot("a", null), station("x", -1.0)) shouldBe listOf("a 0.0", "x -1.0")
+        val bus = file("bus", FileRole.CAN_BUS, logOf(listOf(numbers("Bus/Angle", listOf(0.0 to 1.0)))), 7.0)
+        seconds(robot("a", 3.0), bus) shouldBe listOf("a 0.0", "bus 4.0")
+        matchesOf(listOf(robot("a", 0.0), station("x", 1.0))).matches.single().parts[1].why shouldBe "as stated, within 20 ms"
     }
 
     test("two robots in one match stay apart, and two logs of one robot are together") {
-        val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0), numbers("Arm", listOf(0.0 to 1.0))))
-        val same = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0), numbers("Arm", listOf(0.0 to 1.0))))
-        val more = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0), numbers("Camera", listOf(0.0 to 1.0))))
+        val match = listOf(Value("Match Number", "4"))
+        val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0), numbers("Arm", listOf(0.0 to 1.0))), null, match)
+        val same = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0), numbers("Arm", listOf(0.0 to 1.0))), null, match)
+        val camera = listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0), numbers("Camera", listOf(0.0 to 1.0)))
+        val more = logOf(camera, null, match)
         matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, same))).matches.size shouldBe 2
         matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, more))).matches.single().parts[1].seconds shouldBe (-3.0 plusOrMinus 1e-6)
+        // Without a number or a time of day, nothing shows that it is the same match.
+        matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, logOf(camera)))).matches.size shouldBe 2
     }
 
     test("a log that shows no enabling is put where its battery voltage moves alike") {
         val random = Random(5)
+        val match = listOf(Value("Match Number", "4"))
         repeat(20) {
             var volts = 12.6
-            val course = List(1500) { volts = (volts + random.nextDouble(-0.4, 0.4)).coerceIn(8.0, 12.8); volts }
+            val course = List(1500) {
+                volts = (volts + random.nextDouble(-0.4, 0.4)).coerceIn(8.0, 12.8)
+                volts
+            }
             val late = random.nextInt(0, 4000) / 10.0
-            val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0), numbers("Battery Voltage", course.mapIndexed { i, v -> i / 10.0 to v }, "V")))
+            val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0), numbers("Battery Voltage", course.mapIndexed { i, v -> i / 10.0 to v }, "V")), null, match)
             val from = random.nextInt(300)
             val part = course.drop(from).take(1000).mapIndexed { i, v -> i / 10.0 + late to v + random.nextDouble(-0.02, 0.02) }
-            val bus = logOf(listOf(numbers("Bus/Battery Voltage", part, "V")))
-            val match = matchesOf(listOf(file("a", FileRole.ROBOT, own), file("bus", FileRole.CAN_BUS, bus))).matches.single()
-            match.parts[1].run {
+            val bus = logOf(listOf(numbers("Bus/Battery Voltage", part, "V")), null, match)
+            val found = matchesOf(listOf(file("a", FileRole.ROBOT, own), file("bus", FileRole.CAN_BUS, bus))).matches.single()
+            found.parts[1].run {
                 reason shouldBe ClockReason.BATTERY
                 seconds shouldBe (from / 10.0 - late plusOrMinus maxOf(0.11, error ?: 0.0))
             }
@@ -131,14 +196,55 @@ class MatchSearchSpec : FunSpec({
     }
 
     test("one recording has the robot's topics as they are, and the others' at their own times on its clock") {
-        val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0), numbers("Arm", listOf(0.0 to 1.0, 0.02 to 2.0))))
-        val bus = logOf(listOf(flag("Robot Enabled", 5.0, PERIODS.map { it + 5 }, 205.0), numbers("Arm", List(300) { it + 5.0 to it * 1.0 })))
+        val number = listOf(Value("Match Number", "4"))
+        val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0), numbers("Arm", listOf(0.0 to 1.0, 0.02 to 2.0))), null, number)
+        val bus = logOf(listOf(flag("Robot Enabled", 3.0, PERIODS.map { it + 5 }, 205.0), numbers("Arm", List(300) { it + 5.0 to it * 1.0 })), null, number)
         val match = matchesOf(listOf(file("a.wpilog", FileRole.ROBOT, own), file("rio.hoot", FileRole.CAN_BUS, bus))).matches.single()
         val recording = match.recording(listOf("left"))
         recording.topics.map { it.name } shouldContainExactlyInAnyOrder listOf("DS:enabled", "Arm", "rio/Robot Enabled", "rio/Arm")
         recording.topics.first { it.name == "Arm" } shouldBe own.topics[1]
         recording.topics.first { it.name == "rio/Arm" }.run { times?.toList() to samples.size } shouldBe (List(300) { it * 1.0 } to 300)
-        recording.values.map { "${it.name}: ${it.text}" } shouldContain "Files/rio.hoot: can bus: moved by -5.0 s; 4 edges of enabled fit, within 0 ms"
+        recording.values.map { "${it.name}: ${it.text}" } shouldContain
+            "Files/rio.hoot: can bus: moved by -5.0 s; 4 edges of enabled fit, within 0 ms; samples outside of the robot's log, which are left out: 1"
         recording.values.last().text shouldBe "left"
+        recording.problems shouldBe emptyList()
+    }
+
+    test("rows whose time goes backwards are sorted, and those without a time belong to the row before; both are said") {
+        fun column(name: String, cells: List<Double>, attributes: List<String> = emptyList(), unit: String = "") = Topic(
+            name,
+            unit,
+            attributes,
+            cells.toDoubleArray(),
+            TextColumn.EMPTY,
+            CellCounts(cells.count { !it.isNaN() }, 0, 0, 0, cells.count { it.isNaN() }, 0),
+        )
+        val none = Double.NaN
+        val x = column("Time", listOf(none, 1.0, 2.0, none, 1.5, 3.0), listOf("xaxis"), "s")
+        val vision = Recording(RecordingFormat.BAG, null, emptyList(), listOf(x, column("Angle", listOf(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))), 6, emptyList())
+        val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)))
+        val match = matchesOf(listOf(file("a.wpilog", FileRole.ROBOT, own, 0.0), file("eye.bag", FileRole.ROBOT, vision, 10.0))).matches.single()
+        val recording = match.recording()
+        recording.topics.first { it.name == "eye/Angle" }.run { times?.toList() to samples.toList() } shouldBe
+            (listOf(11.0, 11.5, 12.0, 12.0, 13.0) to listOf(2.0, 5.0, 3.0, 4.0, 6.0))
+        recording.problems.map { it.kind to it.message } shouldBe listOf(
+            ProblemKind.TIMES_SORTED to "The times in eye.bag go backwards; its samples were sorted by time.",
+            ProblemKind.X_GAPS to "A row of eye.bag without a time, and without an earlier row with one, cannot be placed.",
+        )
+    }
+
+    test("a log without samples over time is in no match, even if a clock is stated for it") {
+        val own = file("a", FileRole.ROBOT, logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0))), 0.0)
+        val list = file("list.csv", FileRole.ROBOT, Recording(RecordingFormat.CSV, null, emptyList(), emptyList(), 0, emptyList()), 1.0)
+        val found = matchesOf(listOf(own, list))
+        found.matches.single().parts.map { it.file.name } shouldBe listOf("a")
+        found.left.map { it.second } shouldBe listOf("list.csv has no samples over time, so it cannot be placed.")
+    }
+
+    test("a robot's log that begins before 0 says that all of it is later") {
+        val own = logOf(listOf(flag("DS:enabled", -3.0, PERIODS, 200.0)))
+        val recording = matchesOf(listOf(file("a.wpilog", FileRole.ROBOT, own))).matches.single().recording()
+        recording.values.first { it.name == "Files/a.wpilog" }.text shouldBe
+            "robot: the clock of the match, all of which is 3.0 s later, so that no time is before 0"
     }
 })

@@ -6,7 +6,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.property.PropertyTesting
 import kotlin.random.Random
 
-class ClockTreeSpec : FunSpec({
+class ClockPlaceSpec : FunSpec({
     test("a log that fits any other one has its place, with the errors of the way") {
         val fits = mapOf((1 to 0) to ClockFit(5.0, 3, 0.01), (2 to 1) to ClockFit(-2.0, 2, 0.02), (2 to 3) to ClockFit(0.0, 9, 0.0))
         val places = onOneClock(4, mapOf(0 to 100.0)) { own, other -> fits[own to other] }
