@@ -8,7 +8,10 @@ import badlog.window.app.opensClickedFiles
 import badlog.window.app.placeSkia
 import java.nio.file.Path
 
-/** Opens the window with the folder or file named in [args], or otherwise with the last folder; with [StartPlace.PIT], in the pit view. */
+/**
+ * Opens the window with the folder or file named in [args], or otherwise with the last folder. With [StartPlace.PIT], it begins with the
+ * pit view.
+ */
 fun main(args: Array<String>) {
     placeSkia()
     val samples = System.getProperty("badlog.samples")?.let(Path::of)

@@ -8,7 +8,7 @@ import badlog.formats.wpilog.WpilogParser
 import badlog.window.log.OpenRecording
 import java.nio.file.Path
 
-/** The recording that [text] is as a bag, as if it were in a file called [name]. */
+/** Returns the recording of [text], the content of a bag called [name]. */
 internal fun recordingOf(text: String, name: String = "test.bag"): OpenRecording {
     val bytes = text.encodeToByteArray()
     val parser = BagParser(bytes.size.toLong())
@@ -16,7 +16,7 @@ internal fun recordingOf(text: String, name: String = "test.bag"): OpenRecording
     return OpenRecording(Path.of(name).toAbsolutePath(), LogView.of(parser.finish()))
 }
 
-/** A bag of [topics], each a name with attributes behind bars, of which `Time` is x; [rows] as they stand in the file. */
+/** Returns a bag of [topics], each a name with attributes behind bars; `Time` is x. The file contains [rows] as they are. */
 internal fun bagOf(topics: List<String>, rows: List<String>, values: Map<String, String> = emptyMap()): String {
     val header = topics.joinToString(",", """{"topics":[""", "],") { topic ->
         val attributes = topic.split('|').drop(1).joinToString(",") { "\"$it\"" }
@@ -25,7 +25,7 @@ internal fun bagOf(topics: List<String>, rows: List<String>, values: Map<String,
     return (listOf(header, topics.joinToString(",") { it.substringBefore('|') }) + rows).joinToString("\n", postfix = "\n")
 }
 
-/** The recording of a WPILOG of [topics]. */
+/** Returns the recording of a WPILOG of [topics]. */
 internal fun wpilogRecording(vararg topics: Topic): OpenRecording {
     val parser = WpilogParser()
     parser.accept(wpilogOf(topics.toList()))

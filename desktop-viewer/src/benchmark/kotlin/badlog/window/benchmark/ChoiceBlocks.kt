@@ -14,7 +14,7 @@ import java.nio.file.Path
 import kotlin.math.sin
 
 /**
- * Returns for how long the window stands still at most after each of a few choices, over a log of a million rows that is compared with
+ * Returns the longest time that the window's thread is blocked after each of a few choices. A log of a million rows is compared with
  * another one of as many, with five formulas in both.
  */
 internal fun measureChoiceBlocks(): List<FrameTimes> =

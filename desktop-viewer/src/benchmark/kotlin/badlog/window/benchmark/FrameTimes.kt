@@ -15,17 +15,17 @@ import badlog.window.theme.ViewerTheme
 import java.nio.file.Path
 
 /**
- * What frames took.
+ * The durations of measured frames.
  *
- * @property name what was done.
- * @property millis how long each took.
+ * @property name the measured action.
+ * @property millis the duration of each frame.
  */
 internal class FrameTimes(val name: String, val millis: List<Double>) {
-    /** Returns the value below which [percent] of the frames lie. */
+    /** Returns the duration in milliseconds that [percent] percent of the frames do not exceed. */
     fun percentile(percent: Int): Double = millis.sorted()[(millis.size - 1) * percent / 100]
 }
 
-/** A log of so many samples, at 50 Hz. */
+/** The number of samples of each topic in the measured logs, at 50 Hz. */
 internal const val SAMPLES = 1_000_000
 
 /** Returns a topic of [SAMPLES] samples. */
@@ -33,8 +33,8 @@ internal fun topic(name: String, unit: String, attributes: List<String> = emptyL
     Topic(name, unit, attributes, DoubleArray(SAMPLES) { value(it) }, TextColumn.EMPTY, CellCounts(SAMPLES, 0, 0, 0, 0, 0))
 
 /**
- * Measures frames of the graphs of a log of [topics], of which those of [boardOf] are on the board, in an off-screen window: [measure] gets the
- * window, and what says that all of it is drawn. Pictures before and after are kept as [picture] and beside that.
+ * Measures frames of a log of [topics] in an off-screen window, with the graphs of [boardOf] on the board. [measure] gets the window, and a
+ * function that returns whether everything is drawn. Pictures from before and after are saved as [picture] and beside it.
  */
 internal fun framesOf(
     topics: List<Topic>,

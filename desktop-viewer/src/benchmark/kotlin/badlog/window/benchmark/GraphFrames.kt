@@ -7,14 +7,14 @@ import java.nio.file.Path
 import kotlin.math.sin
 import kotlin.random.Random
 
-/** Returns how long frames take while a person zooms, pans, and moves the cursor over ten graphs of a million samples each. */
+/** Returns the durations of frames while zooming, panning, and moving the cursor over ten graphs of a million samples each. */
 internal fun measureFrames(pictures: Path): List<FrameTimes> =
     framesOf(tenSignals(), ::defaultBoard, pictures.resolve("ten-graphs.png")) { window, isReady ->
         val viewer = window.viewer
         val full = viewer.view.viewport.full
         val random = Random(1)
 
-        // From everything to a fiftieth of it: the more samples a pixel column has, the longer its strokes are.
+        // From the whole log to a fiftieth of it: the more samples a pixel column has, the longer its strokes are.
         fun zoom(): Double = window.measure({
             val visible = viewer.view.viewport.visible
             val isIn = if (visible.width < full.width / 50) false else !viewer.view.viewport.isZoomed || random.nextBoolean()

@@ -12,8 +12,8 @@ import kotlin.concurrent.thread
 import kotlin.math.sin
 
 /**
- * Returns how long it takes from the disk to the picture while a log grows and the window is live, for logs that have some megabytes when
- * the window opens them.
+ * Returns the time from the disk to the picture while a log grows and the window is live. The logs have 1, 10 and 40 MB when the window
+ * opens them.
  */
 internal fun measureLiveFrames(): List<FrameTimes> = listOf(1, 10, 40).map { megabytes ->
     val file = Files.createTempFile("badlog-live", ".wpilog")
@@ -36,14 +36,14 @@ private fun liveFramesIn(window: OffScreenWindow, file: Path, log: GrowingLog): 
     window.measure { viewer.live.isGrowing }
     window.measure({ viewer.live.begin() }) { viewer.live.isStaying }
     return List(ROUNDS + WARM_UP) {
-        // Rows are written at any moment between two looks at the file.
+        // Starts each measurement at another moment between two looks at the file.
         Thread.sleep(it % 7 * 13L)
         val row = log.lastSecond
         window.measure { checkNotNull(viewer.current.recording).span.to >= row && areDrawn() }
     }.drop(WARM_UP)
 }
 
-/** A WPILOG of [TOPICS] topics of [bytes], to which a thread writes 50 rows a second as soon as it is started. */
+/** A WPILOG of [TOPICS] topics and [bytes] bytes. Once started, a thread appends 50 rows a second. */
 private class GrowingLog(file: Path, bytes: Long) : AutoCloseable {
     private val channel = FileChannel.open(file, StandardOpenOption.WRITE)
     private val stream = WpilogStream { piece, size -> channel.write(ByteBuffer.wrap(piece, 0, size)) }
@@ -72,7 +72,7 @@ private class GrowingLog(file: Path, bytes: Long) : AutoCloseable {
                 Thread.sleep(ROW_MILLIS)
             }
         } catch (_: InterruptedException) {
-            // It is measured.
+            // The measurement is over.
         }
     }
 

@@ -12,19 +12,19 @@ import org.jetbrains.skia.EncodedImageFormat
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A window of 1600×900 pixels whose pictures nobody sees, drawn by software as on a pit laptop without a driver. */
+/** An off-screen window of 1600×900 pixels, drawn by software as on a pit laptop without a driver. */
 internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoCloseable {
     private val thread = WindowThread()
     private val home = Files.createTempDirectory("badlog-benchmark")
 
-    /** Where the user's own files are. */
+    /** The folders of the user's own files. */
     val folders = UserFolders(home, home)
     val viewer = Viewer(CoroutineScope(SupervisorJob() + thread), folders)
     private val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), thread) { content(viewer) }
 
     /**
-     * Draws frames until [isDone] and nothing is left to draw; gives the milliseconds this takes from [change] on. The first
-     * frame comes at once, the last as soon as it can, and those between no more often than a display of 120 Hz shows them.
+     * Draws frames until [isDone] and nothing is left to draw; returns the milliseconds since [change]. The first frame is drawn at once,
+     * the last as soon as possible, and the others at most as often as a display of 120 Hz shows them.
      */
     fun measure(change: () -> Unit = {}, isDone: () -> Boolean): Double {
         val start = System.nanoTime()
@@ -49,10 +49,10 @@ internal class OffScreenWindow(content: @Composable (Viewer) -> Unit) : AutoClos
         return (System.nanoTime() - start) / 1e6
     }
 
-    /** The milliseconds for which the window stood still at most while it was last measured: a frame, or work without one. */
+    /** The longest time in milliseconds that a frame or other work blocked the window's thread in the last measurement. */
     val longestBlock: Double get() = thread.longest
 
-    /** Keeps what is seen now in [file], to be looked at. */
+    /** Saves the current picture as [file], for people to look at. */
     fun save(file: Path) {
         Files.createDirectories(file.parent)
         scene.render(System.nanoTime()).use { Files.write(file, it.encodeToData(EncodedImageFormat.PNG)!!.bytes) }

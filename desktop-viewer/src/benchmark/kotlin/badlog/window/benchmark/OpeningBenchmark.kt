@@ -7,19 +7,19 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * How long it takes from asking for a bag to the picture of its first graphs.
+ * The result of opening a bag.
  *
- * @property seconds that.
- * @property megabytes the most memory the whole process had, as the system counts it; NaN where it does not tell.
+ * @property seconds the time from the request to the picture of the first graphs.
+ * @property megabytes the peak memory of the whole process as the system counts it; NaN if the system does not report it.
  */
 internal class Opening(val seconds: Double, val megabytes: Double)
 
-/** Opens the bag that the first argument names, in a window that is there already, and prints what it took. */
+/** Opens the bag that the first argument names in an existing window, and prints the time and memory it needed. */
 internal fun main(args: Array<String>) {
     val file = Path.of(args[0])
     OffScreenWindow { viewer -> ViewerScreen(viewer) }.use { window ->
         window.measure { true }
-        // As the window itself does once it is there.
+        // The window does the same after its first frame.
         val warmUp = window.viewer.scope.launch { warmUpGraphs(window.folders) }
         window.measure { warmUp.isCompleted }
         val millis = window.measure({ window.viewer.loader.open(file) }) {
@@ -33,7 +33,7 @@ internal fun main(args: Array<String>) {
     System.exit(0)
 }
 
-/** Opens [file] in a Java of its own, with as much memory as the window's has. */
+/** Opens [file] in a Java process of its own, with as much memory as the window has. */
 internal fun measureOpening(file: Path, picture: Path): Opening {
     val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
     val options = System.getProperty("badlog.viewer.options").split(' ')

@@ -12,7 +12,7 @@ import kotlin.math.cos
 import kotlin.math.sin
 import kotlin.random.Random
 
-/** Returns how long frames take while a person zooms into the path of a robot of a million poses, beside its plan, and moves the cursor. */
+/** Returns the durations of frames while zooming and moving the cursor over a robot's path of a million poses, beside its plan. */
 internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
     val lines = listOf("Drive/Pose X", "Drive/Pose Y", "Drive/Target Pose X", "Drive/Target Pose Y")
     val board = Board(listOf(BoardGraph(1, "Path", lines, isXy = true, height = GraphHeight.LARGE.pixels)))
@@ -26,7 +26,7 @@ internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
             val plane = planes[1] ?: whole
             val isIn = plane.x.width > whole.x.width / 50 && (plane.x.width >= whole.x.width || random.nextBoolean())
             val factor = if (isIn) 1 / 1.22 else 1.22
-            // Around a place that is seen, so that the path is seen as well.
+            // Around a visible place, so that the path stays visible.
             planes[1] = plane.scaled(factor, plane.xAt(random.nextDouble()), plane.yAt(random.nextDouble()))
         }, isReady)
         fun cursor(): Double = window.measure({
@@ -40,7 +40,7 @@ internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
     }
 }
 
-/** Rounds over the whole field, a little beside the plan. */
+/** Returns rounds over the whole field, a little beside the plan. */
 private fun longPath(): List<Topic> {
     val random = Random(7)
     fun x(i: Int) = Field.LENGTH / 2 + Field.LENGTH * 0.4 * sin(2 * PI * i / 1500) * cos(i / 90_000.0)

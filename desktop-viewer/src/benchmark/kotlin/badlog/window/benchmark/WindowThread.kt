@@ -5,7 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.coroutines.CoroutineContext
 
-/** Runs what is dispatched on the thread that asks for it: the window's thread of a window that is not there. */
+/** Queues dispatched work and runs it on the calling thread, in place of the thread of a real window. */
 internal class WindowThread : CoroutineDispatcher() {
     private val queue = LinkedBlockingQueue<Runnable>()
 
@@ -13,20 +13,20 @@ internal class WindowThread : CoroutineDispatcher() {
         queue += block
     }
 
-    /** The milliseconds of the longest that ran without a break since this was set to 0. */
+    /** The duration in milliseconds of the longest work without a break since this was set to 0. */
     var longest: Double = 0.0
 
-    /** Runs all that waits. */
+    /** Runs all queued work. */
     fun runPending() {
         while (true) time((queue.poll() ?: return)::run)
     }
 
-    /** Runs the next that comes, waiting for it no longer than a millisecond. */
+    /** Runs the next queued work, and waits for it at most a millisecond. */
     fun await() {
         queue.poll(1, TimeUnit.MILLISECONDS)?.let { time(it::run) }
     }
 
-    /** Runs [block] as this thread. */
+    /** Runs [block], and records its duration in [longest]. */
     fun time(block: () -> Unit) {
         val start = System.nanoTime()
         block()

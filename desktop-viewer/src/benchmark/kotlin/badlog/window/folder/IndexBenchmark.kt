@@ -15,8 +15,8 @@ import kotlin.time.TimeSource
 import kotlin.time.measureTime
 
 /**
- * Measures the index of the folder that `args[0]` names: with an empty cache, then with the cache that this filled, each in a
- * process of its own as when the viewer starts. `args[1]` is the folder of that cache; the second process gets it.
+ * Measures the index of the folder that `args[0]` names, with an empty cache and then with the filled one. Each run has a process of its
+ * own, as when the viewer starts. `args[1]` is the folder of the filled cache; only the second process gets it.
  */
 fun main(args: Array<String>) {
     val folder = Path.of(args[0]).toAbsolutePath().normalize()
@@ -35,7 +35,7 @@ fun main(args: Array<String>) {
     measureLooks(folder)
 }
 
-/** Returns what starts this program the way it was started, without its arguments. */
+/** Returns the command that starts this program the way it was started, without its arguments. */
 private fun sameProcess(): List<String> {
     val java = ManagementFactory.getRuntimeMXBean()
     return listOf(Path.of(System.getProperty("java.home"), "bin", "java").toString()) + java.inputArguments +
@@ -63,7 +63,7 @@ private fun measure(name: String, folder: Path, home: Path) = runBlocking {
     job.cancelAndJoin()
 }
 
-/** The rules run over all logs as soon as these are listed. A log in which nothing happens is left out. */
+/** Measures the rules, which run over all logs as soon as these are listed. Logs in which nothing happens are left out. */
 private suspend fun measureFindings(indexing: Indexing) {
     val before = indexing.queue.state().entries.count { it.found != null }
     val began = TimeSource.Monotonic.markNow()
@@ -75,7 +75,7 @@ private suspend fun measureFindings(indexing: Indexing) {
     println("  most memory of the process so far: ${peakMegabytes()} MB")
 }
 
-/** Returns what the system has counted, as Linux tells it; elsewhere it is not known. */
+/** Returns the peak memory of the process in megabytes, as Linux counts it; null on other systems. */
 private fun peakMegabytes(): Int? = try {
     Files.readAllLines(Path.of("/proc/self/status")).first { it.startsWith("VmHWM") }.filter { it.isDigit() }.toInt() / 1024
 } catch (_: IOException) {

@@ -12,7 +12,7 @@ import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.WindowPanels
 
-/** Does what actions ask of the window about findings. Use it only on the window's thread. */
+/** Performs the requests of actions about findings. Use it only on the window's thread. */
 internal class FindingRequests(
     private val current: CurrentRecording,
     private val findings: LogFindings,
@@ -22,7 +22,6 @@ internal class FindingRequests(
     private val panels: WindowPanels,
     private val spoken: SpokenCursor,
 ) {
-    /** Does what [request] asks for. */
     fun perform(request: FindingRequest) = when (request) {
         is FindingRequest.Show -> show(request)
 
@@ -50,7 +49,7 @@ internal class FindingRequests(
         openPanel()
     }
 
-    /** Shows what to look at next, unless a person reads another panel; in a narrow window, nothing is opened in front of the graphs. */
+    /** Opens the findings if no other panel is open; in a narrow window, the graphs stay in front. */
     private fun openPanel() = panels.change { if (inspector == null) copy(inspector = InspectorTab.FINDINGS) else this }
 
     private fun pin(request: FindingRequest.Pin) {

@@ -17,9 +17,8 @@ import kotlin.math.roundToInt
 import kotlin.math.sin
 
 /**
- * Draws a few small invisible graphs. The first graphs of a program take half a second longer than later ones, because their code
- * has to be loaded: this is better done while a person looks for a log. Call it on the window's thread, which can do other work
- * in between.
+ * Draws a few small invisible graphs, so that the code of graphs is loaded while a person looks for a log. The first graphs of a program
+ * take half a second longer than later ones. Call it on the window's thread, which can do other work in between.
  */
 internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     val recording = withContext(Dispatchers.Default) {

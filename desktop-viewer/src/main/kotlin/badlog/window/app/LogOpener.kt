@@ -27,7 +27,7 @@ internal class LogOpener(
         if (next.file != library.state.selected) open(next)
     }
 
-    /** Opens the first folder of [paths], or else the first log, with its folder if none is open yet. */
+    /** Opens the first folder of [paths], or otherwise the first log, with its folder if none is open yet. */
     fun openNamed(paths: List<Path>) {
         val folder = paths.firstOrNull { Files.isDirectory(it) }
         if (folder != null) return library.open(folder)

@@ -20,11 +20,11 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Shows the newest log automatically: if nothing is open, and in place of a log that it opened itself, unless somebody has used
- * that. Use it only on the window's thread.
+ * Shows the newest log automatically, if nothing is open or the open log was opened here and is not in use. Use it only on the window's
+ * thread.
  *
- * @param recorded returns the log that this window records, which is shown or offered by itself; null for none.
- * @param isInUse whether somebody is using the open log.
+ * @param recorded returns the log that this window is recording, which is shown or offered elsewhere; null for none.
+ * @param isInUse returns whether a person is using the open log.
  */
 internal class NewestLog(
     private val library: Library,
@@ -42,8 +42,8 @@ internal class NewestLog(
     private var isBeginning by mutableStateOf(false)
 
     /**
-     * Opens the log that [find] returns, which was open last, as one opened here, unless a person has opened another one by then: only a log
-     * written later replaces it. While [find] looks for it, nothing is opened here.
+     * Opens the log that was open last, as returned by [find], unless another log is open by then. Only a log written later replaces it.
+     * While [find] runs, nothing is opened here.
      */
     suspend fun beginWith(find: suspend () -> LastOpen?) {
         isBeginning = true
@@ -59,7 +59,7 @@ internal class NewestLog(
     /** Returns whether [file] was opened here, and not by a person. */
     fun hasShown(file: Path): Boolean = file == shown
 
-    /** Shows it whenever there is a newer one, until cancelled. */
+    /** Shows the newest log whenever there is a newer one, until cancelled. */
     suspend fun run() = snapshotFlow { library.state.folder }.collectLatest {
         since = TimeSource.Monotonic.markNow()
         val patience = flow {
@@ -72,7 +72,7 @@ internal class NewestLog(
             .collect { update(it.queue, it.isComplete) }
     }
 
-    /** Shows it, if it is known; [isComplete] says whether all logs of [queue] are. */
+    /** Shows the newest log if it is known; [isComplete] says whether all logs of [queue] are known. */
     fun update(queue: IndexQueue, isComplete: Boolean) {
         if (isBeginning || loader.isReading) return
         val newest = when {
@@ -96,7 +96,7 @@ internal class NewestLog(
     }
 
     private companion object {
-        /** How long to wait for all dates; after that, the file last written counts as the newest log. */
+        /** The time to wait for all dates; after that, the file last written counts as the newest log. */
         val PATIENCE = 1.seconds
     }
 }

@@ -7,15 +7,15 @@ import badlog.window.topics.TopicListing
 import java.nio.file.Path
 
 /**
- * Where a person was in each log since the window was opened: what the topics are searched for, and how far they and the graphs are
- * scrolled. Use it only on the window's thread.
+ * A person's place in each log since the window was opened: the search for topics, and the scroll positions. Use it only on the window's
+ * thread.
  *
  * @param graphs the scroll state of the graphs of [board].
  */
 internal class PlacesInLogs(private val topics: TopicListing, private val board: GraphBoard, private val graphs: LazyListState) {
     /**
-     * @property topic the number of the first visible row of the topics, and [topicOffset] what is hidden of it.
-     * @property graph the first visible graph, and [graphOffset] what is hidden of that: graphs of a finding may be above it.
+     * @property topic the number of the first visible row of the topics; [topicOffset] is its hidden height in pixels.
+     * @property graph the first visible graph; graphs of a finding may be above it. [graphOffset] is its hidden height in pixels.
      */
     private class Place(
         val query: String,
@@ -25,7 +25,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
         val graphOffset: Int,
     )
 
-    /** The logs that were opened last are the last. */
+    /** The places by log, in the order in which the logs were left. */
     private val known = LinkedHashMap<Path, Place>()
 
     /** Remembers where the person is in [file]. */
@@ -41,7 +41,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
         if (known.size > MOST) known.remove(known.keys.first())
     }
 
-    /** Goes to where the person was in [file], whose graphs are on the board, or else to its beginning. */
+    /** Goes to the place where the person was in [file], or otherwise to its beginning. The graphs of [file] must be on the board. */
     fun enter(file: Path) {
         val place = known[file]
         topics.change { searching(place?.query.orEmpty()) }
@@ -50,7 +50,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
         if (place != null && graph >= 0) graphs.requestScrollToItem(graph, place.graphOffset) else graphs.requestScrollToItem(0)
     }
 
-    /** Forgets [file], which was closed, and leaves it. */
+    /** Forgets the place in [file], which was closed, and clears the search for topics. */
     fun close(file: Path) {
         known.remove(file)
         topics.change { searching("") }
@@ -59,7 +59,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
     private fun drawn(graph: BoardGraph) = graph.lines to graph.isXy
 
     private companion object {
-        /** More than a person goes back to. */
+        /** The largest number of remembered places; a person goes back to fewer logs. */
         const val MOST = 100
     }
 }

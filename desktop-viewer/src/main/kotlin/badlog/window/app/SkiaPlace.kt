@@ -5,8 +5,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Makes Skia unpack its native library into a temporary folder if [home] cannot be written: without that library, there is no window. Call
- * it before anything is drawn. On Windows, which deletes no loaded library, the folder stays until temporary files are removed.
+ * Makes Skia unpack its native library into a temporary folder if [home] cannot be written. Without the library, no window opens. Call it
+ * before anything is drawn. Windows deletes no loaded library: there, the folder stays until temporary files are removed.
  */
 internal fun placeSkia(home: Path = Path.of(System.getProperty("user.home"))) {
     if (System.getProperty(PLACE) != null || obstacleTo(home.resolve(".skiko")) == null) return

@@ -16,25 +16,25 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * What the window opens at its start.
+ * The folder and the log that the window opens at its start.
  *
- * @property folder the folder whose logs it lists, or null.
+ * @property folder the folder with the listed logs, or null.
  * @property file the log it shows, or null for the newest of [folder].
- * @property complaint why it is not what was requested, as a sentence, or null.
+ * @property complaint the reason why it differs from the request, as a sentence, or null.
  * @property isPit whether it begins with the pit view.
  */
 internal data class StartPlace(val folder: Path?, val file: Path?, val complaint: String?, val isPit: Boolean = false) {
     companion object {
-        /** What a person writes, besides the folder, to begin with the pit view. */
+        /** The argument that, besides the folder, begins with the pit view. */
         const val PIT: String = "--pit"
 
-        /** Returns what [arguments] name, see the other function, and whether to begin with the pit view. */
+        /** Returns the start for [arguments], see the other function; with [PIT] among them, in the pit view. */
         fun of(arguments: Array<String>, settings: Settings, samples: Path?): StartPlace =
             of(arguments.firstOrNull { it != PIT }, settings, samples).copy(isPit = PIT in arguments)
 
         /**
-         * Returns what [argument] names, a folder or a file; without it, the last folder, or [samples] at the first start.
-         * Anything that no longer exists is skipped.
+         * Returns the start for [argument], a folder or a file; it complains about a name that does not exist. Without [argument], the
+         * folder is the last one that still exists, or otherwise [samples].
          */
         fun of(argument: String?, settings: Settings, samples: Path?): StartPlace {
             val remembered = settings.recentFolders.mapNotNull(::pathNamed) + listOfNotNull(samples)
@@ -73,14 +73,14 @@ internal suspend fun openFirst(
     newest.beginWith { start.folder?.let { layouts.lastOpenIn(it) } }
 }
 
-/** Shows the pit view as soon as the folder is known, and what was open there last is restored. */
+/** Shows the pit view as soon as the folder is listed, and its last layout is restored. */
 internal suspend fun beginWithPit(library: Library, layouts: LayoutStore, panels: WindowPanels) {
     if (library.state.folder == null) return
     snapshotFlow { library.state.hasLooked && layouts.folder == library.state.folder }.first { it }
     panels.change { copy(main = MainView.PIT) }
 }
 
-/** On a Mac, a double-clicked file is sent as a message to the running program. */
+/** Opens double-clicked files on a Mac, which sends them as a message to the running program. */
 internal fun opensClickedFiles(loader: RecordingLoader) {
     if (!Desktop.isDesktopSupported()) return
     val desktop = Desktop.getDesktop()

@@ -28,7 +28,7 @@ import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
 
 /**
- * The bar at the top of the window: which parts are open, what is shown, and the [menus].
+ * The bar at the top of the window: buttons for its parts, the name of the log, and the [menus].
  *
  * @param width the width of the window: in a wide one, each icon has a word beside it.
  * @param showsTopics whether the topics are visible.
@@ -90,7 +90,7 @@ private fun PanelButtons(panels: WindowPanels, showsTopics: Boolean, hasLabels: 
 /** From this width, the bar has room for all words beside the name of the log. */
 private val LABELED = 1700.dp
 
-/** The bar at the bottom of a narrow window: which of its parts is visible. */
+/** The bar at the bottom of a narrow window, which selects its visible part. */
 @Composable
 internal fun FrontTabs(panels: WindowPanels) {
     Row(

@@ -68,7 +68,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                         ArrivalBar(newLogs, ::showNewLog)
                     }
                     Box(Modifier.weight(1f).fillMaxWidth()) {
-                        // Topics come with a log.
+                        // Without logs, there are no topics.
                         Body(panels.state.copy(topics = showsTopics && !isWithoutLogs), isNarrow, settings, width, panesOf(viewer))
                         val open = current.recording
                         val sheet = formulas.sheet
@@ -116,7 +116,7 @@ private fun Body(panels: Panels, isNarrow: Boolean, settings: SettingsStore, wid
 
         panels.main != MainView.GRAPHS -> panes.main(all)
 
-        // One part at a time if there is no room for more.
+        // One part at a time, for lack of room.
         else -> when (panels.front) {
             FrontPart.LOGS -> panes.logs(all)
             FrontPart.TOPICS -> panes.topics(all)
@@ -134,7 +134,7 @@ private fun WideBody(panels: Panels, settings: SettingsStore, width: Dp, panes: 
     val widths = settings.state.panes.within(width.value, hasLogs, hasTopics, hasDetails)
 
     fun drag(by: PaneWidths) = settings.change {
-        // A dragged pane starts at its visible width, which in a small window is less than the wanted one.
+        // A dragged pane starts at its visible width, which in a small window is less than the stored one.
         copy(panes = this.panes.draggedFrom(this.panes.within(width.value, hasLogs, hasTopics, hasDetails), by))
     }
 
@@ -201,5 +201,5 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
 private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 
-/** Below this, three lists would leave no room for the graphs. */
+/** Below this width, three lists would leave no room for the graphs. */
 internal val NARROW = 1100.dp

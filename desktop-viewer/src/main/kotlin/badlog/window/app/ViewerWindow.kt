@@ -33,7 +33,7 @@ import org.jetbrains.skia.Image
  * The window, from its opening on [start] to its closing, which ends the application.
  *
  * @param folders the folders of the user's own files.
- * @param robots returns where the robot that a person typed may answer.
+ * @param robots returns the addresses where the robot that a person typed may answer.
  * @param content additional content of the window.
  */
 @Composable
@@ -62,7 +62,7 @@ internal fun ApplicationScope.ViewerWindow(
         }
     }
     LaunchedEffect(viewer) {
-        // A program that is ended from outside saves nothing any more.
+        // The place is saved while the window is open: a program that is ended from outside saves nothing.
         snapshotFlow { placeOf(place, viewer.settings.state.window) }.drop(1).collectLatest { seen ->
             delay(PLACE_MILLIS)
             viewer.settings.change { copy(window = seen) }
@@ -111,14 +111,14 @@ private fun ApplicationScope.OpenWindow(
     }
 }
 
-/** Writes immediately what would otherwise be written a moment later. */
+/** Writes layouts and settings immediately instead of a moment later. */
 private fun saveAll(layouts: LayoutStore, settings: SettingsStore, place: WindowState) {
     layouts.saveNow()
     settings.change { copy(window = placeOf(place, window)) }
     settings.saveNow()
 }
 
-/** A window is moved in many small steps. */
+/** The time to wait after the last move: a window moves in many small steps. */
 private const val PLACE_MILLIS = 1000L
 
 private fun windowIcon(): BitmapPainter {

@@ -56,7 +56,7 @@ import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
-/** The team's batteries over the folder's logs: which to use next, which to use no longer, and the matches of each. */
+/** The team's batteries in the folder's logs, with advice, and the matches of each. */
 @Composable
 internal fun BatteriesPane(season: FolderSeason, library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
     val batteries = season.state
@@ -108,7 +108,7 @@ private fun SeasonTable(batteries: Batteries, library: Library, season: FolderSe
     }
 }
 
-/** What to do with the batteries, the most urgent first, in large letters: it is read while the robot is on its cart. */
+/** The advice on the batteries, the most urgent first, in large letters: it is read while the robot is on its cart. */
 @Composable
 private fun Advice(batteries: Batteries) = Column(Modifier.padding(vertical = 12.dp), Arrangement.spacedBy(6.dp)) {
     val palette = LocalPalette.current
@@ -174,7 +174,7 @@ private fun AdviceLabel(label: String, isNext: Boolean) {
     )
 }
 
-/** A match in the columns of its battery, with the battery's name to change. */
+/** A match in the columns of its battery, with a menu to change the battery's name. */
 @Composable
 private fun MatchRow(
     match: BatteryMatch,
@@ -208,7 +208,7 @@ private fun MatchRow(
 private fun Cell(column: BatteryColumn, text: String, isBold: Boolean = false, color: Color = LocalPalette.current.text) {
     val place = Modifier.width(column.width.dp).padding(horizontal = 8.dp)
     val weight = if (isBold) FontWeight.SemiBold else FontWeight.Normal
-    // Without a part of it, a number would be another one.
+    // A number is never shortened: without a part, it would be another one.
     if (column.isNumber) {
         Text(text, place, color, fontWeight = weight, textAlign = TextAlign.End, maxLines = 1)
     } else {
@@ -216,7 +216,7 @@ private fun Cell(column: BatteryColumn, text: String, isBold: Boolean = false, c
     }
 }
 
-/** Whether it stands in the row of a match too, below that of its battery, at the same place. */
+/** Whether the row of a match has this column, too, below the row of its battery. */
 private val BatteryColumn.isOfMatch get() = this != BatteryColumn.BATTERY && this != BatteryColumn.MATCHES
 
 private val BatteryColumn.width: Int get() = when (this) {

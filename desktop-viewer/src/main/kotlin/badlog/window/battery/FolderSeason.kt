@@ -23,9 +23,9 @@ import java.nio.file.Path
 /**
  * The batteries of the folder's logs.
  *
- * @property seasons what is known of each.
- * @property advice what to do with them.
- * @property problems why a file about batteries is not used, as sentences.
+ * @property seasons each battery with its matches.
+ * @property advice the advice on the batteries.
+ * @property problems the reasons why a file about batteries is not used, as sentences.
  */
 internal class Batteries(
     val seasons: List<BatterySeason> = emptyList(),
@@ -36,7 +36,7 @@ internal class Batteries(
     val names: List<String> get() = seasons.mapNotNull { it.battery?.name }
 
     companion object {
-        /** Returns the batteries in [logs] of [folder]; it reads files. */
+        /** Returns the batteries in [logs] of [folder]. Reads files: call it off the window's thread. */
         fun of(logs: List<LogEntry>, folder: Path?): Batteries {
             assertOffWindow()
             val written = FolderBatteries.of(logs.map { it.file }, folder)
@@ -49,9 +49,9 @@ internal class Batteries(
 }
 
 /**
- * Follows what the folder's logs say of its batteries, and what the team writes down, while that is shown. Use it only on the window's thread.
+ * Follows the batteries of the folder's logs and the team's records of them, while they are shown. Use it only on the window's thread.
  *
- * @param isShown returns whether a person sees it.
+ * @param isShown returns whether a person sees the batteries.
  */
 internal class FolderSeason(
     private val scope: CoroutineScope,
@@ -70,12 +70,12 @@ internal class FolderSeason(
         }
     }
 
-    /** Reads again what the team wrote down. */
+    /** Reads the team's records again. */
     fun refresh() {
         written.value++
     }
 
-    /** Writes down beside the logs of [match] that the battery called [name] was in the robot; an empty name takes that back. */
+    /** Records beside the logs of [match] that the battery called [name] was in the robot; an empty name removes the record. */
     fun assign(name: String, match: BatteryMatch) {
         val logs = library.state.entries.filter { it.path in match.paths }.sortedBy { match.paths.indexOf(it.path) }
         if (logs.isEmpty()) return

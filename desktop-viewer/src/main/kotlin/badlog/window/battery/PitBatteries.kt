@@ -16,7 +16,7 @@ import badlog.viewer.shown.battery.BatteryStep
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 
-/** Which battery to use next, and which not to use, in letters that are read from two meters; nothing if no log names one. */
+/** The advice on batteries, in letters that are read from two meters; empty if there is none. */
 @Composable
 internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
     val palette = LocalPalette.current
@@ -34,7 +34,7 @@ internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
 private fun Line(text: String, color: Color) =
     Text(text, color = color, fontSize = 28.sp, lineHeight = 35.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
 
-/** Returns the color of what is said of a battery. */
+/** Returns the color of advice to take [step]. */
 internal fun Palette.colorOf(step: BatteryStep): Color = when (step) {
     BatteryStep.USE -> text
     BatteryStep.RETIRE -> error

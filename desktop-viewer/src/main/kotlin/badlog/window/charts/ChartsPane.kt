@@ -59,7 +59,7 @@ internal fun ChartsPane(
     modifier: Modifier = Modifier,
 ) {
     val visible = library.state.visible
-    // However the list is sorted, the charts are in the order of play.
+    // The charts are in the order of play, however the list is sorted.
     val (examined, waiting) = remember(visible) {
         visible.filter { it.isReadable && !it.isGray }.sortedBy { it.path }.partition { it.found != null }
     }
@@ -81,7 +81,7 @@ internal fun ChartsPane(
     }
 }
 
-/** What is being done, or was stopped; empty if the charts are those of the listed logs. */
+/** The progress of drawing, or the reason why logs are left out; empty if the charts show all listed logs. */
 @Composable
 private fun DrawingLine(charts: FolderCharts, examined: List<LogEntry>, waiting: Int) {
     val text = when {
@@ -117,7 +117,7 @@ private fun ChartGrid(charts: FolderCharts, drawn: DrawnCharts) {
     }
 }
 
-/** A chart on white, as on paper, in both themes: it is the picture that is saved. */
+/** A chart on white, as on paper, in both themes; the saved picture looks the same. */
 @Composable
 private fun ChartCard(chart: DrawnChart, onSave: (FigureFormat) -> Unit) {
     val picture = remember(chart) { SkiaImage.makeFromEncoded(chart.bytes(FigureFormat.PNG)).use { it.toComposeImageBitmap() } }

@@ -3,11 +3,11 @@ package badlog.window.charts
 import badlog.window.export.figure.FigureFormat
 
 /**
- * A chart of the folder's logs, drawn. It holds bytes rather than a chart of the library, so that nothing of the library is loaded until the
- * first chart is drawn.
+ * A drawn chart of the folder's logs. It holds bytes rather than a chart of the library for charts, so that nothing of that library is
+ * loaded until the first chart is drawn.
  *
  * @property name its name in names of files.
- * @property title what it shows.
+ * @property title its title.
  * @property question the question that it answers.
  * @property reading how to read it.
  */
@@ -19,7 +19,7 @@ internal class DrawnChart(
     private val svg: String,
     private val png: ByteArray,
 ) {
-    /** Returns the content of its file. */
+    /** Returns the content of its file in [format]. */
     fun bytes(format: FigureFormat): ByteArray = when (format) {
         FigureFormat.SVG -> svg.encodeToByteArray()
         FigureFormat.PNG -> png

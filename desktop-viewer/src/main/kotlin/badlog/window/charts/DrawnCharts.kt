@@ -10,16 +10,16 @@ import badlog.viewer.catalog.DateSource
 /**
  * The charts of some logs.
  *
- * @property all those that were drawn, the most useful first.
- * @property lacking what is lacking for each of the others, as a sentence.
- * @property unknown how many logs were left out because today's rules have not been run over them.
+ * @property all the drawn charts, the most useful first.
+ * @property lacking the data that each of the other charts lacks, as a sentence.
+ * @property unknown the number of logs left out because today's rules have not been run over them.
  */
 internal class DrawnCharts(val all: List<DrawnChart>, val lacking: List<String>, val unknown: Int = 0)
 
 /**
- * Draws the charts of [logs]. It takes seconds, so do not use it on the window's thread; interrupting its thread stops it.
+ * Draws the charts of [logs] in some seconds: call it off the window's thread. Interrupting its thread stops it.
  *
- * @param examined returns what is stored of a log; null for nothing.
+ * @param examined returns the stored results of a log; null if there are none.
  * @param progress receives the fraction done, 0 to 1.
  */
 internal fun drawCharts(logs: List<LogEntry>, examined: (LogEntry) -> ExaminedLog?, progress: (Float) -> Unit): DrawnCharts {

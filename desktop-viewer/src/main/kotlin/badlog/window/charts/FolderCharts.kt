@@ -22,11 +22,11 @@ import kotlin.time.TimeMark
 import kotlin.time.TimeSource
 
 /**
- * What the window's charts show.
+ * The state of the window's charts.
  *
- * @property charts the charts that were drawn last; null before any were.
- * @property of the logs that [charts] are of.
- * @property asked the logs whose charts are wanted; others than [of] while they are being drawn, or if a person stopped that.
+ * @property charts the charts that were drawn last; null before the first.
+ * @property of the logs of [charts].
+ * @property asked the requested logs; they differ from [of] while charts are being drawn, or after a person stopped that.
  * @property isDrawing whether charts are being drawn.
  */
 internal data class ChartsState(
@@ -35,10 +35,13 @@ internal data class ChartsState(
     val asked: List<LogEntry> = emptyList(),
     val isDrawing: Boolean = false,
 ) {
-    /** Whether a person stopped drawing the charts that are wanted. */
+    /** Whether a person stopped drawing the requested charts. */
     val isStopped: Boolean get() = !isDrawing && asked != of
 
-    /** Returns the charts, unless none of [logs] is among theirs: those of another folder, or event, would be taken for those of [logs]. */
+    /**
+     * Returns the charts if they show any of [logs], otherwise null. Charts of another folder or event could be mistaken for charts of
+     * [logs].
+     */
     fun chartsFor(logs: List<LogEntry>): DrawnCharts? {
         val files = logs.mapTo(HashSet()) { it.file }
         return charts?.takeIf { of.any { it.file in files } }
@@ -46,7 +49,7 @@ internal data class ChartsState(
 }
 
 /**
- * The charts of the logs that the list of the folder shows. Use it only on the window's thread.
+ * The charts of the logs in the folder's list. Use it only on the window's thread.
  *
  * @param makeCharts draws charts, see [drawCharts].
  */
@@ -60,12 +63,12 @@ internal class FolderCharts(
 ) : StateHolder<ChartsState>(ChartsState()) {
     private var drawing: Job? = null
 
-    /** When the list changed for the first time since the last drawing began; null if it did not. */
+    /** The time of the list's first change since the last drawing began; null if there was none. */
     private var changedAt: TimeMark? = null
 
     /**
-     * Draws charts of the newest of [lists], whenever that changes: soon after it became calm, and while it does not, every few seconds.
-     * Cancelling it stops drawing.
+     * Draws charts of the newest of [lists]: soon after it stops changing, or every few seconds while it changes. Cancelling it stops
+     * drawing.
      */
     suspend fun follow(lists: Flow<List<LogEntry>>) {
         try {
@@ -80,22 +83,22 @@ internal class FolderCharts(
             stop()
             return
         }
-        // Nobody waits for those of another search, or of another folder. A folder that is being read only grows: if each of its logs
-        // began the drawing anew, there would be none until the last one.
+        // Charts of another search or folder are no longer wanted. A folder that is being read only grows: if each of its logs restarted
+        // the drawing, there would be no charts until the last log.
         if (!state.asked.isPartOf(logs)) stop()
-        // Somebody types a search faster than charts can be drawn.
+        // A person types a search faster than charts can be drawn.
         val since = changedAt ?: TimeSource.Monotonic.markNow().also { changedAt = it }
         delay(minOf(CALM, (if (state.charts == null) LONGEST_CALM else REST) - since.elapsedNow()))
         val running = drawing?.takeIf { it.isActive }
         if (running != null) {
             running.join()
-            // Whoever stopped it does not want the next one either.
+            // A person who stopped it does not want the next drawing either.
             if (running.isCancelled) return
         }
         draw(logs)
     }
 
-    /** Stops drawing: what was drawn is what is wanted. */
+    /** Stops drawing; the drawn logs become the requested ones. */
     private fun stop() {
         drawing?.cancel()
         drawing = null
@@ -103,7 +106,6 @@ internal class FolderCharts(
         if (state.isDrawing || state.asked != state.of) change { copy(asked = of, isDrawing = false) }
     }
 
-    /** Draws charts of [logs]. */
     fun draw(logs: List<LogEntry>) {
         drawing?.cancel()
         changedAt = null
@@ -130,10 +132,10 @@ internal class FolderCharts(
     private companion object {
         val CALM = 400.milliseconds
 
-        /** The longest that the first charts of a list wait for calm. */
+        /** The longest time that the first charts wait for the list to stop changing. */
         val LONGEST_CALM = 2.seconds
 
-        /** The longest that new charts wait for calm: a machine that reads a folder has other things to do. */
+        /** The longest time that later charts wait for that: a machine that reads a folder is busy. */
         val REST = 8.seconds
     }
 }

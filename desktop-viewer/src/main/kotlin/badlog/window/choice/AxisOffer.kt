@@ -13,7 +13,7 @@ import badlog.core.recording.PathName
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** Asks once over which axis to draw logs that name none; empty if that is known. */
+/** Asks once for the x axis of logs that name none; empty if the axis is known. */
 @Composable
 internal fun AxisOffer(choice: AxisChoice) {
     val column = PathName.baseNameOf(choice.offered ?: return)

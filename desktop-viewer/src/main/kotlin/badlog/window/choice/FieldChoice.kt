@@ -13,8 +13,8 @@ import badlog.window.task.Notices
 import java.nio.file.Path
 
 /**
- * The field on which paths are drawn: the one beside the logs, or one that a person has selected for the folder of logs, which is
- * remembered.
+ * The field on which paths are drawn: the one beside the logs, or one that a person selected. A selection is remembered for the folder of
+ * logs.
  *
  * @param folder returns the folder of logs.
  */
@@ -26,17 +26,17 @@ internal class FieldChoice(
     private val notices: Notices,
     private val folder: () -> Path?,
 ) {
-    /** How often a person has selected one since the window was opened. */
+    /** The number of selections since the window was opened. */
     var selections: Int by mutableIntStateOf(0)
         private set
 
-    /** Whether a person has selected one for the current recording. */
+    /** Whether a person has selected a field for the current recording. */
     val isSelected: Boolean get() = current.recording?.let { selectedFor(it.file) } != null
 
     /** Returns the field of [log], which need not be open. Reads it: not on the window's thread. */
     fun of(log: Path): FieldFile = OpenRecording.fieldOf(log, selectedFor(log), folder())
 
-    /** Asks for the file of a field, and draws paths on that from now on. */
+    /** Asks for a field file, and draws paths on that field from now on. */
     fun askForField() {
         val log = current.recording?.file ?: return
         val file = files.toRead("Select a field file", selectedFor(log)?.parent ?: log.parent, ".json") ?: return
@@ -53,7 +53,7 @@ internal class FieldChoice(
         settings.change { withField("${folderOf(log)}", null) }
     }
 
-    /** Returns the file that a person has selected for [log]; null for none. */
+    /** Returns the field file that a person has selected for [log]; null for none. */
     fun selectedFor(log: Path): Path? = settings.state.fields["${folderOf(log)}"]?.let(Path::of)
 
     private fun folderOf(log: Path): Path = folder()?.takeIf(log::startsWith) ?: log.toAbsolutePath().parent

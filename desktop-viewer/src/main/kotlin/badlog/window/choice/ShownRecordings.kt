@@ -26,12 +26,12 @@ import kotlinx.coroutines.withContext
 import java.nio.file.Path
 
 /**
- * Keeps what is shown of the open recording and of the compared ones as a person has chosen it: after each change of a choice, calculates
- * it off the window's thread, each log by itself, and then shows it. Use it only on the window's thread.
+ * Recalculates the open and the compared recordings after each change of a choice, and then shows them. Each log is calculated by itself,
+ * off the window's thread. Use it only on the window's thread.
  *
- * @param following calls a function that shows the open recording anew, and places its graphs again.
+ * @param following calls a function that replaces the open recording, and places its graphs again.
  * @param library returns the folder of logs.
- * @param choices returns what is chosen for a recording.
+ * @param choices returns the choices for a recording.
  */
 internal class ShownRecordings(
     private val current: CurrentRecording,
@@ -43,16 +43,16 @@ internal class ShownRecordings(
     private val library: () -> Path?,
     private val choices: (OpenRecording) -> RecordingChoices,
 ) {
-    /** What is calculated of a recording: neither is repeated while both stay the same. */
+    /** A recording and the choices for it: it is not calculated again while both stay the same. */
     private data class Wanted(val recording: OpenRecording, val choices: RecordingChoices)
 
     private val jobs = HashMap<Path, Pair<Wanted, Job>>()
     private val later = ArrayList<() -> Unit>()
 
-    /** What could not be calculated, and is not tried again. */
+    /** The calculations that failed, and are not tried again. */
     private var failed by mutableStateOf(emptyList<Wanted>())
 
-    /** Whether something is shown as it was before the last choice. */
+    /** Whether a recording is still shown as before the last choice. */
     val isWaiting: Boolean get() = wanted().any(::isToDo)
 
     /** Follows the choices, until cancelled. */
@@ -69,19 +69,19 @@ internal class ShownRecordings(
         catchUp()
     }
 
-    /** Calls [action] when all is shown as it is chosen: now, or as soon as that is calculated. */
+    /** Calls [action] as soon as all recordings are shown as chosen; immediately if they are. */
     fun whenShown(action: () -> Unit) {
         later += action
         catchUp()
     }
 
-    /** Shows [made], which was read or calculated instead of the recording of the same file that is shown. */
+    /** Shows [made], which was read or calculated to replace the shown recording of the same file. */
     fun show(made: OpenRecording) = Snapshot.withMutableSnapshot { following { showNow(made) } }
 
     private fun showNow(made: OpenRecording) {
         compared.share(made)
         val before = current.recording?.takeIf { it.file == made.file } ?: return
-        // The time has a graph only if it is not the axis, and the Driver Station's topics have some.
+        // Standard graphs change with the axis, as the time has a graph only if it is not the axis, and with the Driver Station's topics.
         val isOtherAxis = made.isOverTime != before.isOverTime
         val isDefault = (if (isOtherAxis) board.arranged else board.history.now).showsSame(before.standardGraphs)
         current.replace(made)
@@ -95,7 +95,7 @@ internal class ShownRecordings(
             val folder = library()
             val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) { ensureActive() } }
             jobs.remove(wanted.recording.file)
-            // It may have grown, or be closed, in the moment before this.
+            // The recording may have grown or been closed just before this.
             if (wanted in wanted()) show(made)
         } catch (e: CancellationException) {
             throw e

@@ -22,11 +22,11 @@ import java.nio.file.Path
 internal data class StationOfLog(val robot: Path? = null, val found: FoundStation<LogFile>? = null)
 
 /**
- * Finds the Driver Station's log of the same match as the current recording, and shows it with that if a person wants it, which is
- * remembered for each log. Use it only on the window's thread.
+ * Finds the Driver Station's log of the current recording's match, and shows both together if a person wants it. The choice is remembered
+ * for each log. Use it only on the window's thread.
  *
  * @param folder returns the folder of logs.
- * @param find finds it, off the window's thread.
+ * @param find finds the Driver Station's log, off the window's thread.
  */
 internal class StationChoice(
     private val current: CurrentRecording,
@@ -34,26 +34,26 @@ internal class StationChoice(
     private val folder: () -> Path?,
     private val find: (OpenRecording, Path?) -> FoundStation<LogFile>? = ::stationBeside,
 ) : StateHolder<StationOfLog>(StationOfLog()) {
-    /** The Driver Station's log that belongs to the current recording; null where none is known. */
+    /** The Driver Station's log that belongs to the current recording; null if none is known. */
     val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
 
     /** The log to offer: found, and neither shown nor dismissed by a person yet; null if there is none. */
     val offered: FoundStation<LogFile>? get() = found?.takeIf { state.robot.toString() !in settings.state.stations }
 
-    /** Whether it is shown. */
+    /** Whether the Driver Station's log is shown. */
     val isShown: Boolean get() = current.recording?.station != null
 
-    /** Searches for that of each opened log, until cancelled. */
+    /** Searches for the Driver Station's log of each opened log, until cancelled. */
     suspend fun run() = snapshotFlow { current.recording?.file to folder() }.collectLatest { (file, folder) ->
         if (state.robot != file) change { StationOfLog(file) }
         val open = current.recording?.takeIf { it.file == file } ?: return@collectLatest
-        // One that is a Driver Station's log itself needs none.
+        // A Driver Station's log needs no other one.
         if (open.view.recording.isOfDriverStation) return@collectLatest
         val found = runInterruptible(Dispatchers.IO) { find(open.with(open.choices.copy(station = null)), folder) }
         change { StationOfLog(file, found) }
     }
 
-    /** Shows it with the current recording from now on, or hides it. */
+    /** Shows the Driver Station's log with the current recording from now on, or hides it. */
     fun choose(isShown: Boolean) {
         val file = current.recording?.file ?: return
         settings.change { withStation(file.toString(), isShown) }

@@ -17,8 +17,8 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Returns the Driver Station's log of the same match as [robot], in its folder, in the folder of logs [library], or where the Driver
- * Station of this computer keeps its logs; null if none can be identified. Interrupting the thread cancels.
+ * Returns the Driver Station's log of the same match as [robot]; null if none can be identified. It may be in the folder of [robot], in the
+ * folder of logs [library], or where the Driver Station of this computer keeps its logs. Interrupting the thread cancels.
  */
 internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<LogFile>? {
     val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)
@@ -44,5 +44,5 @@ private fun checkInterrupt() {
     if (Thread.interrupted()) throw InterruptedException()
 }
 
-/** More than a team plays in a day would take too long, and too much memory. */
+/** The largest number of logs to read: more than a team plays in a day would take too much time and memory. */
 private const val MAX_READ = 40

@@ -16,7 +16,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import kotlin.math.ceil
 
-/** Says that the Driver Station's log of the same match was found, until a person has said whether it is shown; later, that it is. */
+/** Offers the Driver Station's log of the same match until a person shows or hides it; while it is shown, says so. */
 @Composable
 internal fun StationOffer(stations: StationChoice) {
     val offered = stations.offered
@@ -39,7 +39,7 @@ internal fun StationOffer(stations: StationChoice) {
     }
 }
 
-/** Returns how well two logs are aligned: `± 0.02 s`. */
+/** Returns the precision of an alignment: `± 0.02 s`. */
 internal fun alignmentText(fit: ClockFit): String {
     // The Driver Station logs every 20 ms: a better precision is impossible.
     val error = ceil(maxOf(fit.error, PERIOD) * HUNDRED) / HUNDRED

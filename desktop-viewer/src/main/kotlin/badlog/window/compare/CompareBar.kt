@@ -133,7 +133,7 @@ internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, dra
 internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
-    // What is being typed; null while nothing is.
+    // The text being typed; null while nothing is being typed.
     var draft by remember(offset) { mutableStateOf<String?>(null) }
     val isMistyped = draft?.let { offsetOf(it) == null } == true
     val finish = {

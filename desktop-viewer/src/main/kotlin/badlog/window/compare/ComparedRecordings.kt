@@ -13,9 +13,9 @@ import kotlinx.coroutines.Job
 import java.nio.file.Path
 
 /**
- * The recordings compared with the current one: reads them, and releases those that no longer are.
+ * Reads the recordings compared with the current one, and releases them afterwards.
  *
- * @param reader reads each.
+ * @param reader reads each recording.
  */
 internal class ComparedRecordings(
     private val current: CurrentRecording,
@@ -25,8 +25,8 @@ internal class ComparedRecordings(
     private val jobs = HashMap<Path, Job>()
 
     /**
-     * The recordings that every graph draws: the open one, then the checked ones that were read, in the order in which they were
-     * checked. A recording that is both is included once. The index in this list is that of a recording's color, see [colorOf].
+     * The recordings that every graph draws: the open one, then the checked ones that were read. They are in the order in which they were
+     * checked. A recording that is both is included once. The index in this list selects a recording's color, see [colorOf].
      */
     val drawn: List<DrawnRecording> by derivedStateOf {
         val open = current.recording ?: return@derivedStateOf emptyList()

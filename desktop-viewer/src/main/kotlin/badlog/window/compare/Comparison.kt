@@ -7,12 +7,12 @@ import badlog.window.log.OpenRecording
 import java.nio.file.Path
 
 /**
- * Which recordings are compared with the open one, and how. Immutable; each transition returns a new one. Files are absolute
- * and normalized.
+ * The recordings compared with the open one, and their offsets. Immutable; each transition returns a new one. Files are absolute and
+ * normalized.
  *
- * @property checked their files, in the order in which they were checked.
- * @property loaded those of [checked] that were read.
- * @property offsets where each is on x.
+ * @property checked the files of the recordings, in the order in which they were checked.
+ * @property loaded the recordings of [checked] that were read.
+ * @property offsets the offset of each on x.
  */
 internal data class Comparison(
     val checked: List<Path> = emptyList(),
@@ -24,7 +24,7 @@ internal data class Comparison(
 
     /** Removes [file] and its recording. */
     fun without(file: Path): Comparison = copy(
-        // Not by minus: a path is also the collection of its parts.
+        // `minus` would remove the parts of the path, which is also a collection.
         checked = checked.filter { it != file },
         loaded = loaded.filterKeys { it != file },
         offsets = offsets.without(file),
@@ -34,14 +34,14 @@ internal data class Comparison(
     fun withLoaded(recording: OpenRecording): Comparison =
         if (recording.file in checked) copy(loaded = loaded + (recording.file to recording)) else this
 
-    /** Removes all; the alignment stays for the next ones. */
+    /** Removes all; the alignment stays for the next recordings. */
     fun cleared(): Comparison = Comparison(offsets = LogOffsets(offsets.alignment))
 
     /** Returns the offset of [recording] in x that aligns it with the same moment of [open]; always finite. */
     fun offsetOf(recording: OpenRecording, open: OpenRecording): Double =
         offsets.of(recording.file, open.file, momentsOf(listOf(recording, open)))
 
-    /** Aligns by [wanted]; for manual alignment, each stays where it is. */
+    /** Aligns by [wanted]; a manual alignment keeps the current offsets. */
     fun alignedBy(wanted: Alignment, open: OpenRecording): Comparison =
         copy(offsets = offsets.alignedBy(wanted, open.file, momentsOf(loaded.values + open)))
 

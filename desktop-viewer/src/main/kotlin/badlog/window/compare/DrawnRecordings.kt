@@ -7,7 +7,7 @@ import badlog.window.theme.Palette
 /**
  * A recording that graphs draw.
  *
- * @property offset what is added to its x to align it with the open recording; 0 for that one itself.
+ * @property offset the number added to its x to align it with the open recording; 0 for the open one.
  * @property name its name beside the other drawn ones.
  */
 internal data class DrawnRecording(val recording: OpenRecording, val offset: Double = 0.0, val name: String = recording.label)

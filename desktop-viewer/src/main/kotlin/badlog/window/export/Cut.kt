@@ -13,16 +13,16 @@ import kotlin.math.floor
  * A part to cut out of a recording.
  *
  * @property rows the rows of [recording] in it; empty for nothing.
- * @property remark how the rows were made, to append to a sentence; empty if they are those of the file.
+ * @property remark the way the rows were made, to append to a sentence; empty if they are rows of the file.
  */
 internal class Cut(val recording: Recording, val rows: IntRange, val remark: String = "")
 
 /**
- * Returns the part of [recording] in [span]. For topics with times of their own, it makes rows: one every 20 ms, as often as a
+ * Returns the part of [recording] in [span]. For topics with times of their own, it makes rows. There is one every 20 ms, as often as a
  * robot's program runs, or one at each sample of a topic that has more.
  */
 internal fun partOf(recording: OpenRecording, span: Span): Cut {
-    // What the Driver Station logged stays in its own file.
+    // The Driver Station's topics stay in its own file.
     val whole = recording.view.recording.run { copy(topics = topics.filter { it.name !in recording.stationTopics }) }
     if (recording.logged.recording.topics.none {
             it.times != null && it.name !in recording.stationTopics
@@ -47,7 +47,7 @@ internal fun partOf(recording: OpenRecording, span: Span): Cut {
     return Cut(resampled(whole, times), times.indices, ", one every ${(period * 1000).toInt()} ms$HELD")
 }
 
-/** Its rows, with a column for each formula that has a value in each row. */
+/** Returns the rows of the file, with a column for each formula that has a value in each row. */
 private fun rowsOf(recording: OpenRecording, whole: Recording, span: Span): Cut {
     val rows = rowsWithin(recording, span)
     val (columns, others) = whole.topics.partition { topic ->
@@ -62,7 +62,7 @@ private fun countWithin(topic: Topic, from: Double, to: Double) = topic.times?.c
 
 private const val HELD = ", each with the last values before it"
 
-/** In seconds. */
+/** The shortest time between two made rows, in seconds. */
 private const val PERIOD = 0.02
 private const val MAX_CELLS = 40e6
 
@@ -70,8 +70,8 @@ private const val MAX_CELLS = 40e6
 private const val ROUNDING = 1e-9
 
 /**
- * Returns the rows of [recording] from the first to the last whose x is in [span]; empty if there is none. If x is missing
- * or goes backwards, the rows in between are included: a cut keeps the file's order and all of its rows.
+ * Returns the rows of [recording] from the first to the last with an x in [span]; empty if there is none. If x is missing or goes
+ * backwards, the rows in between are included: a cut keeps the file's order and all of its rows.
  */
 internal fun rowsWithin(recording: OpenRecording, span: Span): IntRange {
     val positions = recording.view.xAxis.positions

@@ -20,10 +20,10 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Writes the rows of [recording] in [span] to [target], as a bag, which keeps the values and the attributes. If there are no
- * rows, they are made, with the last values at their times.
+ * Writes the rows of [recording] in [span] to [target] as a bag, with its values and attributes. For topics with times of their own, rows
+ * are made with the last values at their times, see [partOf].
  *
- * @return what was written, as a sentence.
+ * @return a sentence about the written rows.
  * @throws IOException with a sentence for the user, if there is nothing to write or [target] is the recording's own file.
  */
 internal fun cutFile(recording: OpenRecording, span: Span, target: Path, progress: (Float) -> Unit = {}): String {
@@ -55,15 +55,15 @@ internal class CutSaver(
     private val tasks: LongTasks,
     private val notices: Notices,
 ) {
-    /** Asks for a file, and writes the selection or else the visible range to it as a bag. */
+    /** Asks for a file, and writes the selection, or otherwise the visible range, to it as a bag. */
     fun save() = ask("part", ".bag") { recording, span, target, progress -> cutFile(recording, span, target, progress) }
 
-    /** Saves the same for a spreadsheet. */
+    /** Saves the same part as a table for a spreadsheet. */
     fun saveTable() = ask("part", ".csv") { recording, span, target, progress ->
         tableFile(recording, CsvDraft.ofAll(recording.view, span), target, progress)
     }
 
-    /** Saves the same with only the lines of [graphs]. */
+    /** Saves the same part as a table with only the lines of [graphs]. */
     fun saveTable(graphs: List<BoardGraph>) = ask("board", ".csv") { recording, span, target, progress ->
         val lines = graphs.flatMap { it.lines }.distinct().mapNotNull { recording.signal(it)?.line }
         tableFile(recording, CsvDraft.of(recording.view, span, lines), target, progress)

@@ -32,7 +32,7 @@ internal data class PageJob(val log: Path, val page: Path, val compared: List<Pa
  * The result of several [PageJob]s.
  *
  * @property made the pages.
- * @property failures a sentence for each log whose page could not be made.
+ * @property failures a sentence for each log without a page.
  */
 internal class PagesMade(val made: List<Path>, val failures: List<String>)
 
@@ -50,7 +50,7 @@ internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
 /**
  * Makes the pages of [jobs]; a failing one does not affect the others. Interrupting the thread cancels.
  *
- * @param additions what each page also shows.
+ * @param additions the additions to each page.
  * @param progress receives the fraction done, 0 to 1.
  */
 internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): PagesMade {
@@ -75,13 +75,13 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
 }
 
 /**
- * What the pages show besides the recordings: the formulas that work there, and the rules for their folder.
+ * The additions to pages besides the recordings: working formulas, rules of the folder, field, and initial graphs.
  *
  * @param known recordings that were already read.
  * @param definitions the formulas.
- * @param library the folder of logs, whose rules count.
+ * @param library the folder of logs, which may have rules.
  * @param field returns the field of each log.
- * @param board the initial graphs; null for those of the folder, or of the log.
+ * @param board the initial graphs; null for the layout of the folder or the log.
  */
 internal class Additions(
     known: List<OpenRecording>,
@@ -92,7 +92,7 @@ internal class Additions(
 ) {
     private val known = known.associateBy { it.file }
 
-    /** Those of the page of [log]. */
+    /** Returns the additions to the page of [log]. */
     fun of(log: Path): PageAdditions {
         val rules = FolderRules.of(log, library)
         val layout = board?.let { BoardLayout(it).toJson() } ?: layoutFor(log, rules.rules.signals, library).text

@@ -32,7 +32,7 @@ internal class PageSaver(
     private val tasks: LongTasks,
     private val notices: Notices,
 ) {
-    /** Asks for a file, and makes the page of the current recording, which begins with the graphs of the window, and compares what it compares. */
+    /** Asks for a file, and makes the page of the current recording, with the window's graphs and compared logs. */
     fun savePage() {
         val log = current.recording?.file ?: return sayNoLog(notices)
         val page = askToWrite(files, notices, "Export the page", log.parent, log.fileName.toString(), ".html") ?: return
@@ -40,7 +40,7 @@ internal class PageSaver(
         save("Saving ${page.fileName}", board.state) { listOf(PageJob(log, page, others)) }
     }
 
-    /** Asks for a folder, and makes the pages of all checked recordings likewise. */
+    /** Asks for a folder, and makes the pages of all checked recordings, with the window's graphs. */
     fun savePagesOfChecked() {
         val logs = compared.state.checked
         if (logs.isEmpty()) return
@@ -48,7 +48,7 @@ internal class PageSaver(
         save("Saving pages", board.state) { pageJobs(logs, folder) }
     }
 
-    /** Asks for a folder, and makes the pages of every log in the library's folder, those of its subfolders included. */
+    /** Asks for a folder, and makes the page of every log in the library's folder and its subfolders. */
     fun savePagesOfFolder() {
         val top = library.state.folder ?: return
         val folder = files.folder("Export the pages of all logs into", top) ?: return
@@ -81,5 +81,5 @@ internal class PageSaver(
     }
 }
 
-/** Returns what may be logs in [folder] and the folders in it, in the order of their paths. */
+/** Returns the files in [folder] and its subfolders that may be logs, sorted by path. */
 internal fun logsIn(folder: Path): List<Path> = reading(folder) { FolderScan.of(folder) }.files.map { it.path }.sorted()

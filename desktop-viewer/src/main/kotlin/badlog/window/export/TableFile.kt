@@ -8,9 +8,9 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Writes [table], a part of [recording] for a spreadsheet, to [target].
+ * Writes the table of [draft], a part of [recording], to [target].
  *
- * @return what was written, as a sentence.
+ * @return a sentence about the written rows.
  * @throws IOException with a sentence for the user, if there is nothing to write or [target] is the recording's own file.
  */
 internal fun tableFile(recording: OpenRecording, draft: CsvDraft, target: Path, progress: (Float) -> Unit = {}): String {
@@ -31,7 +31,7 @@ internal fun tableFile(recording: OpenRecording, draft: CsvDraft, target: Path, 
     return "Wrote ${table.rowCount} rows to $target${table.remark}."
 }
 
-/** @throws IOException with a sentence for the user, if there is no row, or [target] is the file of [recording] itself. */
+/** @throws IOException with a sentence for the user, if there are no [rows], or [target] is the file of [recording] itself. */
 internal fun requireOther(recording: OpenRecording, rows: Int, target: Path) {
     if (rows == 0) throw IOException("There are no samples in the visible range; show a part of the log that has some.")
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {
@@ -41,5 +41,5 @@ internal fun requireOther(recording: OpenRecording, rows: Int, target: Path) {
 
 private const val ROWS = 2000
 
-/** The share of the progress after which rows are written. */
+/** The progress at which the writing of rows begins. */
 private const val PREPARED = 0.2f

@@ -14,14 +14,14 @@ internal interface FileChoice {
     /** Returns a file to write, suggesting [name] in [folder]; overwriting is confirmed. */
     fun toWrite(title: String, folder: Path?, name: String): Path?
 
-    /** Returns a file to read whose name ends in [ending], empty for any, starting in [folder]. */
+    /** Returns a file to read, starting in [folder]. Its name ends in [ending], which is empty for any name. */
     fun toRead(title: String, folder: Path?, ending: String = ""): Path?
 
     /** Returns a folder, starting in [folder]. */
     fun folder(title: String, folder: Path?): Path?
 }
 
-/** Asks by the system's own dialogs. */
+/** Asks with the system's own dialogs. */
 internal object SystemFileChoice : FileChoice {
     override fun toWrite(title: String, folder: Path?, name: String): Path? = ask(title, FileDialog.SAVE, folder) { file = name }
 
@@ -71,14 +71,14 @@ internal object SystemFileChoice : FileChoice {
 }
 
 /**
- * Returns the pattern that stands for names that end in [ending] in the dialog of [system]; null if the dialog filters names itself, or if
+ * Returns the pattern for names that end in [ending] in the dialog of [system]. It is null if the dialog filters names itself, or if
  * [ending] is empty.
  */
 internal fun patternOf(ending: String, system: String): String? = "*$ending".takeIf { ending.isNotEmpty() && system.startsWith("Windows") }
 
 /**
- * Asks for a file to write whose name ends in [ending], suggesting [name]; null if nothing is to be written. An existing file
- * is replaced only if the person has typed its full name, and so confirmed that in the dialog.
+ * Asks for a file to write, suggesting [name], and adds a missing [ending]; null if nothing is to be written. An existing file is replaced
+ * only if the person has typed its full name, and so confirmed that in the dialog.
  */
 internal fun askToWrite(files: FileChoice, notices: Notices, title: String, folder: Path?, name: String, ending: String): Path? {
     val chosen = files.toWrite(title, folder, name + ending) ?: return null
@@ -89,5 +89,5 @@ internal fun askToWrite(files: FileChoice, notices: Notices, title: String, fold
     return null
 }
 
-/** Says that no log is open from which to save something. */
+/** Complains that no log is open. */
 internal fun sayNoLog(notices: Notices) = notices.complain("Open a log first.")

@@ -4,7 +4,7 @@ import badlog.files.LogName
 import badlog.files.safeName
 import java.nio.file.Path
 
-/** Returns [text] as the name of a file on any system: without forbidden characters, not that of a device, and not too long. */
+/** Returns [text] as the name of a file on any system. It has no forbidden characters, is not the name of a device, and is not too long. */
 internal fun fileNameOf(text: String): String = text.map { if (it.isISOControl() || it in FORBIDDEN) '-' else it }
     .joinToString("")
     .trim(' ', '.')

@@ -4,12 +4,12 @@ import badlog.rules.Finding
 import badlog.viewer.shown.finding.FoundInLog
 
 /**
- * What the window knows about the open recording's findings.
+ * The state of the open recording's findings.
  *
  * @property list the findings; null until the rules have run.
- * @property pointed the one under the pointer, or null.
- * @property pointedPlace where on x the pointer is on it; NaN if it is on its line in a list.
- * @property timesAsked how often a person requested to run the rules again.
+ * @property pointed the finding under the pointer, or null.
+ * @property pointedPlace the x of the pointer on the finding's mark; NaN if the pointer is on its line in a list.
+ * @property timesAsked the number of a person's requests to run the rules again.
  */
 internal data class Findings(
     val list: FoundInLog? = null,

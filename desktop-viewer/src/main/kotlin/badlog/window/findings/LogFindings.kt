@@ -34,10 +34,10 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * What rules find in the current recording. They run in the background, after its graphs are drawn, and again when it has
- * grown; another recording cancels them. Use it only on the window's thread.
+ * The findings in the current recording. Use it only on the window's thread. Rules run in the background, after its graphs are drawn, and
+ * again when it has grown; another recording cancels them.
  *
- * @param folder returns the folder of logs, whose rules count.
+ * @param folder returns the folder of logs, which may have rules.
  * @param awaitDrawn returns when the opened recording is visible.
  * @param rest returns when the rules, which took the time `running`, may run again over a log that grows.
  * @param find runs the rules over a recording.
@@ -51,16 +51,16 @@ internal class LogFindings(
     private val rest: suspend (running: Duration) -> Unit = { delay(restAfter(it)) },
     private val find: (view: LogView, file: Path, library: Path?) -> FoundInLog = ::findingsOf,
 ) : StateHolder<Findings>(Findings()) {
-    /** The log whose worst finding will be shown once it is known; null for none. */
+    /** The log that will show its worst finding once that is known; null for none. */
     private var worstWanted: Path? = null
 
     /** The finding that a person went to last; null for none. */
     val selected: Finding? get() = view.visited?.finding
 
-    /** The finding whose time is shaded in the graphs; null for none. */
+    /** The finding with its time shaded in the graphs; null for none. */
     val shown: Finding? get() = state.pointed ?: selected
 
-    /** Runs the rules over whatever is opened, until cancelled. */
+    /** Runs the rules over each opened log, until cancelled. */
     suspend fun run() {
         var before: Path? = null
         snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
@@ -76,7 +76,7 @@ internal class LogFindings(
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
                 change { knowing(list) }
-                // It may have been found again in a log that grows, as another object.
+                // A growing log may have the same finding again, as another object.
                 select(selected?.let(list::like))
                 if (worstWanted == wanted.file) goToWorst() else beginWithFirst(list)
                 rest(began.elapsedNow())
@@ -85,8 +85,8 @@ internal class LogFindings(
     }
 
     /**
-     * Goes to the first result for [log], which is open or being opened, as soon as the rules have run: the start of its worst incident,
-     * or else its worst finding.
+     * Goes to the first result for [log] as soon as the rules have run. It is the start of its worst incident, or otherwise its worst
+     * finding. The log is open or being opened.
      */
     fun showWorst(log: Path) {
         worstWanted = log
@@ -99,17 +99,16 @@ internal class LogFindings(
         firstStep(list.all, list.incidents)?.let { view.send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
     }
 
-    /** Adds the graphs of the first result, unless somebody has arranged others. */
+    /** Adds the graphs of the first result, unless a person has arranged other graphs. */
     private fun beginWithFirst(list: FoundInLog) {
         val open = current.recording ?: return
         if (!board.shows(open.standardGraphs)) return
         board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
     }
 
-    /** Runs the rules once more. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
-    /** Makes [topic] the signal [signal] of all logs of the folder, and runs the rules once more; or says why it cannot be that. */
+    /** Assigns [topic] to the signal [signal] in all logs of the folder, and runs the rules again; or reports why it cannot. */
     fun assign(signal: String, topic: String) {
         val open = current.recording ?: return
         val refusal = SignalAssignment(open.file, folder()).assign(signal, topic, open.forRules)
@@ -117,7 +116,7 @@ internal class LogFindings(
         if (refusal == null) runAgain()
     }
 
-    /** Records that the pointer is on [finding], or on none; on its mark at [place]. */
+    /** Records the [finding] under the pointer; null for none. If the pointer is on its mark, [place] is the x of that. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
     /** Goes to [place], where [finding] was found, see [FindingAction.GoTo]. */
@@ -145,11 +144,14 @@ internal class LogFindings(
     }
 }
 
-/** How long rules that took the time [running] rest while a log grows: the machine should mostly be free for the program that writes it. */
+/**
+ * Returns the rest after rules that took the time [running] over a growing log. The machine should mostly be free for the program that
+ * writes the log.
+ */
 internal fun restAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
 
 /**
- * Runs the rules for [file], which was read as [view]. It may take long; interrupting the thread cancels it.
+ * Runs the rules for [file], which was read as [view]. Call it off the window's thread; interrupting the thread cancels it.
  *
  * @param library the folder of logs, see [FolderRules.of].
  */

@@ -26,7 +26,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** Says which log has arrived and what is wrong in it, until somebody shows it or puts it off; empty if none has. */
+/** Names the log that has arrived and its result, until a person shows or postpones it; empty if none has arrived. */
 @Composable
 internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
     val match = logs.state.latest ?: return

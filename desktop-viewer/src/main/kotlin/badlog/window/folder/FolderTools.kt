@@ -15,7 +15,11 @@ import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
 import badlog.window.theme.ToolButton
 
-/** The tools above all logs of the folder, as a table or as charts: which logs are shown, and the way back; [more] has those of the view. */
+/**
+ * The tools above all logs of the folder, as a table or as charts: filters, and the way back.
+ *
+ * @param more the tools of the table or the charts.
+ */
 @Composable
 internal fun FolderTools(library: Library, settings: SettingsStore, actions: LibraryActions, more: @Composable () -> Unit = {}) {
     BoxWithConstraints(Modifier.fillMaxWidth().padding(8.dp)) {

@@ -34,10 +34,10 @@ import kotlin.time.TimeSource
 /**
  * Keeps an index of the logs of [folder]: lists the folder repeatedly, and reads new or grown files, on all cores.
  *
- * Listing takes about 2 ms for 1,000 files on a local drive. Having the system report changes would cost less, but it reports
- * none on network drives, and late on macOS.
+ * Listing takes about 2 ms for 1,000 files on a local drive. Having the system report changes would cost less, but it reports none on
+ * network drives, and late on macOS.
  *
- * @param cache the folder that stores what is known of logs; null for none.
+ * @param cache the folder that stores the results of reading; null for none.
  * @param cores the number of files read at once.
  */
 internal class Indexing(
@@ -57,7 +57,7 @@ internal class Indexing(
 
     private val updateCount = MutableStateFlow(0)
 
-    /** A different number whenever any of the following may have changed. */
+    /** A number that changes whenever any of the following properties may have changed. */
     val updates: StateFlow<Int> get() = updateCount
 
     /** The index; replaced once, when reading begins. */
@@ -65,7 +65,7 @@ internal class Indexing(
     var queue = IndexQueue()
         private set
 
-    /** Why the folder, or a part of it, cannot be read, as a sentence; null if all is well. */
+    /** The reason why the folder, or a part of it, cannot be read, as a sentence; null if there is none. */
     @Volatile
     var trouble: String? = null
         private set
@@ -125,7 +125,7 @@ internal class Indexing(
 
     private fun countUpdate() = updateCount.update { it + 1 }
 
-    /** Returns what the rules say of the file of [entry], as it is stored; null if they have not been run. Do not use it on the window's thread. */
+    /** Returns the stored results of the rules for the file of [entry]; null if they have not been run. Call it off the window's thread. */
     fun examined(entry: LogEntry): ExaminedLog? = store.examined(entry.source)
 
     /** Skips the logs that are waiting to be read. */
@@ -134,7 +134,7 @@ internal class Indexing(
         countUpdate()
     }
 
-    /** Reads what [stopReading] skipped. */
+    /** Reads the logs that [stopReading] skipped. */
     fun readAll() {
         queue.wantAll()
         countUpdate()
@@ -154,7 +154,7 @@ internal class Indexing(
     private suspend fun CoroutineScope.read(file: LogFile) {
         var isDone = false
         try {
-            // A log whose samples fill much of the memory is not read in parallel with another large one.
+            // Large logs fill much of the memory with their samples, so two of them are not read in parallel.
             if (file.size > LARGE) largeFile.lock()
             val began = started.elapsedNow()
             try {
@@ -173,10 +173,10 @@ internal class Indexing(
         }
     }
 
-    // A log that is being written is left to its own window.
+    // The rules do not run here over a log that is being written.
     private fun isSettled(file: LogFile) = file.modified < System.currentTimeMillis() - SETTLED.inWholeMilliseconds
 
-    /** Runs the rules over the logs on which they have not run, or only other rules, the newest first, while no file is waiting to be read. */
+    /** Runs the rules over logs without results of the current rules, the newest first, while no file is waiting to be read. */
     private suspend fun searchAll() = coroutineScope {
         while (true) {
             val state = queue.state()
@@ -209,7 +209,7 @@ internal class Indexing(
     }
 }
 
-/** Returns why [folder] cannot be read, which failed with [e]. */
+/** Returns a sentence for the user about [folder], which cannot be read because of [e]. */
 internal fun troubleWith(folder: Path, e: IOException): String = when (e) {
     is AccessDeniedException -> "$folder cannot be read: permission denied; change its permissions, or open another folder."
     is NoSuchFileException -> "There is no folder $folder; connect its drive, or open another folder."

@@ -29,13 +29,15 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     private var indexing: Indexing? = null
     private val mutableProgress = MutableStateFlow<IndexProgress?>(null)
 
-    /** The progress of reading the folder, as of [state]; null until something is known. */
+    /**
+     * The progress of reading the folder, as of [state]. It is null until the folder is listed, or if its newest log is not to be shown.
+     */
     val progress: StateFlow<IndexProgress?> get() = mutableProgress
 
     /**
      * Shows the logs of [folder] and its subfolders from now on.
      *
-     * @param showsNewest whether its newest log is shown while nobody has opened another.
+     * @param showsNewest whether its newest log is shown while a person has not opened another.
      */
     fun open(folder: Path, showsNewest: Boolean = true) {
         val path = folder.toAbsolutePath().normalize()
@@ -47,14 +49,14 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
         val started = Indexing(path, cache)
         indexing = started
         job = scope.launch {
-            // Data still being written to the cache of a folder must be available when that is opened again.
+            // The cache of a folder must be completely written before the same folder is opened again.
             if (isSame) before?.join()
             launch { started.run() }
             publish(started, showsNewest)
         }
     }
 
-    /** Closes the folder; what is known about it is kept for the next time. */
+    /** Closes the folder; its index is kept for the next time. */
     fun close() {
         job?.cancel()
         job = null
@@ -67,19 +69,21 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
         indexing?.stopReading()
     }
 
-    /** Reads what [stopReading] skipped. */
+    /** Reads the logs that [stopReading] skipped. */
     fun readAll() {
         indexing?.readAll()
     }
 
-    /** Returns what the rules say of a log of the open folder; null if they have not been run. Do not call it on the window's thread. */
+    /**
+     * A function that returns the rules' stored results for a log of the open folder; null if they have not been run. Call it off the
+     * window's thread.
+     */
     val examined: (LogEntry) -> ExaminedLog?
         get() {
             val opened = indexing
             return { opened?.examined(it) }
         }
 
-    /** Selects [file]. */
     fun select(file: Path) = change { copy(selected = file) }
 
     private suspend fun publish(indexing: Indexing, showsNewest: Boolean) {
@@ -112,5 +116,5 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     }
 }
 
-/** The progress of reading a folder: what [queue] knows, and whether that is all. Compared by identity. */
+/** The progress of reading a folder: the index [queue], and whether it is complete. Compared by identity. */
 internal class IndexProgress(val queue: IndexQueue, val isComplete: Boolean)

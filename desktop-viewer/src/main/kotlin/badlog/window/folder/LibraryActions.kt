@@ -4,21 +4,21 @@ import badlog.catalog.folder.LogEntry
 import java.nio.file.Path
 
 /**
- * What a person can do with the logs of a folder, besides changing how they are listed.
+ * A person's actions on the logs of a folder, besides changing the list.
  *
  * @property open shows a log.
  * @property openInGraphs shows a log, and the graphs instead of the table.
- * @property openFindings shows a log in the graphs, its findings beside them, and the worst of those.
+ * @property openFindings shows a log in the graphs, its findings beside them, and the worst finding.
  * @property check starts or stops comparing with the log in a file.
  * @property askForFolder asks for another folder and opens it.
  * @property askForLog asks for a log and opens it.
- * @property canCloseLog returns whether the open log can be closed: one of a folder stays open, because another could only replace it.
+ * @property canCloseLog returns whether the open log can be closed: a folder's log stays open until another replaces it.
  * @property closeLog closes the open log.
  * @property toggleTable shows all logs as a table, or the graphs again.
  * @property toggleCharts shows charts of the listed logs, or the graphs again.
  * @property togglePit shows the last logs in large letters, or the graphs again.
  * @property toggleBatteries shows the team's batteries, or the graphs again.
- * @property toggleTodo shows what the team has to do, or the graphs again.
+ * @property toggleTodo shows the team's to-do list, or the graphs again.
  * @property showGraphs shows the graphs again.
  */
 internal class LibraryActions(
@@ -38,5 +38,5 @@ internal class LibraryActions(
     val showGraphs: () -> Unit,
 )
 
-/** Which logs the graphs show: the [open] one, if any, and those that are [checked] to be compared with it. */
+/** The logs in the graphs: the [open] one, if any, and the [checked] ones that are compared with it. */
 internal class ShownLogs(val open: Path?, val checked: List<Path>)

@@ -40,7 +40,7 @@ import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import java.nio.file.Path
 
-/** The folder's name, and what else can be opened. */
+/** The folder's name, with a menu to open other folders, logs, and views. */
 @Composable
 internal fun FolderMenu(library: Library, settings: SettingsStore, actions: LibraryActions, modifier: Modifier = Modifier) {
     var isOpen by remember { mutableStateOf(false) }
@@ -135,7 +135,7 @@ internal fun SortMenu(library: Library) {
 
 private fun nameOf(folder: Path): String = folder.fileName?.toString() ?: folder.toString()
 
-/** The menu for the topic that logs preview. */
+/** The menu for the topic in the previews of logs. */
 @Composable
 internal fun PreviewMenu(entries: List<LogEntry>, settings: SettingsStore) {
     var isOpen by remember { mutableStateOf(false) }

@@ -103,7 +103,7 @@ private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs,
     }
 }
 
-/** The header of the list: its folder, and how it is filtered and sorted. */
+/** The header of the list: its folder, filters, and order. */
 @Composable
 internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsStore, actions: LibraryActions) {
     Column(Modifier.padding(start = 8.dp, end = 8.dp, top = 6.dp, bottom = 2.dp)) {
@@ -201,7 +201,7 @@ private fun emptinessOf(library: LibraryState): String = when {
             "appear automatically."
 }
 
-/** The progress of reading the folder, and what prevents it; empty if everything is known. */
+/** The progress of reading the folder, or the reason why it cannot be read; empty if everything is known. */
 @Composable
 internal fun ReadingLine(library: Library) {
     val state = library.state
@@ -219,7 +219,7 @@ internal fun ReadingLine(library: Library) {
             )
         }
         val reading = state.reading
-        // A growing log is read repeatedly, which nobody waits for.
+        // A growing log is read repeatedly, so its progress is not shown.
         if (reading != null && reading.total > 1) {
             NoteLine("Reading ${reading.read} of ${reading.total} logs", "Stop", "Stop reading logs") {
                 library.stopReading()

@@ -17,9 +17,9 @@ import java.nio.file.Path
  * @property reading the progress of reading them; null while there is nothing to read.
  * @property passedOver the number of logs skipped because a person stopped reading.
  * @property hasLooked whether the files have been listed.
- * @property trouble why the folder or a part of it cannot be read, as a sentence; null if all is well.
+ * @property trouble the reason why the folder or a part of it cannot be read, as a sentence; null if all is well.
  * @property selected the file selected with the keyboard.
- * @property isSearchAsked whether the keyboard is to go to the search field as soon as that is visible.
+ * @property isSearchAsked whether the search field gets the keyboard focus as soon as it is visible.
  */
 internal data class LibraryState(
     val folder: Path? = null,
@@ -32,7 +32,7 @@ internal data class LibraryState(
     val selected: Path? = null,
     val isSearchAsked: Boolean = false,
 ) {
-    /** Everything known about the folder's files, in no particular order; including files that are not listed. */
+    /** All known logs of the folder, in no particular order, including unlisted ones. */
     val entries: List<LogEntry> get() = listing.entries
 
     /** The listed logs, in order. */
@@ -41,13 +41,13 @@ internal data class LibraryState(
     /** The readable logs of robots, in no particular order. */
     val ofRobots: List<LogEntry> get() = logsOfRobots(entries) { LogName.of(it).isOnlyOfLogs }
 
-    /** The log that began last, of those that are not idle, or else of all readable ones; null if there are none. */
+    /** The latest log of a robot by its date, if possible one that is not idle; null if there are none. */
     val newest: LogEntry? get() = ofRobots.filter { !it.isGray }.maxWithOrNull(AGE) ?: ofRobots.maxWithOrNull(AGE)
 
-    /** Whether there is certainly no log to show: no folder is open, or the one that is open has been read and has no logs. */
+    /** Whether there is certainly no log to show. Either no folder is open, or the open one has been read and has no logs. */
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
 
-    /** Returns the state for another [folder], about which nothing is known yet, listed like this one. */
+    /** Returns the state for another [folder], still without logs, listed like this one but unfiltered. */
     fun opening(folder: Path): LibraryState =
         LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"))
 
@@ -57,7 +57,7 @@ internal data class LibraryState(
     /** Lists only logs with all words of [filter]. */
     fun filtered(filter: String): LibraryState = copy(listing = listing.copy(filter = filter))
 
-    /** Sorts by [column]; the other way round when that is so already. */
+    /** Sorts by [column], or reverses the order if that is the column already. */
     fun sorted(column: LogColumn): LibraryState = copy(listing = listing.sorted(column))
 
     /** Hides or shows gray logs. */
@@ -78,5 +78,5 @@ internal data class LibraryState(
     }
 }
 
-/** [read] of [total] logs are read. */
+/** The progress of reading: [read] of [total] logs. */
 internal data class ReadingProgress(val read: Int, val total: Int)

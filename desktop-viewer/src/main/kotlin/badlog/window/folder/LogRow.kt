@@ -117,7 +117,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
     PreviewCurve(topic, range, color, Modifier.fillMaxWidth().padding(top = 3.dp).height(16.dp))
 }
 
-/** The worst that the rules found; empty if that is no more than a note. */
+/** The worst result of the rules; empty if it is only a note. */
 @Composable
 private fun FoundLine(entry: LogEntry) {
     val verdict = entry.found?.verdict ?: return
@@ -142,7 +142,7 @@ private fun FoundLine(entry: LogEntry) {
     }
 }
 
-/** The title of [entry], and in the room that it leaves what else tells it from others. */
+/** The title of [entry] and, where there is room, its file name or event. */
 @Composable
 private fun RowTitle(entry: LogEntry, isOneOfMatch: Boolean, modifier: Modifier) {
     val palette = LocalPalette.current
@@ -198,7 +198,7 @@ internal fun CheckBox(description: String, isChecked: Boolean, onCheck: () -> Un
     }
 }
 
-/** A dot in the alliance's color. */
+/** A dot in the alliance's color; empty if the alliance is unknown. */
 @Composable
 internal fun AllianceMark(entry: LogEntry) {
     val palette = LocalPalette.current

@@ -11,10 +11,10 @@ import kotlinx.coroutines.flow.combine
 import java.nio.file.Path
 
 /**
- * The logs that have arrived in the folder, until somebody deals with them. Use it only on the window's thread.
+ * The logs that have arrived in the folder, until a person deals with them. Use it only on the window's thread.
  *
- * @param recorded returns the log that this window records, which has not arrived before it is finished; null for none.
- * @param isShownByItself returns whether the window opened a log although nobody asked for it: then nobody has seen it yet.
+ * @param recorded returns the log that this window is recording, which arrives only when it is finished; null for none.
+ * @param isShownByItself returns whether the window opened a log by itself: then no person has seen it yet.
  * @param ring makes a sound.
  */
 internal class NewLogs(
@@ -41,9 +41,9 @@ internal class NewLogs(
     /** Remembers that a person has opened [file]. */
     fun seen(file: Path) = change { without("$file") }
 
-    /** Hides all that have arrived: somebody deals with them later, or has seen them. */
+    /** Hides all that have arrived: a person deals with them later, or has seen them. */
     fun leave() = change { dealtWith() }
 
-    /** Returns the log that arrived last, of several of its match the worst, with which somebody deals now; the others are in the list. */
+    /** Returns the worst log of the match that arrived last, and hides all that have arrived; null if none has. */
     fun takeLatest(): LogEntry? = state.latest?.worst.also { leave() }
 }

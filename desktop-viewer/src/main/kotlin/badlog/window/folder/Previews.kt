@@ -13,18 +13,18 @@ import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.TopicSummary
 
 /**
- * The topic that each of [entries] previews: the one called [name], or else its battery voltage. All are drawn to the same
- * scale, so that they can be compared at a glance.
+ * The preview of each of [entries]: the topic called [name], or otherwise the battery voltage. All are drawn to the same scale, so that
+ * they can be compared at a glance.
  */
 internal class Previews(entries: List<LogEntry>, private val name: String?) {
-    /** The part of y that is drawn; null when there is nothing to draw. */
+    /** The drawn range of y; null if there is nothing to draw. */
     val range: Span? = commonRange(entries.mapNotNull(::of).filter { it.statistics.count > 0 })
 
-    /** Returns what [entry] previews; null when it has no such topic. */
+    /** Returns the previewed topic of [entry]; null if it has no such topic. */
     fun of(entry: LogEntry): TopicSummary? = (name ?: entry.summary.batteryTopic)?.let(entry.summary::topic)
 }
 
-/** Wide enough for nearly all of [topics]: a single log with a wild value must not flatten the others. */
+/** Returns a range for nearly all values of [topics]: a single log with a wild value must not flatten the others. */
 private fun commonRange(topics: List<TopicSummary>): Span? {
     if (topics.isEmpty()) return null
     val lows = topics.map { it.statistics.min }.sorted()
@@ -50,7 +50,7 @@ internal fun PreviewCurve(topic: TopicSummary, range: Span, color: Color, modifi
     }
 }
 
-/** Adds the two ends of [column] to [run], first the one nearer to where the line comes from. */
+/** Adds the two ends of [column] to [run]: first the end that is nearer to the last point. */
 private fun DrawScope.addColumn(run: MutableList<Offset>, column: Int, topic: TopicSummary, range: Span) {
     val width = size.width / PreviewLine.COLUMNS
     val low = heightOf(topic.preview.low(column), topic, range)
@@ -69,6 +69,6 @@ private fun DrawScope.heightOf(share: Float, topic: TopicSummary, range: Span): 
 }
 
 private fun DrawScope.drawRun(points: List<Offset>, color: Color) {
-    // A thickness up to one physical pixel is drawn many times faster.
+    // Lines up to one physical pixel thick are drawn many times faster.
     if (points.isNotEmpty()) drawPoints(points, PointMode.Polygon, color, strokeWidth = 1f)
 }

@@ -16,7 +16,7 @@ import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withContext
 import java.nio.file.Path
 
-/** Compares the open log with the ones before it, whenever the rules have run over more of them. Use it only on the window's thread. */
+/** Compares the open log with earlier ones, whenever the rules have run over more of them. Use it only on the window's thread. */
 internal class SinceLastMatch(private val current: CurrentRecording, private val library: Library) :
     StateHolder<Changes<LogEntry>>(Changes()) {
     private data class Compared(val folder: Path?, val earlier: List<LogEntry>, val log: LogEntry?)

@@ -94,7 +94,7 @@ private fun PreviewTitle(topic: String?) {
     )
 }
 
-/** A log in the table. A click on what the rules found calls [onFindings]. */
+/** A log in the table. A click on its findings calls [onFindings]. */
 @Composable
 internal fun TableRow(
     entry: LogEntry,
@@ -160,7 +160,7 @@ internal fun TableRow(
             }
             val width = Modifier.width(widthOf(column, spare))
             if (isLink) {
-                // Always the same, because a click may begin before the tooltip appears.
+                // The link is there without a tooltip, too, because a click may begin before the tooltip appears.
                 Box(width.then(linkTo(entry, onFindings)), propagateMinConstraints = true) {
                     // A tooltip costs as much as the rest of the row, so only the one under the pointer has it.
                     if (isHovered) Tip(foundLines(entry)) { cell(Modifier.fillMaxWidth()) } else cell(Modifier)
@@ -172,7 +172,7 @@ internal fun TableRow(
     }
 }
 
-/** Makes a click go to the findings; keys are for moving from log to log, and have the findings of the open one. */
+/** Makes a click go to the findings. It takes no keyboard focus, because keys move from log to log. */
 private fun linkTo(entry: LogEntry, onFindings: () -> Unit) = Modifier
     .focusProperties { canFocus = false }
     .clickable(role = Role.Button, onClick = onFindings)
@@ -195,7 +195,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
 }
 
 private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String = when {
-    // A log without a match has its name where people look first; a small window shows no other column of names.
+    // A log without a match has its name in the first column; in a small window, the file's column is out of sight.
     column == LogColumn.EVENT && entry.summary.match.event == null && entry.summary.match.number == null -> entry.fileName
 
     column != LogColumn.FILE -> column.text(entry).orEmpty()

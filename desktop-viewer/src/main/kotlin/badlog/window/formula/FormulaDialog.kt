@@ -65,7 +65,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
     fun reason() = writer.error?.message ?: sheet.before?.let { open.formulas.reasonToKeepName(it, writer.field.text) }
 
     fun isReady() = reason() == null && writer.topic != null
-    // What is ready is asked when the key comes: it may come before the text of the key before it is drawn.
+    // Evaluated when the key is pressed, which may be before the text of the previous key is drawn.
     val keep = { if (isReady()) keepFormula(formulas, sheet, writer) }
     Column(
         modifier
@@ -148,9 +148,9 @@ internal fun FormulaField(writer: FormulaWriter) {
     )
 }
 
-/** Returns [text] with the place of [error] underlined; if something is missing, with the text before it underlined. */
+/** Returns [text] with the place of [error] underlined; if something is missing, with the character before it underlined. */
 internal fun underlined(text: AnnotatedString, error: ExpressionError?, palette: Palette): AnnotatedString {
-    // The error may be that of the text before the last key.
+    // The error may belong to the text before the last key.
     if (error == null || error.text != text.text) return text
     val until = error.until.coerceIn(0, text.length)
     val from = error.from.coerceIn(0, until).let { if (it == until) maxOf(0, until - 1) else it }

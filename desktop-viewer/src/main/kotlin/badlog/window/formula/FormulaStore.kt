@@ -16,11 +16,11 @@ import badlog.window.log.OpenRecording
 import badlog.window.task.Notices
 
 /**
- * The formulas of the window: definitions of topics that are calculated from others, in the order in which they may use each other.
- * Use it only on the window's thread.
+ * The formulas of the window: definitions of topics that are calculated from others. They are in the order in which they may use each
+ * other. Use it only on the window's thread.
  */
 internal class FormulaStore(private val current: CurrentRecording, private val board: GraphBoard, private val notices: Notices) {
-    /** The formulas. */
+    /** The definitions of the formulas. */
     var definitions: List<String> by mutableStateOf(emptyList())
         private set
 
@@ -32,7 +32,7 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
     @Volatile
     private var removed = emptySet<String>()
 
-    /** Opens the dialog for a new one that contains [names] of the open recording; does nothing without a recording. */
+    /** Opens the dialog for a new formula that multiplies [names] of the open recording; does nothing without a recording. */
     fun write(names: List<String> = emptyList()) {
         val open = current.recording ?: return
         val vocabulary = vocabularyFor(open, definition = null)
@@ -50,14 +50,14 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
         sheet = null
     }
 
-    /** Adds [definition], whose topic is called [name], and draws it. */
+    /** Adds [definition] of the topic [name], and draws it. */
     fun add(definition: String, name: String) {
         removed = removed - definition
         definitions = (definitions + definition).distinct()
         board.send(GraphChange.Add(listOf(name)))
     }
 
-    /** Replaces [before] by [definition], whose topic is called [name], also in graphs. */
+    /** Replaces [before] by [definition] of the topic [name], also in graphs. */
     fun replace(before: String, definition: String, name: String) {
         removed = removed + before
         definitions = definitions.map { if (it == before) definition else it }.distinct()
@@ -76,10 +76,10 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
         return true
     }
 
-    /** Returns whether [name] is that of a formula that is still to be calculated in [open]. */
+    /** Returns whether [name] belongs to a formula that is not calculated in [open] yet. */
     fun isAwaited(name: String, open: OpenRecording): Boolean = definitions.any { it !in open.definitions && nameIn(it) == name }
 
-    /** Returns the formulas, plus those of [others] whose topics they do not define, and which nobody removed; on any thread. */
+    /** Returns the formulas and, of [others], the formulas for other topics that a person has not removed. Can be called on any thread. */
     fun with(others: List<String>): List<String> {
         val names = definitions.mapTo(HashSet(), ::nameIn)
         return definitions + others.filter { it !in removed && nameIn(it) !in names }
@@ -99,7 +99,7 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
  */
 internal data class FormulaSheet(val before: String? = null, val start: String = before.orEmpty())
 
-/** Returns the names that [definition] in [open] may use: the topics, and the formulas before it; all for null. */
+/** Returns the names that [definition] may use in [open]: the topics, and the formulas before it; for null, all of them. */
 internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
     val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
     return earlier.fold(open.logged.namesWith(open.vocabulary).vocabulary) { names, topic -> names.with(topic) }

@@ -42,7 +42,7 @@ internal class FormulaWriter(start: String, private val vocabulary: Vocabulary) 
     /** The topic that it defines; null while it is not valid. */
     val topic: VirtualTopic? get() = parsed as? VirtualTopic
 
-    /** What is wrong; null if nothing is, or nothing was typed. */
+    /** The mistake in the definition; null if there is none, or nothing was typed. */
     val error: ExpressionError? get() = (parsed as? ExpressionError)?.takeIf { typed.text.isNotBlank() }
 
     /** The suggested names at the text cursor. */

@@ -27,7 +27,7 @@ import badlog.window.menu.ContextArea
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 
-/** The formulas that do not work for [open], and why; a click edits one. Empty if all do. */
+/** The formulas that do not work for [open], and the reasons; a click edits one. Empty if all work. */
 @Composable
 internal fun UnmadeFormulas(formulas: FormulaStore, open: OpenRecording) {
     val unmade = open.formulas.mapNotNull { formula -> reasonFor(formula, open)?.let { formula to it } }
@@ -38,7 +38,7 @@ internal fun UnmadeFormulas(formulas: FormulaStore, open: OpenRecording) {
     }
 }
 
-/** Returns why [formula] does not work for [open], as a sentence; null if it does. */
+/** Returns the reason why [formula] does not work for [open], as a sentence; null if it works. */
 internal fun reasonFor(formula: Formula, open: OpenRecording): String? =
     formula.error?.message ?: "It has no samples here.".takeIf { formula.name?.let(open::signal) == null }
 

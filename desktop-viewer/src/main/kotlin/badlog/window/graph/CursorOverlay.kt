@@ -24,7 +24,7 @@ import badlog.window.log.PlotGesture
 import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 
-/** Everything that moves with the pointer: the cursor with the samples it reads, the selection, a finding, and what is being dragged. */
+/** Everything that moves with the pointer: the cursor with the samples it reads, the selection, a finding, and a drag. */
 @Composable
 internal fun CursorOverlay(scene: GraphScene, id: Int, state: PlotState) {
     val palette = LocalPalette.current

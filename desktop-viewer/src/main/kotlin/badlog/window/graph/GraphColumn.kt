@@ -62,7 +62,7 @@ internal fun GraphColumn(scene: GraphScene) {
     }
 }
 
-/** Scrolls to the graph that [board] wants, and reports which ones are visible. */
+/** Scrolls to the wanted graph of [board], and reports the visible graphs. */
 @Composable
 private fun ShowWantedGraph(board: GraphBoard, scroll: LazyListState) {
     LaunchedEffect(board.wanted) {
@@ -80,7 +80,7 @@ private fun ShowWantedGraph(board: GraphBoard, scroll: LazyListState) {
     }
 }
 
-/** Shows, while signals are being dragged, that they can be dropped below the last graph. */
+/** The place below the last graph for a new one, shown while signals are being dragged. */
 @Composable
 private fun NewGraphPlace() {
     Text(
@@ -96,7 +96,7 @@ private fun lanesOf(spec: BoardGraph, scene: GraphScene): Int {
     return if (lines.isNotEmpty() && lines.all { it.signal.states != null }) lines.size else 0
 }
 
-/** The wheel with Ctrl and Shift makes graphs taller or shorter, wherever the pointer is. */
+/** Makes graphs taller or shorter with Ctrl, Shift, and the wheel, wherever the pointer is. */
 private fun Modifier.changesHeights(scene: GraphScene) = pointerInput(scene) {
     awaitPointerEventScope {
         while (true) {

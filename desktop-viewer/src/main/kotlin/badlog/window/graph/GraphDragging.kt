@@ -41,7 +41,7 @@ internal fun Modifier.takesGraph(drag: GraphDrag, id: Int): Modifier = pointerIn
     }
 }
 
-/** Follows the pointer over all graphs while one is dragged, and shows in the colors of [palette] where it would be dropped. */
+/** Follows the pointer over all graphs while one is dragged, and marks its target in the colors of [palette]. */
 internal fun Modifier.dragsGraphs(drag: GraphDrag, palette: Palette): Modifier = pointerInput(drag) {
     awaitPointerEventScope {
         while (true) {

@@ -40,7 +40,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import java.awt.Cursor
 
-/** The title and legend of a graph, in at most [maxLines] lines of text. What does not fit is in a menu. */
+/** The title and legend of a graph, in at most [maxLines] lines of text; the rest is in a menu. */
 @Composable
 internal fun GraphHeader(scene: GraphScene, spec: BoardGraph, maxLines: Int, modifier: Modifier) {
     val lines = remember(spec, scene.recordings) { drawnLines(spec, scene.recordings) }
@@ -110,7 +110,7 @@ private fun GraphTitle(scene: GraphScene, spec: BoardGraph) {
     }
 }
 
-/** Returns a title as the signal's name has it. */
+/** Returns [title] without its folders, and without the brackets of a calculated topic. */
 private fun plain(title: String) = title.substringAfterLast('/').removePrefix("[ ").removeSuffix(" ]")
 
 private const val MAX_FOLDER_LETTERS = 60

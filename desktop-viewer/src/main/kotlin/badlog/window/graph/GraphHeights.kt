@@ -7,9 +7,9 @@ import badlog.window.graph.plot.MAX_LINES
 import badlog.window.graph.scene.GraphScene
 
 /**
- * Returns the height of each of [graphs], in dp. Lanes have the height they need, and graphs with their own height keep it. Other graphs of
- * y over x are large, and those of numbers have the height [usual], or share the rest of [room] if they [fit] in it with at least the
- * minimum height each.
+ * Returns the height of each of [graphs], in dp. Lanes have the height they need. A graph with a height of its own keeps it; other graphs
+ * of y over x are large. The rest have the height [usual]. If they [fit] into the rest of [room] with at least the minimum height each,
+ * they share it.
  *
  * @param lanes for each graph, its number of lanes; 0 if it has lines of numbers.
  */

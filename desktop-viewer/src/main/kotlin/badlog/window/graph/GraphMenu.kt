@@ -52,17 +52,17 @@ private fun fieldActions(scene: GraphScene) = listOfNotNull(
     GraphAction("Deselect the field file", run = scene.fields::deselect).takeIf { scene.fields.isSelected },
 )
 
-/** Returns the parts of y that [spec] shows now, that of the left axis first. */
+/** Returns the ranges of y that [spec] shows now, the range of the left axis first. */
 private fun shownY(scene: GraphScene, spec: BoardGraph) = scene.pictureOf(scene.plots.state(spec.id))?.plot?.axes.orEmpty().map { it.shown }
 
-/** Returns the title of [graph], one of those of [board], for a menu. */
+/** Returns the quoted title of [graph], which is on [board], for a menu. */
 internal fun quoted(board: GraphBoard, graph: BoardGraph): String = "“${shortTitle(board, graph)}”"
 
 private fun shortTitle(board: GraphBoard, graph: BoardGraph) = shortLabel(board.titleOf(graph), TITLE_LETTERS)
 
 private const val TITLE_LETTERS = 36
 
-/** A button that opens the menu of [spec]; [onOpen] is called with whether it is open. */
+/** A button that opens the menu of [spec]; [onOpen] receives whether it is open. */
 @Composable
 internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onOpen: (Boolean) -> Unit) {
     var search by remember(isOpen) { mutableStateOf("") }

@@ -24,7 +24,7 @@ import badlog.window.video.PlayerFrames
 /**
  * The graphs of the open recording, with overview and playback.
  *
- * @param isOpening whether one is being read.
+ * @param isOpening whether a recording is being read.
  */
 @Composable
 internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpening: Boolean = false) {
@@ -55,7 +55,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
     }
 }
 
-/** A press here removes the focus from text fields, so that keys are commands again; [onMove] is called when the pointer moves. */
+/** Removes the focus from text fields on a press, so that keys are commands again; calls [onMove] when the pointer moves. */
 private fun Modifier.takesKeyboard(onMove: () -> Unit) = composed {
     val focus = LocalFocusManager.current
     pointerInput(focus) {
@@ -64,7 +64,7 @@ private fun Modifier.takesKeyboard(onMove: () -> Unit) = composed {
             while (true) {
                 val event = awaitPointerEvent(PointerEventPass.Initial)
                 if (event.type == PointerEventType.Press) focus.clearFocus()
-                // When what is below the pointer moves, there are events, too.
+                // There are events, too, when something moves below a resting pointer.
                 val now = event.changes.first().position
                 if (now != place || event.type == PointerEventType.Scroll || event.type == PointerEventType.Press) onMove()
                 place = now

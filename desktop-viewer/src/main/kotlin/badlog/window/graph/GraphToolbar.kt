@@ -69,7 +69,7 @@ private fun ViewButtons(current: CurrentRecording, view: AxisView, hasLabels: Bo
     }
 }
 
-/** Only for a log that is being written. */
+/** The button to follow a log that is being written; empty for other logs. */
 @Composable
 private fun LiveButton(live: LiveView) {
     if (!live.isGrowing) return
@@ -112,7 +112,7 @@ internal fun setGraphHeight(settings: SettingsStore, height: Int) {
     settings.change { copy(graphHeight = height.coerceIn(BoardGraph.HEIGHTS), fitsGraphs = false) }
 }
 
-/** From this width, it has room for all words in a single line. */
+/** From this width, the toolbar has room for all words in a single line. */
 private val LABELED = 1020.dp
 
 private const val HEIGHT_STEP = 25

@@ -84,13 +84,13 @@ internal fun LegendEntry(scene: GraphScene, spec: BoardGraph, line: DrawnLine, h
     }
 }
 
-/** Returns the value of [line] with all digits, or how long it was in each state. */
+/** Returns the value of [line] with all digits, or the time in each of its states. */
 private fun tipText(scene: GraphScene, id: Int, line: DrawnLine): String {
     if (line.signal.states != null) return statesText(scene, line)
     return readingOf(scene.pictureOf(scene.plots.state(id)), line, scene.view.cursor, scene.view.secondCursor, ::exactText)
 }
 
-/** Returns how long and how often [line] was in each of its states in the visible range, or between the cursors. */
+/** Returns the time and count of each state of [line] in the visible range, or between the cursors. */
 private fun statesText(scene: GraphScene, line: DrawnLine): String {
     val span = scene.view.cursors.between ?: scene.view.viewport.visible
     return scene.plots.curves.runs(line.recording, line.signal)
@@ -123,7 +123,7 @@ private fun LegendValue(scene: GraphScene, id: Int, line: DrawnLine) {
     )
 }
 
-/** Returns the text beside [line] while there is no cursor: its unit, and its axis unless that is the left one. */
+/** Returns the text beside [line] without a cursor: its unit, and its axis unless it is the left one. */
 private fun PlotPicture.legendOf(line: DrawnLine): String? =
     plot.lines.getOrNull(lines.indexOf(line))?.let { drawn -> plot.axes[drawn.axis].run { side.legendOf(unit) } }
 
@@ -134,8 +134,8 @@ private fun valueWidth(line: DrawnLine, isComparing: Boolean) = when {
 }
 
 /**
- * Returns the value of [line] at the [cursor], formatted by [sampleText], compared with a [second] one; empty without a cursor, and until
- * [picture] has the line.
+ * Returns the value of [line] at the [cursor], formatted by [sampleText]; with a [second] cursor, both values compared. It is empty without
+ * a cursor, and until [picture] has the line.
  */
 internal fun readingOf(
     picture: PlotPicture?,
@@ -150,5 +150,5 @@ internal fun readingOf(
     return line.signal.line.comparisonText(a, second - line.offset, line.recording.view.xAxis.unit, sampleText)
 }
 
-/** More characters of a recording's name would leave no room for others. */
+/** The largest length of a recording's name; a longer one would leave no room for others. */
 private const val LABEL_LETTERS = 28

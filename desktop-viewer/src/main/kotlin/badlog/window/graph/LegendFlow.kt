@@ -62,5 +62,5 @@ internal fun LegendFlow(
 
 private val GAP = 14.dp
 
-/** The room for the button that stands for the others. */
+/** The room for the button that replaces the missing entries. */
 private val MORE_WIDTH = 36.dp

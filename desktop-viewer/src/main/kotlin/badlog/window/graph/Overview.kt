@@ -79,7 +79,10 @@ internal fun Overview(scene: GraphScene) {
     }
 }
 
-/** Returns the graph in the overview: the battery voltage, in which a match is easily recognized, or else the first numbers that change. */
+/**
+ * Returns the graph in the overview: the battery voltage, which shows a match clearly, or otherwise a topic of numbers. Numbers that change
+ * are preferred; null if there are none.
+ */
 internal fun overviewSpec(open: OpenRecording): BoardGraph? {
     val numbers = open.signals.filter { it.states == null && !it.isDerived }
     val chosen = open.of("battery").firstOrNull()

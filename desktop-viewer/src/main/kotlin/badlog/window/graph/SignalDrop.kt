@@ -15,7 +15,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
 
-/** Accepts dropped signals, and shows that they can be dropped; [onDrop] receives those names that the open recording has. */
+/** Accepts dropped signals, and shows that they can be dropped; [onDrop] receives the names that the open recording has. */
 internal fun Modifier.receivesSignals(scene: GraphScene, onDrop: (List<String>) -> Unit): Modifier = composed {
     val palette = LocalPalette.current
     val latest by rememberUpdatedState(onDrop)

@@ -24,14 +24,14 @@ internal fun signalNames(transfer: Transferable): List<String> {
     }
 }
 
-/** Returns whether [transfer] may contain names of signals, as far as is known while it is being dragged. */
+/** Returns whether [transfer] may contain names of signals: its content is not known while it is being dragged. */
 internal fun mayHoldSignals(transfer: Transferable): Boolean =
     transfer.isDataFlavorSupported(DataFlavor.stringFlavor) && !transfer.isDataFlavorSupported(DataFlavor.javaFileListFlavor)
 
-/** Returns the names of signals that are dropped by this event. */
+/** Returns the names of signals that this event drops. */
 @OptIn(ExperimentalComposeUiApi::class)
 internal fun DragAndDropEvent.signalNames(): List<String> = signalNames(awtTransferable)
 
-/** Returns whether names of signals may be what is dragged. */
+/** Returns whether the dragged content may be names of signals. */
 @OptIn(ExperimentalComposeUiApi::class)
 internal fun DragAndDropEvent.mayHoldSignals(): Boolean = mayHoldSignals(awtTransferable)

@@ -18,12 +18,12 @@ import badlog.window.log.GraphBoard
 import badlog.window.state.StateHolder
 
 /**
- * What a screen reader says after a key has moved the cursor: its place, with the values or the finding there. The state is the last text;
- * the pointer does not change it, because it moves too fast to be followed.
+ * The text for a screen reader after a key has moved the cursor: its place, with the values or the finding there. The pointer does not
+ * change the text, because it moves too fast to be followed.
  */
 internal class SpokenCursor(private val current: CurrentRecording, private val board: GraphBoard, private val view: AxisView) :
     StateHolder<String>("") {
-    /** Says where the cursor is that keys move, and the first values of the graphs there. */
+    /** Says the place of the cursor that keys move, and the first values of the graphs there. */
     fun sayValues() {
         val open = current.recording ?: return
         val x = view.cursors.moving ?: return
@@ -31,21 +31,21 @@ internal class SpokenCursor(private val current: CurrentRecording, private val b
         change { spokenAt(names.mapNotNull { open.signal(it)?.line }, x, placeOf(x)) }
     }
 
-    /** Says where the cursor was pinned, and what was [found] there. */
+    /** Says the place of the pinned cursor, and [found], the text of the finding there. */
     fun sayFinding(found: String) {
         val x = view.cursors.pinned ?: return
         if (found.isNotEmpty()) change { "${placeOf(x)}: $found" }
     }
 
-    /** Returns [x] of the open log for people; empty without one. */
+    /** Returns [x] of the open log for people; empty without an open log. */
     fun placeOf(x: Double): String =
         current.recording?.view?.xAxis?.let { withUnit(placeText(x, it, view.viewport.visible.width), it.unit) }.orEmpty()
 }
 
-/** The text of [spoken] for screen readers alone: it is there, but nothing of it is drawn. */
+/** The text of [spoken] for screen readers alone, which is not drawn. */
 @Composable
 internal fun SpokenText(spoken: SpokenCursor) {
-    // One without a size does not exist for screen readers.
+    // A text without a size does not exist for screen readers.
     Text(
         spoken.state,
         Modifier.size(1.dp).semantics { liveRegion = LiveRegionMode.Polite },

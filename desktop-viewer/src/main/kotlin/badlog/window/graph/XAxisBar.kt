@@ -60,10 +60,10 @@ internal fun XAxisBar(scene: GraphScene) {
     }
 }
 
-/** A flag on the axis at [x], called [name]: with all clocks if [isMain], or else the distance from another cursor at [from]. */
+/** A flag on the axis at [x], called [name]. It has all clocks if [isMain], otherwise the distance from the cursor at [from]. */
 private class Flag(val x: Double, val name: String, val shade: Shade, val isMain: Boolean, val from: Double? = null)
 
-/** Returns the flags of [cursors], the more important ones last: pinned ones in the accent color. */
+/** Returns the flags of [cursors], the more important ones last. Pinned cursors have the accent color. */
 private fun flagsOf(cursors: Cursors): List<Flag> {
     val (a, b, hover) = cursors
     return listOfNotNull(

@@ -10,10 +10,10 @@ import badlog.window.log.OpenRecording
 import badlog.window.task.Notices
 
 /**
- * The graphs that are arranged for a folder, on the board of whichever log of it is open. Those that this log cannot draw stay on the
- * board. Use it only on the window's thread.
+ * The graphs that are arranged for a folder, on the board of its open log. Use it only on the window's thread. Graphs that this log cannot
+ * draw stay on the board.
  *
- * @param whenStillOpen calls a function as soon as all is shown as it is chosen, unless a person has opened another log by then.
+ * @param whenStillOpen calls a function as soon as all logs are shown as chosen, unless a person has opened another log by then.
  * @param saved returns the graphs that this window has arranged for the folder of a recording; null for none.
  */
 internal class ArrangedGraphs(
@@ -23,15 +23,15 @@ internal class ArrangedGraphs(
     private val whenStillOpen: ((OpenRecording) -> Unit) -> Unit,
     private val saved: (OpenRecording) -> Board?,
 ) {
-    /** What the last log began with for which no graphs were arranged; null if there was none in this folder. */
+    /** The initial graphs of the last log for which no graphs were arranged; null if there was none in this folder. */
     private var begun: Board? = null
 
-    /** What the open log began with besides arranged graphs of which it can draw none. */
+    /** The other initial graphs of the open log, if it can draw none of the arranged ones. */
     private var besides = Board()
 
     /**
-     * Begins with another folder, to which the log [open] belongs; null for none. Returns whether a person has already changed the graphs
-     * with which that log began: then it did not begin with those arranged.
+     * Begins with another folder, which contains the log [open]; null for none. Returns whether a person has already changed that log's
+     * initial graphs: then it did not begin with the arranged ones.
      */
     fun enter(open: OpenRecording?): Boolean {
         besides = Board()
@@ -43,7 +43,7 @@ internal class ArrangedGraphs(
         return false
     }
 
-    /** Returns the graphs with which [recording] begins where [arranged] are those of its folder. */
+    /** Returns the initial graphs of [recording], if [arranged] are the graphs of its folder. */
     private fun begin(recording: OpenRecording, arranged: Board? = saved(recording)): Board {
         val all = placed(recording, arranged)
         if (arranged == null) begun = all
@@ -51,7 +51,7 @@ internal class ArrangedGraphs(
         return all
     }
 
-    /** Says which of the arranged graphs [recording] lacks. */
+    /** Reports which of the arranged graphs [recording] lacks. */
     private fun sayMissing(recording: OpenRecording) {
         val arranged = saved(recording) ?: return
         val there = fitted(arranged, recording)
@@ -59,8 +59,8 @@ internal class ArrangedGraphs(
     }
 
     /**
-     * Shows the graphs for [recording], which was just opened, and again when its formulas are calculated: it may have been read before
-     * those of its folder were known. If it is a log that has just begun, [isGrowing], nothing is said of what it lacks.
+     * Shows the graphs for [recording], which was just opened, and again when its formulas are calculated. It may have been read before the
+     * formulas of its folder were known. If [isGrowing], the log has just begun, and missing topics are not reported.
      */
     fun show(recording: OpenRecording, isGrowing: Boolean) {
         val first = begin(recording)
@@ -72,8 +72,8 @@ internal class ArrangedGraphs(
     }
 
     /**
-     * Calls [show], which shows the open log with what was written or calculated since. Its graphs are still those arranged for its folder,
-     * or those with which it begins now, unless a person has changed them.
+     * Calls [show], which shows the open log with new rows or calculations. Afterwards, it has the graphs arranged for its folder, or its
+     * new initial graphs, unless a person has changed them.
      */
     fun following(show: () -> Unit) {
         val isPlaced = current.recording?.let(::isPlaced) == true
@@ -81,19 +81,19 @@ internal class ArrangedGraphs(
         if (isPlaced) current.recording?.let(::placeAgain)
     }
 
-    /** Shows [graphs] instead, and says which of them [open] lacks; for null, those with which it begins if none are arranged. */
+    /** Shows [graphs] instead, and reports which of them [open] lacks; for null, shows its initial graphs without arranged ones. */
     fun apply(graphs: Board?, open: OpenRecording) {
         if (graphs == null) return board.send(BoardAction.ShowAll(open.standardGraphs))
         board.send(BoardAction.ShowAll(Board(graphs.graphs.filter { it.lines.isNotEmpty() }).identifiedByLines()))
         fitted(graphs, open).sentence?.let(notices::say)
     }
 
-    /** Returns the graphs to store for the folder of [open], which is in it; null if none are arranged. */
+    /** Returns the graphs to store for the folder that contains [open]; null if none are arranged. */
     fun toStore(open: OpenRecording): Board? = if (isPlaced(open)) saved(open) else board.arranged.orNull(open)
 
     /**
-     * Takes over what other windows have changed: the graphs arranged for the folder of [open] are [stored] now, and were [read] by this
-     * window before; null for none. Lines called [removed] are no more. Returns the graphs to store; null if none are arranged.
+     * Merges the changes of other windows to the graphs for the folder of [open]. Returns the graphs to store; null if none are arranged.
+     * The graphs are [stored] now, and were [read] by this window before; null for none. Lines called [removed] no longer exist.
      */
     fun mergedWith(stored: Board?, read: Board?, removed: Set<String>, open: OpenRecording): Board? {
         val wasPlaced = isPlaced(open)

@@ -15,8 +15,8 @@ internal class FolderLayouts(private val place: Path) {
     }
 
     /**
-     * Stores for [folder] what [change] returns for what is stored now, if that is not null; no other window stores anything in between.
-     * Returns whether it was stored.
+     * Stores the result of [change] for [folder], unless it is null; [change] receives the stored layout. Other windows store nothing in
+     * between. Returns whether it was stored.
      *
      * @throws IOException with a sentence for the user, if it cannot be written.
      */
@@ -26,7 +26,7 @@ internal class FolderLayouts(private val place: Path) {
         changed != null
     }
 
-    /** Returns when the layout of [folder] was last written, in milliseconds since 1970; 0 if it never was. */
+    /** Returns the time of the last change to the layout of [folder], in milliseconds since 1970; 0 if there is none. */
     fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
 
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")

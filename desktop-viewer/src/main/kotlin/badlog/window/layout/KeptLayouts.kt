@@ -19,14 +19,14 @@ import java.nio.file.Path
 /**
  * The layouts that are kept in a folder.
  *
- * @property files their files by their names, in the order of these.
- * @property shown the name of the one whose graphs a person asked for last; null for none.
+ * @property files their files by name, in the order of the names.
+ * @property shown the name of the layout that a person requested last; null for none.
  */
 internal data class LayoutsOfFolder(val files: Map<String, Path> = emptyMap(), val shown: String? = null)
 
 /**
- * The layouts in the folder of logs, between which a key switches: files that a person has saved there under names of their own. Use it
- * only on the window's thread.
+ * The layouts in the folder of logs, which a key shows in turn. They are files that a person has saved there under names of their own. Use
+ * it only on the window's thread.
  */
 internal class KeptLayouts(
     private val library: Library,
@@ -38,7 +38,7 @@ internal class KeptLayouts(
     private val folder: Path? get() = library.state.folder ?: current.recording?.file?.parent
     private var opening: Job? = null
 
-    /** Looks for those of each folder that is opened, until cancelled. */
+    /** Looks for the layouts of each opened folder, until cancelled. */
     suspend fun run() = snapshotFlow { folder }.collectLatest { opened ->
         change { LayoutsOfFolder() }
         if (opened == null) return@collectLatest
@@ -46,15 +46,15 @@ internal class KeptLayouts(
             val found = runInterruptible(Dispatchers.IO) { FolderLayout.keptIn(opened) }
             change { copy(files = found) }
         } catch (_: IOException) {
-            // The list of logs says that the folder cannot be read.
+            // The list of logs reports that the folder cannot be read.
         }
     }
 
-    /** Shows the graphs of the one that is [steps] after the one shown; looks for files that were saved meanwhile. */
+    /** Shows the graphs of the layout [steps] after the shown one; looks for newly saved files. */
     fun step(steps: Int) {
         val folder = folder ?: return
         opening?.cancel()
-        // At once, since somebody may press the key several times.
+        // Immediately, since a person may press the key several times.
         keptLayoutAfter(state.files.keys.toList(), state.shown, steps)?.let { next -> change { copy(shown = next) } }
         val wasKnown = state.shown in state.files
         opening = tasks.run("Looking for layouts", { FolderLayout.keptIn(folder) }) { found ->
@@ -65,10 +65,10 @@ internal class KeptLayouts(
         }
     }
 
-    /** Shows the graphs of the layout called [name], in the range that is visible. */
+    /** Shows the graphs of the layout called [name], in the visible range. */
     fun show(name: String) {
         val file = state.files[name] ?: return
-        // Also if it cannot be read: the key then goes on from it.
+        // Even if it cannot be read: the key then continues after it.
         change { copy(shown = name) }
         opening?.cancel()
         opening = tasks.run("Opening $name", { readLayout(file) }) { layout ->
@@ -77,7 +77,7 @@ internal class KeptLayouts(
         }
     }
 
-    /** Lists the layout that was saved as [file], if that is beside the logs and has a name of its own. */
+    /** Lists the layout that was saved as [file], if it is beside the logs and has a name of its own. */
     fun add(file: Path) {
         val name = FolderLayout.nameOf(file) ?: return
         if (file.parent == folder) change { LayoutsOfFolder(FolderLayout.inOrder(files + (name to file)), name) }

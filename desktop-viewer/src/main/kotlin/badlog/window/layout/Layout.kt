@@ -15,16 +15,16 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.jsonObject
 
 /**
- * How a person has arranged a window, by names only: fits every recording of a robot. A layout file contains it as JSON.
+ * A person's arrangement of a window, by names only: it fits every recording of a robot. A layout file contains it as JSON.
  *
  * @property version the version of the format, [VERSION] or newer; its key distinguishes a layout from other JSON.
- * @property graphs the graphs from top to bottom; null for those according to the topics' attributes.
+ * @property graphs the graphs from top to bottom; null for graphs according to the topics' attributes.
  * @property recording the file that was open, written as in [compared]; null for none.
  * @property visible its visible range; null for all.
  * @property selection its selection, or null.
  * @property compared the recordings compared with the open one.
- * @property panels which parts of the window are open; null for no change.
- * @property overTime whether logs that name no x axis are drawn over their time column; null if nobody has chosen.
+ * @property panels the open parts of the window; null for no change.
+ * @property overTime whether logs that name no x axis are drawn over their time column; null if a person has not chosen.
  * @property formulas the definitions of topics that are calculated from others.
  */
 @Serializable
@@ -81,7 +81,7 @@ internal data class LayoutComparison(
     val offsets: Map<String, Double> = emptyMap(),
 )
 
-/** Which parts of the window a [Layout] opens; like [badlog.window.sidebar.Panels], with the names of its values. */
+/** The parts of the window that a [Layout] opens; like [badlog.window.sidebar.Panels], with the names of its values. */
 @Serializable
 internal data class LayoutPanels(
     val library: Boolean = true,

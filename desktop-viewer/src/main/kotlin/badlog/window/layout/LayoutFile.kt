@@ -55,13 +55,13 @@ private val JSON = Json {
     explicitNulls = false
 }
 
-/** Returns [file] in the form for a layout: relative to [folder] if it is in it, with `/` between the parts on every system. */
+/** Returns [file] in the form for a layout: relative to [folder] if it is in it. Its parts are separated by `/` on every system. */
 internal fun pathText(file: Path, folder: Path?): String {
     val base = folder?.toAbsolutePath()?.normalize()
     return if (base != null && file.startsWith(base)) base.relativize(file).joinToString("/") else file.toString()
 }
 
-/** Returns the file that a layout wrote as [text], relative to [folder]; null if that is not a valid path. */
+/** Returns the file that a layout contains as [text], relative to [folder]; null if [text] is not a valid path. */
 internal fun pathOf(text: String, folder: Path?): Path? = try {
     (folder?.toAbsolutePath()?.resolve(text) ?: Path.of(text)).takeIf { it.isAbsolute }?.normalize()
 } catch (_: InvalidPathException) {

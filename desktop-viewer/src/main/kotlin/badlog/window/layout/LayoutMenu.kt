@@ -57,12 +57,12 @@ internal fun LayoutMenu(
     }
 }
 
-/** A menu with more would not fit on the screen; the key goes through all. */
+/** The largest number of layouts that fit in the menu; the key goes through all of them. */
 private const val MOST_LISTED = 12
 
 internal val SAVE_LAYOUT = KeyPress(Key.S, "S", ctrl = true)
 
-/** Layouts in files that a person names. */
+/** Saves and opens layouts in files that a person names. */
 internal class LayoutFiles(
     private val layouts: LayoutStore,
     private val kept: KeptLayouts,
@@ -85,7 +85,10 @@ internal class LayoutFiles(
         }
     }
 
-    /** Asks for a file in the folder of logs, and writes to it the initial graphs and formulas of windows and pages for that folder. */
+    /**
+     * Asks for a file in the folder of logs, and writes its default layout to it. Windows and pages begin with the graphs and formulas of
+     * that layout.
+     */
     fun saveDefault() {
         val open = current.recording ?: return sayNoLog(notices)
         val name = FolderLayout.NAME.removeSuffix(Layout.ENDING)

@@ -12,7 +12,7 @@ import java.nio.file.Path
 
 internal fun layoutSpan(span: Span) = LayoutSpan(span.from, span.to).takeIf { it.from.isFinite() && it.to.isFinite() }
 
-/** Returns [panels] in the form for a layout. The pit view is for a moment: the next start shows the graphs. */
+/** Returns [panels] in the form for a layout. The pit view is temporary: the next start shows the graphs. */
 internal fun layoutOf(panels: Panels): LayoutPanels {
     val main = panels.main.takeUnless { it == MainView.PIT } ?: MainView.GRAPHS
     return LayoutPanels(panels.library, panels.topics, panels.inspector?.name, main.name)
@@ -29,7 +29,7 @@ internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
 internal fun alignmentOf(layout: LayoutComparison): Alignment =
     Alignment.entries.find { it.layoutName == layout.alignment } ?: Alignment.START
 
-/** Returns [panels] in the window's form; anything unknown stays as in [now]. */
+/** Returns [panels] in the window's form; an unknown main view stays as in [now]. */
 internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
     library = panels.library,
     topics = panels.topics,

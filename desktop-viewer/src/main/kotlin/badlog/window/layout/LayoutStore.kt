@@ -61,27 +61,27 @@ internal class LayoutStore(
 ) {
     private val layouts = FolderLayouts(own.folders.settings.resolve("layouts"))
 
-    // These three are also read by the thread on which a log is opened.
+    // The thread on which a log is opened also reads these three.
 
-    /** The folder whose layout this window has restored, and saves; null for none. */
+    /** The folder with the layout that this window has restored, and saves; null for none. */
     var folder: Path? by mutableStateOf(null)
         private set
 
     @Volatile
     private var saved: Layout? = null
 
-    /** Completed as soon as the layout of the folder that was opened last is restored. */
+    /** Completed as soon as the layout of the last opened folder is restored. */
     @Volatile
     private var restored: Job = Job().apply { complete() }
 
-    /** The layout as it was read or written last: what other windows have changed since is merged with it. */
+    /** The layout as it was last read or written, to find the later changes of other windows. */
     private var stored: Layout? = null
     private val graphs = ArrangedGraphs(current, board, notices, ::whenStillOpen) { saved?.graphs?.takeIf { _ -> isInFolder(it.file) } }
     private var restoredChecks: List<Path> = emptyList()
     private var restoredVisible: Span? = null
     private var restoredSelection: Span? = null
 
-    /** Whether nobody has checked, zoomed or selected anything since the log was shown, apart from what was restored here. */
+    /** Whether a person has checked, zoomed or selected nothing since the log was shown, apart from the restored state. */
     val isUntouched: Boolean
         get() = compared.state.checked.all { it in restoredChecks } &&
             (!view.viewport.isZoomed || view.viewport.visible == restoredVisible) &&
@@ -91,7 +91,7 @@ internal class LayoutStore(
     val layout: Layout
         get() {
             val open = current.recording
-            // While another folder is opened, it is still that of the log.
+            // While another folder is being opened, the layout is still the log's.
             val place = folder ?: library.state.folder
             val isDefault = open == null || board.arranged.showsSame(open.standardGraphs)
             return Layout(
@@ -110,13 +110,13 @@ internal class LayoutStore(
     /** The part of the layout for others: the graphs and the formulas. */
     val shared: BoardLayout get() = BoardLayout(board.arranged.renumbered(), formulas = formulas.definitions)
 
-    /** Returns the log that was last open in [folder]; null if it is gone. */
+    /** Returns the log that was last open in [folder]; null if there was none, or it is gone. */
     suspend fun lastOpenIn(folder: Path): LastOpen? = withContext(Dispatchers.IO) {
         val file = layouts.read(folder)?.recording?.let { pathOf(it, folder) }
         file?.takeIf(Files::isRegularFile)?.let { LastOpen(it, layouts.writtenAt(folder)) }
     }
 
-    /** Remembers what was arranged a moment ago, before another log is shown. */
+    /** Remembers the latest arrangement before another log is shown. */
     fun keepArranged() {
         saved = change() ?: stored ?: return
     }
@@ -128,8 +128,8 @@ internal class LayoutStore(
     fun following(show: () -> Unit) = graphs.following(show)
 
     /**
-     * Returns the formulas to calculate in the log in [file], which is being opened, see [formulasFor]. The layout of a folder that is opened
-     * at the same time is restored before that. Call it off the window's thread.
+     * Returns the formulas to calculate in the log in [file], which is being opened, see [formulasFor]. It waits for the layout of a folder
+     * that is opened at the same time. Call it off the window's thread.
      */
     fun formulasToRead(file: Path, layout: FolderLayout): List<String> {
         assertOffWindow()
@@ -138,46 +138,40 @@ internal class LayoutStore(
     }
 
     /**
-     * Returns the formulas to calculate in the log in [file]: including those of the [layout] beside it, if nobody has arranged the graphs
-     * of this folder. May be called on any thread.
+     * Returns the formulas to calculate in the log in [file]. Can be called on any thread. Formulas of the [layout] beside it are included,
+     * unless a person has arranged the graphs of this folder.
      */
     fun formulasFor(file: Path, layout: FolderLayout): List<String> {
         val isArranged = saved?.graphs != null || !isInFolder(file)
         return if (isArranged) formulas.definitions else formulas.with(layout.layout?.formulas.orEmpty())
     }
 
-    /**
-     * Applies [layout] to the window, as far as the open recording has what it names, and reports what is hidden. Its formulas are
-     * added to the existing ones.
-     */
+    /** Applies [layout] to the window, and reports topics that the open recording lacks. Its formulas are added to the existing ones. */
     fun apply(layout: Layout) {
         layout.panels?.let { wanted -> panels.change { panelsOf(wanted, this) } }
         formulas.replaceAll(joined(formulas.definitions, layout.formulas))
         layout.overTime?.let(axis::choose)
         compared.restore(layout.compared, library.state.folder)
-        // The range is one of the axis that was chosen above, and graphs may draw the formulas.
+        // The range belongs to the axis that was chosen above, and graphs may draw the formulas.
         whenStillOpen { open ->
             graphs.apply(layout.graphs, open)
             if (layout.overTime == null || layout.overTime == open.isOverTime || open.timeColumn == null) applyRange(layout)
         }
     }
 
-    /**
-     * Shows the graphs of [layout], with those of its formulas that do not exist yet; where a person looks in the log, and everything else,
-     * stays.
-     */
+    /** Shows the graphs of [layout], and adds its missing formulas; the visible range and everything else stay. */
     fun switchTo(layout: Layout) {
         formulas.replaceAll(formulas.with(layout.formulas))
         whenStillOpen { graphs.apply(layout.graphs, it) }
     }
 
-    /** Calls [action] when all is shown as it is chosen, unless a person has opened another log by then. */
+    /** Calls [action] as soon as all logs are shown as chosen, unless a person has opened another log by then. */
     private fun whenStillOpen(action: (OpenRecording) -> Unit) {
         val file = current.recording?.file ?: return
         whenShown { current.recording?.takeIf { it.file == file }?.let(action) }
     }
 
-    /** Shows the graphs that the open recording begins with, and all of x; offers to restore the previous ones. */
+    /** Shows the open recording's initial graphs, and all of x; offers to restore the previous graphs. */
     fun showStartBoard() {
         val open = current.recording ?: return
         val before = board.history.now
@@ -205,14 +199,14 @@ internal class LayoutStore(
             suspendCancellableCoroutine { waiting -> whenShown { if (waiting.isActive) waiting.resume(Unit) } }
             wanted = wanted?.takeUnless { restoreRange(it) }
             val first = since ?: TimeSource.Monotonic.markNow().also { since = it }
-            // In a log that is followed, the visible range always changes.
+            // The visible range of a followed log is always changing.
             if (first.elapsedNow() < LONGEST) delay(PAUSE_MILLIS)
             save()
             since = null
         }
     }
 
-    /** Restores the layout of the folder [opened], after saving that of the one before; null for none. */
+    /** Restores the layout of the folder [opened], after saving the layout of the previous one; null for none. */
     private suspend fun enter(opened: Path?) {
         if (folder != opened) save()
         val read = opened?.let { withContext(Dispatchers.IO) { layouts.read(it) } }
@@ -221,7 +215,7 @@ internal class LayoutStore(
         stored = read
         if (opened == null) return
         val isSeen = current.recording?.let { isInFolder(it.file) } == true
-        // Who looks at a log of the folder already, and has chosen its axis, goes on so.
+        // A person who has already chosen the axis of a log of the folder keeps it.
         if (!isSeen) axis.change { null }
         read?.overTime?.let(axis::choose)
         formulas.replaceAll(read?.formulas.orEmpty())
@@ -230,12 +224,12 @@ internal class LayoutStore(
         whenShown { if (graphs.enter(openInFolder())) stored = stored?.copy(graphs = null) }
     }
 
-    /** Saves immediately what would otherwise be saved a moment later, because the window is about to close. */
+    /** Saves immediately instead of a moment later, because the window is about to close. */
     fun saveNow() = writes.finish {
         try {
             store()
         } catch (_: IOException) {
-            // There is no longer a window to report it in.
+            // The window that could report it is closing.
         }
     }
 
@@ -251,7 +245,7 @@ internal class LayoutStore(
         formulas.definitions,
     )
 
-    /** Saves what has changed; also if more changes meanwhile, such as by what another window did: what is written counts as stored. */
+    /** Saves the changes; also if more follow meanwhile, for example by another window: written parts count as stored. */
     suspend fun save() = withContext(NonCancellable) {
         try {
             store()
@@ -260,12 +254,15 @@ internal class LayoutStore(
         }
     }
 
-    /** Stores what has changed, with what others have stored: again, if they stored more while both were merged on the window's thread. */
+    /**
+     * Stores the changes, merged with the stored changes of other windows. Both are merged on the window's thread; if the others store more
+     * meanwhile, that is repeated.
+     */
     private suspend fun store() {
         val place = folder ?: return
         do {
             if (change() == null) {
-                // What could not be stored may have been taken back.
+                // Changes that could not be stored may have been undone.
                 saved = stored
                 return
             }
@@ -277,7 +274,7 @@ internal class LayoutStore(
         } while (!isStored)
     }
 
-    /** Returns what to save, if it is not saved yet. The state of another folder's recording does not count. */
+    /** Returns the layout to save, or null if it is saved already. The state of another folder's recording does not count. */
     private fun change(): Layout? {
         if (folder == null) return null
         val open = openInFolder()
@@ -291,9 +288,9 @@ internal class LayoutStore(
     }
 
     /**
-     * Takes over the formulas and graphs that other windows have changed in [theirs], the layout that is stored now; null if it cannot be
-     * read. Returns the layout of this window, and what to write of it: what this window has not changed is as the others have written it.
-     * Null if nothing is to be saved.
+     * Takes over the formulas and graphs that other windows have changed in [theirs], the stored layout; null if it cannot be read. Returns
+     * the layout of this window, and the layout to write; null if there is nothing to save. In the layout to write, parts that this window
+     * has not changed are as the others have written them.
      */
     private fun merged(theirs: Layout?): Pair<Layout, Layout>? {
         val mine = change() ?: return null
@@ -303,7 +300,7 @@ internal class LayoutStore(
         if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
         val all = openInFolder()?.let { graphs.mergedWith(now.graphs, before.graphs, removedFormulas(both, mine, before, now), it) }
         val written = if (openInFolder() == null) both else both.copy(graphs = all)
-        // From here on, this window has what they changed.
+        // From here on, this window has the changes of the others.
         stored = before.copy(graphs = now.graphs, formulas = now.formulas)
         return mine.copy(graphs = written.graphs, formulas = written.formulas) to written
     }
@@ -316,7 +313,7 @@ internal class LayoutStore(
         }
     }
 
-    /** Shows the part of x that [layout] shows, and selects what it selects; if the recording has neither, all of it is shown. */
+    /** Shows the range of [layout], and selects its selection; if the recording lacks that range, all of it is shown. */
     private fun applyRange(layout: Layout) {
         if (current.recording == null) return
         val full = view.viewport.full
@@ -325,7 +322,7 @@ internal class LayoutStore(
         view.send(PlaceAction.Select(layout.selection?.let(::spanOf)))
     }
 
-    /** Shows what was last visible, if the recording is the same as then. Returns whether one was opened at all. */
+    /** Shows the last visible range, if the recording is the same as then. Returns whether a recording of the folder is open. */
     private fun restoreRange(layout: Layout): Boolean {
         val open = openInFolder() ?: return false
         if (pathText(open.file, folder) == layout.recording) {

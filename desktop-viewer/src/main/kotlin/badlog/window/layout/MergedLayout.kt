@@ -6,9 +6,9 @@ import badlog.viewer.choices.formula.keyOf
 import badlog.viewer.choices.mergedWith
 
 /**
- * Returns the merged layout of two windows on one folder: what [mine] has not changed since [before] is as in [theirs], graph by graph and
- * formula by formula; otherwise it is as in [mine]. The open log and its visible range belong together, and graphs do not draw formulas
- * that one of the two has removed.
+ * Returns the merged layout of two windows on one folder. Each graph and formula that [mine] has not changed since [before] is as in
+ * [theirs]; otherwise it is as in [mine]. The open log and its visible range belong together. Graphs do not draw formulas that one of the
+ * two has removed.
  */
 internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
     val place = if (placeIn(mine) == placeIn(before)) theirs else mine

@@ -5,7 +5,7 @@ import badlog.window.compare.ComparedRecordings
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Compares the open recording with those in [layout] of [folder], as they were aligned; files that are gone are skipped. */
+/** Compares the open recording with the files in [layout] of [folder], as they were aligned; missing files are skipped. */
 internal fun ComparedRecordings.restore(layout: LayoutComparison, folder: Path?) {
     fun fileOf(text: String) = pathOf(text, folder)?.toAbsolutePath()?.normalize()
     val files = layout.files.mapNotNull(::fileOf).distinct().filter(Files::isRegularFile)

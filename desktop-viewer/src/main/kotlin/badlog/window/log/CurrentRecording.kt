@@ -17,7 +17,7 @@ internal class CurrentRecording : StateHolder<OpenRecording?>(null) {
     fun close() = change { null }
 }
 
-/** The events of the [current] recording, and which of them are listed and have marks. */
+/** The events of the [current] recording, and the filter for listed and marked events. */
 internal class FilteredEvents(private val current: CurrentRecording) : StateHolder<EventFilter>(EventFilter()) {
     /** The events that pass the filter. */
     val matching: EventTimeline by derivedStateOf { current.recording?.let { state.over(it.events, it.eventLogs) } ?: EventTimeline.NONE }

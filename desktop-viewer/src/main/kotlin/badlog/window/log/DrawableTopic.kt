@@ -14,8 +14,8 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * What can be drawn as one line: a topic, or what an attribute derives from one. The same name means the same signal in
- * every recording of a robot, which is how graphs, layouts and comparisons refer to it.
+ * A line to draw: a topic, or a series that an attribute derives from one. The same name means the same signal in every recording of a
+ * robot, and graphs, layouts and comparisons refer to it.
  *
  * @property name the full name, unique in its recording.
  * @property isDerived whether it was calculated rather than logged; its [title] is then in brackets.
@@ -32,7 +32,7 @@ internal class DrawableTopic(val name: String, val isDerived: Boolean, val line:
     /** The names of the states, if the numbers stand for states; otherwise null. */
     val states: List<String>? get() = line.states
 
-    /** Whether its samples are numbers, or truth values, that can be calculated with; else they stand for states, or are none. */
+    /** Whether it has samples, and they are numbers or truth values, for calculations; otherwise they are states or events. */
     val hasFigures: Boolean get() = topic.samples.isNotEmpty() && topic.kind != TopicKind.STATE && topic.kind != TopicKind.EVENT
 
     /** Whether it has no logged values. */
@@ -47,20 +47,22 @@ internal class DrawableTopic(val name: String, val isDerived: Boolean, val line:
     /** Its name without the folder. */
     val title: String get() = PathName.baseNameOf(name).let { if (isDerived) "[ $it ]" else it }
 
-    /** Its samples; the first call may calculate them, so not to be called while drawing. */
+    /** Its samples. The first call may calculate them: do not call it while drawing. */
     val series: Series get() = line.data
 }
 
-/** Returns whether [query] finds it, as [text]; [found] are the names of the topics that a finding is about. */
+/**
+ * Returns whether [query] matches the displayed name [text], and the topic's traits. The topics [found] are those that a finding is about.
+ */
 internal fun DrawableTopic.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
-    // What it is costs a look through its samples, so only where that is asked for.
+    // Traits cost a look through the samples, so they are determined only if a search needs them.
     val own = if (Trait.entries.any(query::asksFor)) traits else emptySet()
     return query.matches(text, if (name in found) own + Trait.FINDING else own)
 }
 
 /**
- * Returns the value of [signal] at [position], or at its end for null: a number, formatted by [sampleText], with its unit, or the name of a
- * state; `–` for a gap.
+ * Returns the value of [signal] at [position], or at its end for null; `–` for a gap. It is a number, formatted by [sampleText], with its
+ * unit, or the name of a state.
  */
 internal fun valueText(signal: DrawableTopic, position: Double?, sampleText: (Double) -> String = ::numberText): String {
     val index = if (position == null) signal.series.size - 1 else signal.line.indexAt(position)

@@ -5,16 +5,16 @@ import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.shown.search.Query
 
 /**
- * Which events are listed and have marks.
+ * The filter for listed and marked events.
  *
  * @property text words that the text or the topic of an event must contain, regardless of case; empty for any.
- * @property topics the names of the topics whose events count; empty, or of other recordings, for all.
+ * @property topics the names of the topics with accepted events; empty, or of other recordings, for all.
  */
 internal data class EventFilter(val text: String = "", val topics: Set<String> = emptySet()) {
-    /** Returns those of [events], the events of [logs], that pass it. */
+    /** Returns the accepted [events]; they are the events of [logs]. */
     fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
 
-    /** Those of [topics] that are among [logs]: a filter stays when another recording is opened, which may have none of them. */
+    /** Returns the [topics] that are among [logs]: the filter stays when another recording is opened, which may have none of them. */
     fun topicsOf(logs: List<EventLog>): Set<String> = logs.mapNotNullTo(HashSet()) { log -> log.name.takeIf { it in topics } }
 
     /** Adds [topic] to [topics], or removes it. */

@@ -8,9 +8,9 @@ import badlog.window.state.StateHolder
 import java.nio.file.Path
 
 /**
- * Stays at the newest moment of the open log while its file grows: the cursor is there, and the visible range moves along, until a person
- * goes elsewhere, see [Stay]. Its state is the file that another program was writing when it was looked at last; null for none. Use it only
- * on the window's thread.
+ * Follows the newest moment of the open log while its file grows, with the cursor and the visible range. It ends when a person goes
+ * elsewhere, see [Stay]. Its state is the file that another program was writing at the last look; null for none. Use it only on the
+ * window's thread.
  *
  * @param recorded returns the file that this window itself records; null for none.
  */
@@ -24,27 +24,27 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     /** Whether the person is at the end of the log, and has not gone elsewhere. */
     val isStaying: Boolean by derivedStateOf { view.stay.isAt(view.place) }
 
-    /** Whether nothing was looked at since the end was shown: no part of it, and no selected range. */
+    /** Whether the person is still at the end of the log, with the same visible range, and without a selection. */
     val isUntouched: Boolean get() = view.stay.isUntouched(view.place)
 
     /** The newest moment of the open log if that is being written; null otherwise. */
     val newest: Double? get() = current.recording?.span?.to?.takeIf { isGrowing }
 
-    /** Goes to the end of the open log; if that grows, stays there. */
+    /** Goes to the end of the open log, and follows it if it grows. */
     fun begin() {
         if (current.recording == null) return
         view.send(PlaceAction.GoToEnd)
     }
 
-    /** Stays where it is from now on, though the log grows. */
+    /** Stays at the current place from now on, even if the log grows. */
     fun pause() = view.send(PlaceAction.Pause)
 
-    /** Begins with [log] as soon as it is open. */
+    /** Follows [log] as soon as it is open. */
     fun await(log: Path) {
         awaited = log
     }
 
-    /** Another log is open from now on, which begins where it is, unless it was [awaited][await]. */
+    /** Handles the opening of another log, which is followed only if it was [awaited][await]. */
     fun opened() {
         val isAwaited = awaited != null && awaited == current.recording?.file
         awaited = null
@@ -52,6 +52,6 @@ internal class LiveView(private val current: CurrentRecording, private val view:
         if (isAwaited) begin()
     }
 
-    /** Says that another program writes [file] now; null if none writes the open log. */
+    /** Records that another program writes [file] now; null if none writes the open log. */
     fun grows(file: Path?) = change { file }
 }

@@ -23,7 +23,7 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * The notes of a log, and the file beside it that stores them.
+ * The notes of a log, which a file beside it stores.
  *
  * @property log the log; null while none is open, and until its notes are read.
  */
@@ -38,18 +38,18 @@ internal class LogNotes(
 ) : StateHolder<StoredNotes>(StoredNotes()) {
     private var waiting = 0
 
-    /** The notes, in the order of x; observers of this alone do not see how a note is written. */
+    /** The notes, in the order of x. The list does not change while a note is being written. */
     val all: List<Note> by derivedStateOf { state.notebook.notes }
 
     /** The note that is being written, or changed; null for none. */
     val draft: NoteDraft? get() = state.notebook.draft
 
-    /** Reads the notes of each log that is opened; ends with the window. */
+    /** Reads the notes of each opened log, until cancelled. */
     suspend fun run() = snapshotFlow { current.recording?.file }.collect { log ->
         change { StoredNotes() }
         if (log == null) return@collect
         val read = withContext(Dispatchers.IO) { NotesFile.read(log) }
-        // Somebody may already be writing one.
+        // A person may already be writing a note.
         change { StoredNotes(log, notebook.with(read.notes)) }
         read.problems.forEach(notices::complain)
     }
@@ -72,14 +72,14 @@ internal class LogNotes(
         save { kept() }
     }
 
-    /** Adds a mark at [x], which is [place] for people. */
+    /** Adds a mark at [x], and reports it with its [place] for people. */
     fun mark(x: Double, place: String) {
         state.notebook.fullness?.let { return notices.complain(it) }
         save { marked(x) }
         if (state.log != null) notices.say(markedText(place))
     }
 
-    /** Removes [note], which is at [place] for people; the notice that says so can take it back. */
+    /** Removes [note], and reports that with its [place] for people, with an action to undo it. */
     fun remove(note: Note, place: String) {
         val log = state.log
         save { without(note) }
@@ -99,10 +99,10 @@ internal class LogNotes(
         scope.launch(start = CoroutineStart.UNDISPATCHED) {
             try {
                 val written = writes.write { NotesFile.update(log, changed.notes, before.notes) }
-                // What is still to be written is not in the file yet.
+                // The file does not have later changes yet.
                 if (waiting == 1 && state.log == log) change { copy(notebook = notebook.with(written.notes)) }
             } catch (e: IOException) {
-                // A text that could not be written is still there to be copied.
+                // A text that could not be written can still be copied.
                 if (state.log == log) change { copy(notebook = if (notebook == changed) before else notebook.with(before.notes)) }
                 notices.complain(e.message ?: "The notes could not be written.")
             } finally {

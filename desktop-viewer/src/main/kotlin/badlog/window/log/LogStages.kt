@@ -12,8 +12,8 @@ import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.formula.formulasOf
 
 /**
- * What is shown of a log, in stages: the log with its signals, then the Driver Station's log beside it, then formulas. Each is made of the
- * stage before and of one choice, and is taken from the stages [before] if both are the same there: another field calculates no formula.
+ * The stages of a log: with its signals, with the Driver Station's log beside it, and with formulas. Each is made of the previous stage and
+ * of one choice. If both are the same in the stages [before], it is taken from there: another field calculates no formula.
  *
  * @param read the content of the file.
  * @param name the name of its file.
@@ -42,7 +42,7 @@ internal class LogStages(
             station?.let { StationOverlay(own, it.station, it.fit, vocabulary) }
         }
 
-    /** The content of the file, and of the [station]'s. */
+    /** The content of the file and of the [station]'s file. */
     val logged: LogView = beside?.both ?: own
 
     /** The view on which rules run. */

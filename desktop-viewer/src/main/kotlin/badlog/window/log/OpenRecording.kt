@@ -43,15 +43,15 @@ import org.jetbrains.skia.Image
 import java.nio.file.Path
 
 /**
- * A recording that was read, with everything that can be drawn of it.
+ * A recording that was read, with everything to draw.
  *
  * @property file the file it was read from; absolute.
  * @param read the content of the file.
- * @property choices what a person has chosen of what is shown of it.
+ * @property choices a person's choices for it.
  * @property vocabulary the names of its signals.
  * @property layout the layout file beside it.
  * @property field the field on which its paths are drawn.
- * @param rows the same over its rows, where it is drawn over its time because a person wants that.
+ * @param rows the same recording over its rows, if a person has chosen to draw it over its time.
  * @param before the stages of the same file for other choices; null for none.
  * @param checkActive see [LogStages].
  */
@@ -74,7 +74,7 @@ internal class OpenRecording(
 
     private val stages = LogStages(read, file.fileName.toString(), vocabulary, station, definitions, before, checkActive)
 
-    /** The content of the file, and of its [station]'s. */
+    /** The content of the file and of its [station]'s file. */
     val logged: LogView get() = stages.logged
 
     /** The view on which rules run. */
@@ -83,7 +83,7 @@ internal class OpenRecording(
     /** The names of the topics from its [station]. */
     val stationTopics: Set<String> get() = stages.stationTopics
 
-    /** What match it is of. */
+    /** The match that it belongs to. */
     val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording, file.fileName.toString()) }
 
     /** The content of the file, and the topics of formulas. */
@@ -92,7 +92,7 @@ internal class OpenRecording(
     /** The result of each of [definitions], in order. */
     val formulas: List<Formula> get() = stages.formulas
 
-    /** All that can be drawn: the topics in the order of the file and those of formulas, then what is derived from them. */
+    /** All signals to draw: the topics in the order of the file, the topics of formulas, and then the derived ones. */
     val signals: List<DrawableTopic> = signalsOf(view, formulas)
 
     /** The topics without any logged value: only a search lists them. */
@@ -101,23 +101,24 @@ internal class OpenRecording(
 
     private val byName = signals.associateBy { it.name }
 
-    /** Which of its topics are the signals of [vocabulary]. */
+    /** The topics that are the signals of [vocabulary]. */
     val signalTopics: SignalTopics by lazy { signalTopicsOf(view, vocabulary) }
 
-    /** Returns what can be drawn of the topics that are the signal [name]. */
+    /** Returns the lines to draw for the signal [name]. */
     fun of(name: String): List<DrawableTopic> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
-    /** Writes its times. */
+    /** The texts of its times. */
     val times: LogTimes by lazy { LogTimes(span.width, view.xAxis, enabled) }
 
     /**
-     * The initial graphs: those of the [layout] beside it, also those that it cannot draw, or else of its topics; if it can draw none of
-     * the [layout], both.
+     * The initial graphs: the graphs of the [layout] beside it, or otherwise of its topics. Graphs of the [layout] that it cannot draw are
+     * included. If it can draw none of them, the graphs of its topics follow.
      */
     val standardGraphs: Board by lazy { standardGraphs(pointed = emptyList()) }
 
     /**
-     * Returns [standardGraphs], and those of the topics [pointed], which a finding points at, where not all graphs are among them anyway.
+     * Returns the initial graphs, see [standardGraphs], with graphs of the topics [pointed], to which a finding points. They are added only
+     * if not all graphs of the topics are among the initial ones.
      */
     fun standardGraphs(pointed: List<String>): Board =
         (layout.layout?.board ?: Board()).identifiedByLines().orAlso({ standardBoard(logged, vocabulary, pointed) }) { signal(it) != null }
@@ -125,19 +126,19 @@ internal class OpenRecording(
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }
 
-    /** All events of those, in the order of x. */
+    /** All events of [eventLogs], in the order of x. */
     val events: EventTimeline by lazy { EventTimeline.of(eventLogs) }
 
-    /** When the robot was enabled; empty when that is unknown. */
+    /** The times when the robot was enabled; empty if they are unknown. */
     val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
 
-    /** When it was in which mode. */
+    /** The robot's mode over x. */
     val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
 
     /** The clocks besides the x axis. */
     val clocks: Clocks by lazy { Clocks(view, modes) }
 
-    /** All of the x axis that has samples; wider than that where there is a single x. */
+    /** The range of x that has samples; wider if there is only a single x. */
     val span: Span = Viewport.of(view.xAxis.range).full
 
     /** The smallest x; 0 without any. */
@@ -146,16 +147,16 @@ internal class OpenRecording(
     /** The places the cursor steps to. */
     val cursorSteps: CursorSteps = CursorSteps(view.xAxis.clocks)
 
-    /** Its name for people: the match, or else the name of the file. */
+    /** Its name for people: the match, or otherwise the name of the file. */
     val label: String get() = view.title ?: file.fileName.toString()
 
-    /** What graphs of y over x can draw of it. */
+    /** The content for graphs of y over x. */
     val paths: LogPaths by lazy { LogPaths(view, field.field) { signal(it)?.line } }
 
     /** Its swerve drive; null for none. */
     val drive: SwerveDrive? by lazy { SwerveDrive.of(view) }
 
-    /** The picture of its field; null for none, or where it cannot be drawn. */
+    /** The picture of its field; null if there is none, or it cannot be drawn. */
     val fieldPicture: SkiaImage? by lazy {
         val source = field.field.image?.source.orEmpty()
         // Skia rejects data that only begins like a picture.
@@ -165,15 +166,15 @@ internal class OpenRecording(
     /** Returns the signal called [name], or null when this recording has none. */
     fun signal(name: String): DrawableTopic? = byName[name]
 
-    /** Whether it is drawn over its [timeColumn], because a person wants that. */
+    /** Whether it is drawn over its [timeColumn], because a person has chosen that. */
     val isOverTime: Boolean get() = rows != null
 
-    /** The column that holds the time of a recording that names no x axis; null if there is no such column, or nothing to choose. */
+    /** The time column of a recording that names no x axis; null without such a column, or if an x axis is named. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
     /**
-     * Returns what is shown of the same file for [wanted]; itself if that is how it is. It may calculate all formulas and read the file of a
-     * field: call it off the window's thread.
+     * Returns the recording of the same file with the choices [wanted]; itself if it has them already. It may calculate all formulas and
+     * read the file of a field: call it off the window's thread.
      *
      * @param library the folder of logs, see [FieldFile.of].
      * @param checkActive is called before each formula; an exception from it stops the work, and is passed on.
@@ -194,7 +195,7 @@ internal class OpenRecording(
             .also { it.prepare() }
     }
 
-    /** Calculates in advance what graphs, panels and keys ask for, so that the window's thread does not have to. */
+    /** Calculates in advance for graphs, panels and keys, so that the window's thread does not have to. */
     private fun prepare() {
         enabled
         forRules
@@ -214,9 +215,9 @@ internal class OpenRecording(
         /**
          * Reads [file], an absolute path.
          *
-         * @param library the folder of logs, see [FolderRules.of]; null for that of [file] alone.
-         * @param isGrowing whether what follows the last line end is left out, as a row that is half written.
-         * @param choices returns, once it is read, what a person has chosen of what is shown of the log with this layout beside it.
+         * @param library the folder of logs, see [FolderRules.of]; null for the folder of [file] alone.
+         * @param isGrowing whether text after the last line end is left out, as an incomplete row.
+         * @param choices returns a person's choices for the log once it is read, given the layout beside it.
          * @param progress is called with the share that is done, from 0 to 1.
          * @throws badlog.files.NotReadException if there is nothing to show of it.
          * @throws InterruptedException if the thread was interrupted.
@@ -246,7 +247,7 @@ internal class OpenRecording(
             }
         }
 
-        /** Returns the field for [log]: the one in the [selected] file, or else the one beside it. Reads it. */
+        /** Reads the field for [log]: from the [selected] file, or otherwise from the one beside the log. */
         fun fieldOf(log: Path, selected: Path?, library: Path?): FieldFile = selected?.let(FieldFile::read) ?: FieldFile.of(log, library)
     }
 }

@@ -5,13 +5,13 @@ import badlog.signals.clock.FoundStation
 import java.nio.file.Path
 
 /**
- * What a person has chosen of what is shown of a log.
+ * A person's choices for one log: formulas, x axis, Driver Station log, and field.
  *
  * @property definitions the definitions of the formulas calculated in it.
- * @property overTime whether it is drawn over its time where it names no x axis.
+ * @property overTime whether it is drawn over its time if it names no x axis.
  * @property station the Driver Station's log of the same match that is shown with it; null for none.
  * @property field the file of the field on which its paths are drawn; null for the field beside the log.
- * @property fieldSelections how often a person has selected a field: its file may be another one by then.
+ * @property fieldSelections the number of a person's selections of a field: the same file may have changed in between.
  */
 internal data class RecordingChoices(
     val definitions: List<String> = emptyList(),

@@ -11,13 +11,13 @@ import kotlinx.coroutines.launch
 import java.nio.file.Path
 
 /**
- * Opens recordings, and keeps the open one up to date with its file. A requested file replaces the previous one. Use it only on
- * the window's thread.
+ * Opens recordings, and keeps the open one up to date with its file. A requested file replaces the previous one. Use it only on the
+ * window's thread.
  *
  * @param scope the scope for watching files; its thread is the window's.
  * @param watcher keeps the open recording up to date with its file.
  * @param reader reads recordings.
- * @param definitions returns the formulas to calculate in a log that is opened, with this layout beside it.
+ * @param definitions returns the formulas to calculate in an opened log, given the layout beside it.
  * @param show shows a recording.
  */
 internal class RecordingLoader(
@@ -59,7 +59,7 @@ internal class RecordingLoader(
     private class Stamped(val recording: OpenRecording, val stamp: FileStamp) {
         companion object {
             fun read(file: Path, read: () -> OpenRecording): Stamped {
-                // Determined before reading: anything written meanwhile is a change.
+                // Determined before reading: anything written meanwhile counts as a change.
                 val stamp = FileStamp.of(file) ?: FileStamp(0, 0)
                 return Stamped(read(), stamp)
             }

@@ -7,13 +7,13 @@ import java.nio.file.Path
  * Reads recordings as the window shows them, off its thread.
  *
  * @param library returns the folder of logs.
- * @param choices returns what a person has chosen of what is shown of a log.
+ * @param choices returns a person's choices for a log.
  */
 internal class RecordingReader(private val library: () -> Path?, private val choices: (Path) -> RecordingChoices) {
     /**
      * Reads [file], see [OpenRecording.read].
      *
-     * @param definitions returns the formulas to calculate in a log with this layout beside it; null for those chosen.
+     * @param definitions returns the formulas to calculate in a log, given the layout beside it; null for the chosen formulas.
      */
     fun read(
         file: Path,

@@ -14,11 +14,10 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.TimeSource
 
 /**
- * Watches the file of the open recording, which a robot's simulation may be writing. While it grows, an incomplete row is left
- * for later.
+ * Watches the file of the open recording, which a robot's simulation may be writing. While it grows, an incomplete row is left for later.
  *
  * @param read reads the file again: up to its last line end, or all of it.
- * @param update shows what was read, and whether the file grows.
+ * @param update shows the new content, and whether the file grows.
  * @param ended is called when the file is gone, or too large to be read.
  */
 internal class RecordingWatcher(
@@ -27,7 +26,7 @@ internal class RecordingWatcher(
     private val update: (OpenRecording, isGrowing: Boolean) -> Unit,
     private val ended: () -> Unit = {},
 ) {
-    /** Watches the file of [opened], which was read when its file was as [stamp], until cancelled. */
+    /** Watches the file of [opened], which was read when the file had the [stamp], until cancelled. */
     suspend fun watch(opened: OpenRecording, stamp: FileStamp) {
         var shown = opened
         var known = stamp
@@ -72,7 +71,7 @@ internal class RecordingWatcher(
         ended()
     }
 
-    /** Returns what [shown] is now; null if it could not be read: the next check of the file shows whether it is gone. */
+    /** Returns [shown] with its current content; null if it could not be read: the next check shows whether the file is gone. */
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
         runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
     } catch (e: NotReadException) {
@@ -82,22 +81,22 @@ internal class RecordingWatcher(
     }
 
     private companion object {
-        /** With a log that is read in as much time, what is written is on the screen after 0.3 s. */
+        /** The time between two checks. If reading the log takes as long, a new row is on the screen after 0.3 s. */
         val POLL = 80.milliseconds
 
-        /** How many times a file is missing before it is gone: a program that replaces it takes a moment. */
+        /** The number of checks after which a missing file counts as gone: a program that replaces it takes a moment. */
         const val MISSES = 5
 
-        /** A file that has not changed for this long is read to its end; a recorder with nothing to record writes the time each 5 s. */
+        /** The time without a change after which a file is read to its end. A recorder with nothing to record writes the time each 5 s. */
         val SETTLED = 6000.milliseconds
     }
 }
 
 /**
- * What shows whether a file has changed.
+ * The attributes of a file that show whether it has changed.
  *
- * @property size in bytes.
- * @property modifiedMillis when it was last written, in milliseconds since 1970.
+ * @property size the size in bytes.
+ * @property modifiedMillis the time of the last change, in milliseconds since 1970.
  */
 internal data class FileStamp(val size: Long, val modifiedMillis: Long) {
     companion object {

@@ -11,9 +11,9 @@ import badlog.viewer.state.StateCell
 import badlog.viewer.state.ViewerState
 import kotlin.random.Random
 
-/** The state of the open log. Whatever draws a part of it, by `derivedStateOf`, is drawn again when that part changes. */
+/** The state of the open log. A drawing that reads a part of it by `derivedStateOf` is redrawn when that part changes. */
 internal class StateVariable : StateCell {
-    // Other windows must not give a graph of theirs the same id.
+    // Random, so that other windows do not give their graphs the same ids.
     override var state: ViewerState by mutableStateOf(
         ViewerState(Place(Viewport(Span(0.0, 1.0))), BoardHistory { Random.nextInt(Int.MAX_VALUE) }),
     )

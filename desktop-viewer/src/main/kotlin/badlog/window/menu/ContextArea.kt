@@ -25,7 +25,7 @@ import androidx.compose.ui.unit.toSize
 import java.awt.event.KeyEvent.VK_CONTEXT_MENU
 
 /**
- * [content] with a context menu of [items], which the right button opens, and the menu key or Shift+F10 while something in [content] has
+ * [content] with a context menu of [items]. The right button opens it. The menu key or Shift+F10 open it while something in [content] has
  * the keyboard focus.
  */
 @Composable

@@ -20,8 +20,8 @@ import androidx.compose.ui.layout.LayoutCoordinates
 import androidx.compose.ui.layout.onGloballyPositioned
 
 /**
- * Context menus that look like all other menus of the window. The clicked element keeps the keyboard focus, as it may be a field; the
- * menu hears the keys for it before that element does.
+ * Context menus that look like all other menus of the window. The clicked element keeps the keyboard focus, as it may be a field; the menu
+ * receives the keys before that element does.
  */
 internal object ContextMenus : ContextMenuRepresentation {
     @Composable
@@ -33,7 +33,7 @@ internal object ContextMenus : ContextMenuRepresentation {
         fun close() {
             state.status = ContextMenuState.Status.Closed
         }
-        // A right click elsewhere in the same area opens it again.
+        // A right click elsewhere in the same area opens the menu again.
         key(status) {
             val isOfKeys = !status.rect.isEmpty
             val lines = items()
@@ -57,7 +57,7 @@ internal object ContextMenus : ContextMenuRepresentation {
                 return true
             }
 
-            // One that keys opened is below its area, which would be covered otherwise.
+            // A menu that keys opened is below its area, which would be covered otherwise.
             val corner = if (isOfKeys) status.rect.bottomLeft else status.rect.center
             ShowMenu(Rect(area.localToRoot(corner), Size.Zero), takesKeys = false, ::close, onClosed = {}, onKey = ::handle) {
                 lines.forEachIndexed { i, line -> MenuLine(line.label, isMarked = i == marked) { run(line) } }

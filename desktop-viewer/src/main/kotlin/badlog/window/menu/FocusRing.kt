@@ -21,7 +21,7 @@ import badlog.window.theme.LocalPalette
 import kotlinx.coroutines.launch
 
 /**
- * Frames the focused element if a person navigates by keys, see [Keyboard.showsFocus], and shades a pressed one: Material's own focus
+ * Frames the focused element if a person navigates by keys, see [Keyboard.showsFocus], and shades a pressed one. Material's own focus
  * indication is hardly visible.
  */
 internal class FocusRing(private val keyboard: Keyboard) : IndicationNodeFactory {

@@ -30,8 +30,8 @@ import badlog.viewer.input.KeyAction
 import badlog.viewer.input.KeyStroke
 
 /**
- * Knows whether a person is typing into a text field, and passes keys to commands otherwise. A field lets presses of letters
- * through to the window, so an unused press proves nothing.
+ * Detects whether a person is typing into a text field, and passes keys to commands otherwise. A field lets presses of letters through to
+ * the window, so an unused press proves nothing.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 internal class Keyboard {
@@ -74,8 +74,8 @@ internal class Keyboard {
     }
 
     /**
-     * Runs the first of [commands] that matches [event]. Returns false if none does. While a person is typing, only commands with
-     * Ctrl, F1 to F12 and Escape count. For `onKeyEvent` of the window, which receives what no field has used.
+     * Runs the first of [commands] that matches [event]; returns false if none does. While a person is typing, only commands with Ctrl, F1
+     * to F12 and Escape count. Use it for `onKeyEvent` of the window, which receives keys that no field has used.
      */
     fun dispatch(event: KeyEvent, commands: List<Command>): Boolean {
         if (event.type != KeyEventType.KeyDown) return false
@@ -91,8 +91,8 @@ internal class Keyboard {
     }
 
     /**
-     * Passes Space to [commands] even after a button was clicked, which would take it for another click; Enter still
-     * presses the button. Escape closes the open menu, and a context menu hears its keys. For `onPreviewKeyEvent` of the window.
+     * Passes Space to [commands] even after a click on a button, which would take it for another click. Enter still presses the button.
+     * Escape closes the open menu, and a context menu receives its keys. Use it for `onPreviewKeyEvent` of the window.
      */
     fun dispatchFirst(event: KeyEvent, commands: List<Command>): Boolean {
         if (event.isDigitWithCtrl) return true
@@ -101,7 +101,7 @@ internal class Keyboard {
         if (event.type == KeyEventType.KeyDown && menus.handle(event.key)) return true
         if (event.key != Key.Spacebar || isTyping || event.isAltPressed) return false
         dispatch(event, commands)
-        // The button must not receive its release either.
+        // The button must not receive the release of the key either.
         return true
     }
 
@@ -112,7 +112,7 @@ internal class Keyboard {
     }
 }
 
-/** Whether it is the character that some systems report after Ctrl and a digit were pressed: a field would take it for text. */
+/** Whether the event is the character that some systems report after Ctrl and a digit: a field would take it for text. */
 private val KeyEvent.isDigitWithCtrl: Boolean
     get() = type == KeyEventType.Unknown && isCtrlPressed && utf16CodePoint in '0'.code..'9'.code
 
@@ -120,7 +120,7 @@ private val KeyEvent.isDigitWithCtrl: Boolean
  * A keyboard command, as listed in the help.
  *
  * @property keys the keys; each does the same.
- * @property meaning what it does, for the help.
+ * @property meaning its effect, for the help.
  * @property group its heading in the help.
  */
 internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit) {
@@ -135,7 +135,7 @@ internal class Command(val group: String, val meaning: String, val keys: List<Ke
 
 /** Returns the key presses for [stroke]. */
 private fun pressesOf(stroke: KeyStroke): List<KeyPress> {
-    // Which of the keys with a plus needs Shift depends on the keyboard.
+    // Whether a key with a plus needs Shift depends on the keyboard.
     val shifts = if (stroke.key == "+") listOf(false, true) else listOf(stroke.shift)
     return shifts.flatMap { shift -> KEYS.getValue(stroke.key).map { KeyPress(it, stroke.key, stroke.ctrl, shift, stroke.alt) } }
 }

@@ -42,9 +42,9 @@ import badlog.window.theme.ToolButton
 /**
  * One line of a [Menu].
  *
- * @property text what it does.
+ * @property text its label.
  * @property hint details in small print; may be empty.
- * @property whyNot why it is currently not possible, shown instead of [hint]; null if it is.
+ * @property whyNot the reason why it is currently not possible, shown instead of [hint]; null if it is possible.
  * @property keys its keyboard shortcut; may be empty.
  * @property keepsMenu whether the menu stays open.
  */
@@ -122,7 +122,7 @@ private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
 private val MENU_WIDTH = 320.dp
 private val ROOMY = 900.dp
 
-/** A line of a menu, which [mark] marks as selected. With [isMarked], it is the one that Enter selects. */
+/** A line of a menu, which [mark] marks as selected. With [isMarked], Enter selects it. */
 @Composable
 internal fun MenuLine(text: String, mark: ImageVector? = null, isMarked: Boolean = false, onClick: () -> Unit) {
     val palette = LocalPalette.current

@@ -46,7 +46,7 @@ internal fun MenuBox(
  * Makes the [MenuLayer] show [content] beside [anchor], a place in the window, while this is composed.
  *
  * @param onClosed called when that ends, but not if a press elsewhere closed it.
- * @param onKey called with each key that is pressed, before the focused element gets it; returns whether it was meant for the menu.
+ * @param onKey called with each key that is pressed, before the focused element gets it; returns whether the menu used it.
  */
 @Composable
 internal fun ShowMenu(

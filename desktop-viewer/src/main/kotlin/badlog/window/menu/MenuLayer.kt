@@ -127,7 +127,8 @@ private fun goesOn(event: KeyEvent, focus: FocusManager): Boolean {
 }
 
 /**
- * Returns the place of a menu of [width] and [height] in [roomX] and [roomY]: below [anchor], or else above it, or else as low as it fits.
+ * Returns the place of a menu of [width] and [height] in [roomX] and [roomY]. It is below [anchor], or otherwise above it, or otherwise as
+ * low as it fits.
  */
 private fun cornerOf(anchor: Rect, width: Int, height: Int, roomX: Int, roomY: Int): IntOffset {
     val below = anchor.bottom.roundToInt()

@@ -13,21 +13,21 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.input.key.Key
 
-/** The open menus, and whatever else Escape closes first. */
+/** The open menus, and other elements that Escape closes first. */
 internal class OpenMenus {
     private val closers = ArrayList<() -> Unit>()
 
     /** The menus that [MenuLayer] shows, the latest last. */
     val shown: MutableList<OpenMenu> = mutableStateListOf()
 
-    /** Closes the one that was opened last. Returns false if none is open. */
+    /** Closes the menu or element that was opened last. Returns false if none is open. */
     fun closeLast(): Boolean {
         val close = closers.removeLastOrNull() ?: return false
         close()
         return true
     }
 
-    /** Handles a press of the mouse at [place] in the window: closes the menus that do not contain it, down to the one that does. */
+    /** Handles a press of the mouse at [place] in the window: closes the open menus, latest first, until one contains it. */
     fun pressed(place: Offset) {
         for (menu in shown.asReversed().toList()) {
             // A press on the element that opened a menu is left to that element, which closes the menu itself.
@@ -37,7 +37,7 @@ internal class OpenMenus {
         }
     }
 
-    /** Passes a press of [key] to the menu that was opened last. Returns whether it was meant for that. */
+    /** Passes a press of [key] to the menu that was opened last. Returns whether that menu used it. */
     fun handle(key: Key): Boolean = shown.lastOrNull()?.onKey?.invoke(key) ?: false
 
     fun add(close: () -> Unit) {
@@ -50,11 +50,11 @@ internal class OpenMenus {
 }
 
 /**
- * A menu that is open.
+ * An open menu.
  *
  * @property takesKeys whether it has the keyboard focus while it is open.
  * @property close closes it.
- * @property onKey handles a key that is pressed; returns whether it was meant for the menu.
+ * @property onKey handles a key that is pressed; returns whether the menu used it.
  * @property content its content.
  */
 internal class OpenMenu(val takesKeys: Boolean, val close: () -> Unit, val onKey: (Key) -> Boolean, val content: @Composable () -> Unit) {

@@ -22,7 +22,7 @@ import badlog.window.menu.MenuLine
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
 
-/** Shows [field]: one for searching, or a button that opens its suggestions. */
+/** Shows [field] as a search field, or as a button that opens its suggestions. */
 @Composable
 internal fun FieldView(field: Field, send: (Action) -> Unit) {
     if (field.isSearch) {

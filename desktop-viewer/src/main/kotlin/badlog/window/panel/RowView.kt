@@ -147,7 +147,7 @@ private fun FramedLine(line: Line, send: (Action) -> Unit) {
     }
 }
 
-/** Shows what is below the text of a row. */
+/** Shows the parts below the text of a row. */
 @Composable
 private fun BelowRow(parts: List<Part>, send: (Action) -> Unit) {
     for (part in parts) {

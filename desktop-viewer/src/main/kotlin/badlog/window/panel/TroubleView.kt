@@ -24,7 +24,7 @@ internal fun TroubleView(trouble: Trouble) {
         if (trouble.pointer.isEmpty()) return@Column
         val scroll = rememberScrollState()
         LaunchedEffect(trouble.pointer, scroll.maxValue) { scroll.scrollTo((scroll.maxValue * placeOfCarets(trouble.pointer)).toInt()) }
-        // A broken line would not be above its carets.
+        // Not wrapped: a wrapped line would not be above its carets.
         Text(
             trouble.pointer.take(MAX_LETTERS),
             Modifier.horizontalScroll(scroll),
@@ -36,7 +36,7 @@ internal fun TroubleView(trouble: Trouble) {
     }
 }
 
-/** Returns where the carets of the last line of [text] are in its longest line, 0 to 1. */
+/** Returns the place of the carets in the last line of [text], as a share of its longest line, 0 to 1. */
 private fun placeOfCarets(text: String): Float =
     text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
 

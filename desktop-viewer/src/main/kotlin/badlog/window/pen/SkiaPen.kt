@@ -23,13 +23,13 @@ import org.jetbrains.skia.Rect
 import org.jetbrains.skia.SamplingMode
 import org.jetbrains.skia.TextLine
 
-/** Draws on [canvas], on any thread. */
+/** A pen that draws on [canvas], on any thread. */
 internal class SkiaPen(private val canvas: Canvas, override val density: Double) : Pen {
     override fun lines(strokes: Strokes, color: Int, width: Double, dash: Double) = stroke(color, width, dash) { paint ->
         for (i in 0 until strokes.count) {
             val start = strokes.startOf(i)
             val end = strokes.endOf(i)
-            // An isolated sample has no line. Of a polygon, which is faster than a path, the dashes of each edge begin anew.
+            // An isolated sample has no line. A polygon is faster than a path, but its dashes restart at each edge.
             if (end - start < PER_LINE) continue
             val points = floats(strokes.points, start, end)
             if (dash > 0) shape(points, paint, isClosed = false) else canvas.drawPolygon(points, paint)
@@ -134,7 +134,7 @@ internal class SkiaPen(private val canvas: Canvas, override val density: Double)
         dashes?.close()
     }
 
-    /** Calls [use] with the width of [text], and with what draws it from x on a baseline. */
+    /** Calls [use] with the width of [text], and with a function that draws it from x on a baseline. */
     private fun <R> written(
         text: String,
         letters: Double,
@@ -151,8 +151,8 @@ internal class SkiaPen(private val canvas: Canvas, override val density: Double)
     }
 
     /**
-     * Whether each letter of [text] is one glyph beside the one before it, as in numbers, units and most names. Everything else must be
-     * shaped, which takes milliseconds for each text: all numbers on the axes of ten graphs took 100 ms.
+     * Returns whether each letter of [text] is one glyph beside the previous one, as in numbers, units and most names. Everything else must
+     * be shaped, which takes milliseconds for each text: all numbers on the axes of ten graphs took 100 ms.
      */
     private fun isPlain(text: String) = text.all { it < COMBINING || it in GREEK || it in PUNCTUATION }
 
@@ -179,7 +179,7 @@ internal class SkiaPen(private val canvas: Canvas, override val density: Double)
     }
 }
 
-/** A picture of [pixels], which are those of the data URL [source]. */
+/** A picture of [pixels], which come from the data URL [source]. */
 internal class SkiaImage(val pixels: Image, source: String) : PenImage(source, pixels.width, pixels.height)
 
 /** Returns a pen that draws on this scope. */

@@ -52,7 +52,7 @@ import badlog.window.theme.ToolButton
 import badlog.window.todo.FolderTodo
 import badlog.window.todo.PitTodo
 
-/** What a pit wants to know between two matches, in letters that are read from two meters: the last log and the ones before it. */
+/** The pit view, for a look between two matches: the last log and earlier ones. The letters are read from two meters. */
 @Composable
 internal fun PitPane(library: Library, season: FolderSeason, todo: FolderTodo, actions: LibraryActions, modifier: Modifier = Modifier) {
     val entries = library.state.entries
@@ -72,7 +72,7 @@ internal fun PitPane(library: Library, season: FolderSeason, todo: FolderTodo, a
     }
 }
 
-/** The [logs]: where there is no room beside each other, below each other. */
+/** The [logs] beside each other, or below each other in a narrow window. */
 @Composable
 private fun PitLogsPane(logs: PitLogs<LogEntry>, batteries: Batteries, todo: FolderTodo, isNarrow: Boolean, actions: LibraryActions) {
     val earlier = @Composable { log: LogEntry, modifier: Modifier -> EarlierLog(log, modifier) { actions.openFindings(log) } }

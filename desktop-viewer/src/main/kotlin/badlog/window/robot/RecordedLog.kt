@@ -10,9 +10,9 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Shows the log that the window records, unless somebody looks at another one. Use it only on the window's thread.
+ * Shows the log that the window records, unless a person looks at another one. Use it only on the window's thread.
  *
- * @param isWriting returns whether somebody is writing something that belongs to the open log.
+ * @param isWriting returns whether a person is writing something that belongs to the open log.
  */
 internal class RecordedLog(
     private val current: CurrentRecording,
@@ -24,13 +24,13 @@ internal class RecordedLog(
     private var askedSince: TimeSource.Monotonic.ValueTimeMark? = null
     private var openBefore: Path? = null
 
-    /** Remembers what is open when a person begins to record, and expects to see that soon. */
+    /** Remembers the open log when a person begins to record, and that the person expects to see the recording soon. */
     fun started() {
         openBefore = current.recording?.file
         askedSince = TimeSource.Monotonic.markNow()
     }
 
-    /** Shows [log], whose recording has begun, at its newest moment, or offers that. */
+    /** Shows [log], which is now being recorded, at its newest moment, or offers to show it. */
     fun begun(log: Path) {
         val open = current.recording?.file
         val isJustAsked = open == openBefore && askedSince?.let { it.elapsedNow() < PATIENCE } == true
@@ -45,7 +45,7 @@ internal class RecordedLog(
     }
 
     private companion object {
-        /** Who waits longer has gone on to something else. */
+        /** The time after which a person has gone on to something else. */
         val PATIENCE = 10.seconds
     }
 }

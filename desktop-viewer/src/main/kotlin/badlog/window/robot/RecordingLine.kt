@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.dp
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** The line at the bottom of the window while it records: which log, how much, and whether the robot answers. */
+/** The line at the bottom of the window while it records: log, amount of data, and connection to the robot. */
 @Composable
 internal fun RecordingLine(recording: RobotRecording) {
     val state = recording.state
@@ -32,7 +32,7 @@ internal fun RecordingLine(recording: RobotRecording) {
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Box(Modifier.size(9.dp).background(if (state.file == null) palette.muted else palette.error, CircleShape))
-        // It changes too often to be spoken.
+        // The amount changes too often to be spoken.
         if (state.file != null) Text(state.amount, maxLines = 1, softWrap = false)
         Text(
             listOfNotNull(state.waiting, state.connection).joinToString(" "),

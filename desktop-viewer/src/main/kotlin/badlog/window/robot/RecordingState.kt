@@ -3,14 +3,14 @@ package badlog.window.robot
 import java.nio.file.Path
 
 /**
- * A recording of what a robot publishes, as the window shows it.
+ * A recording of the data that a robot publishes, as the window shows it.
  *
- * @property isOn whether somebody records.
+ * @property isOn whether the window is recording.
  * @property isPerEnable whether each time that the robot is enabled gets a log of its own.
- * @property isOfAll whether the servers are recorded that a robot of 2027 and its Driver Station have besides.
- * @property connection whether the robot answers, as a sentence.
+ * @property isOfAll whether the other servers of a robot of 2027 and of its Driver Station are recorded, too.
+ * @property connection the state of the connection to the robot, as a sentence.
  * @property file the log that is being written; null for none.
- * @property amount what the log has so far; empty without a log.
+ * @property amount the amount of data in the log; empty without a log.
  */
 internal data class RecordingState(
     val isOn: Boolean = false,
@@ -20,7 +20,7 @@ internal data class RecordingState(
     val file: Path? = null,
     val amount: String = "",
 ) {
-    /** What the recording waits for, as a sentence; null while a log is written. */
+    /** The condition for which the recording waits, as a sentence; null while a log is being written. */
     val waiting: String?
         get() = when {
             file != null -> null

@@ -37,7 +37,7 @@ import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
 import badlog.window.theme.rememberAskedFocus
 
-/** The connection to a robot: which one, its status, its questions, and whether it is recorded. */
+/** The connection to a robot: its address, its status, its questions, and its recording. */
 @Composable
 internal fun RobotBar(link: RobotLink, recording: RobotRecording, settings: SettingsStore) {
     val state = link.state
@@ -69,7 +69,7 @@ internal fun RobotBar(link: RobotLink, recording: RobotRecording, settings: Sett
     }
 }
 
-/** The button for recording what [robot] publishes, which needs no logs and no code there. */
+/** The button for recording the data that [robot] publishes, which needs no logs and no code there. */
 @Composable
 private fun RecordMenu(recording: RobotRecording, robot: String) {
     if (recording.state.isOn) return ToolButton("Stop recording the robot", text = "Stop") { recording.stop() }
@@ -126,7 +126,7 @@ private fun TrustLine(question: RobotQuestion) {
 
 @Composable
 private fun PasswordLine(question: RobotQuestion) {
-    // Not stored anywhere else: it disappears with the question.
+    // The password is stored only here: it disappears with the question.
     var typed by remember(question) { mutableStateOf("") }
     val onEnter = Modifier.fillMaxWidth().entering { question.answer(typed) }
     SearchField(typed, question.text, onEnter, Icons.Robot, isSecret = true) { typed = it }

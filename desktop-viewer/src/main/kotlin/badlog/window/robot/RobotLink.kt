@@ -31,13 +31,13 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * Copies the logs of a robot to the folder that the window shows, as they are created and while the robot is disabled. Use it only
- * on the window's thread.
+ * Copies the logs of a robot to the window's folder, as they are created and while the robot is disabled. Use it only on the window's
+ * thread.
  *
- * @param scope where it works; its thread is the window's.
- * @param folder where logs go; null while no folder is open.
+ * @param scope the scope of its work; its thread is the window's.
+ * @param folder returns the folder for logs; null while no folder is open.
  * @param show shows a log.
- * @param addressesOf where the robot that a person typed may answer.
+ * @param addressesOf returns the addresses where the robot that a person typed may answer.
  */
 internal class RobotLink(
     private val scope: CoroutineScope,
@@ -50,14 +50,17 @@ internal class RobotLink(
     private var job: Job? = null
     private var fetching: Fetching? = null
 
-    /** Says where the robot's logs go when another folder is shown, until cancelled. */
+    /** Reports the folder for the robot's logs when another folder is shown, until cancelled. */
     suspend fun run() = snapshotFlow(folder).collect { shown ->
         val now = fetching?.takeIf { state.isOn } ?: return@collect
         if (shown == null || shown == now.target) return@collect
         notices.say("The robot’s logs still go into ${now.target}.", NoticeAction("Fetch into this folder") { connect(now.robot) })
     }
 
-    /** Looks for [robot], a team's number or an address, and fetches from it until [disconnect]; [anyway] even if it may be enabled. */
+    /**
+     * Looks for [robot], a team's number or an address, and fetches from it until [disconnect]. With [anyway], it fetches even if the robot
+     * may be enabled.
+     */
     fun connect(robot: String, anyway: Boolean = false) {
         val before = job
         disconnect()
@@ -70,7 +73,7 @@ internal class RobotLink(
         fetching = Fetching(robot, target)
         change { saying("Looking for the robot…").copy(isOn = true) }
         job = scope.launch {
-            // Two at a time would interfere with each other.
+            // Two fetches at a time would interfere with each other.
             before?.join()
             val fetch = LogFetch(addresses, FetchOptions(target, anyway = anyway), hosts, Questions())
             while (true) {
@@ -127,10 +130,10 @@ internal class RobotLink(
 
     private fun logs(count: Int) = if (count == 1) "1 log" else "$count logs"
 
-    /** The logs of [robot], as a person typed it, go into [target]. */
+    /** A fetch of the logs of [robot], as a person typed it, into [target]. */
     private class Fetching(val robot: String, val target: Path)
 
-    /** Reports on the window's thread what happens on another one. */
+    /** Reports the events of another thread on the window's thread. */
     private inner class Listener : FetchListener {
         private val percent = AtomicInteger(-1)
         private var left = 0
@@ -162,7 +165,7 @@ internal class RobotLink(
         }
     }
 
-    /** Asks on the window's thread, and waits on the other one. */
+    /** Asks on the window's thread, and waits for the answer on the other one. */
     private inner class Questions : FetchQuestions {
         override fun trusts(question: HostKeyQuestion): Boolean {
             val what = if (question.isChanged) {

@@ -4,8 +4,8 @@ package badlog.window.robot
  * A question to the person at the window before logs can be fetched.
  *
  * @property text the question.
- * @property isPassword whether the answer is a password; else it is yes or no.
- * @property answer takes it; null for no.
+ * @property isPassword whether the answer is a password; otherwise it is yes or no.
+ * @property answer receives the answer; null for no.
  */
 internal class RobotQuestion(val text: String, val isPassword: Boolean, val answer: (String?) -> Unit)
 
@@ -21,13 +21,13 @@ internal data class ComingLog(val name: String, val share: Float)
  * The connection to a robot, as the window shows it.
  *
  * @property isShown whether the connection is shown.
- * @property isAsked whether the keyboard is to go to the field of the robot's number as soon as that is there.
+ * @property isAsked whether the field of the robot's number gets the keyboard focus as soon as it is visible.
  * @property isOn whether the robot is searched for repeatedly.
  * @property status the status, as a sentence; empty before the first attempt.
- * @property isTrouble whether that prevents fetching.
+ * @property isTrouble whether the status prevents fetching.
  * @property mayBeEnabled whether fetching waits because it is unknown whether the robot is enabled.
  * @property coming the log being copied, or null.
- * @property question what the person is asked, or null.
+ * @property question the question to the person, or null.
  */
 internal data class RobotLinkState(
     val isShown: Boolean = false,
@@ -39,7 +39,7 @@ internal data class RobotLinkState(
     val coming: ComingLog? = null,
     val question: RobotQuestion? = null,
 ) {
-    /** Shows the connection, with the keyboard in the field of the robot's number. */
+    /** Shows the connection, with the keyboard focus in the field of the robot's number. */
     fun shown(): RobotLinkState = copy(isShown = true, isAsked = true)
 
     /** Shows the connection, or hides it. */

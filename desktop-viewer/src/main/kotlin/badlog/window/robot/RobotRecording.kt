@@ -26,13 +26,13 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Records what a robot publishes on NetworkTables into the folder that the window shows, without code on the robot. Use it only on the
- * window's thread.
+ * Records the data that a robot publishes on NetworkTables into the window's folder, without code on the robot. Use it only on the window's
+ * thread.
  *
- * @param scope where it works; its thread is the window's.
- * @param folder where logs go; null while no folder is open.
- * @param addressesOf where the robot that a person typed may answer.
- * @param logs shows them.
+ * @param scope the scope of its work; its thread is the window's.
+ * @param folder returns the folder for logs; null while no folder is open.
+ * @param addressesOf returns the addresses where the robot that a person typed may answer.
+ * @param logs shows the recorded logs.
  */
 internal class RobotRecording(
     private val scope: CoroutineScope,
@@ -41,18 +41,18 @@ internal class RobotRecording(
     private val addressesOf: (String) -> List<RobotAddress>,
     private val logs: RecordedLog,
 ) : StateHolder<RecordingState>(RecordingState()) {
-    // What a person writes does not wait for a recorder that waits for its disk.
+    // Separate from the person's own files, which must not wait for a recorder that waits for its disk.
     private val endings = FileWrites()
     private var running: Running? = null
     private var watching: Job? = null
 
-    /** Says where the recording goes when another folder is shown, until cancelled. */
+    /** Reports the folder of the recording when another folder is shown, until cancelled. */
     suspend fun run() = snapshotFlow(folder).collect { shown ->
         val target = running?.target ?: return@collect
         if (shown != target) notices.say("The recording still goes into $target.")
     }
 
-    /** Records [robot], a team's number or an address, until [stop]; [isPerEnable] for a log each time that it is enabled. */
+    /** Records [robot], a team's number or an address, until [stop]; with [isPerEnable], a log for each time that it is enabled. */
     fun start(robot: String, isPerEnable: Boolean) {
         if (state.isOn) return
         val target = folder() ?: return notices.complain("First open the folder for the robot’s logs.")
@@ -77,13 +77,13 @@ internal class RobotRecording(
         end()
     }
 
-    /** Ends the recording and waits until its log is finished, as before the window closes; for a disk that hangs, only a moment. */
+    /** Ends the recording, and waits until its log is finished; for a disk that hangs, only a moment. Call it before the window closes. */
     fun finish() {
         end()
         endings.finish()
     }
 
-    /** Records the servers of 2027 besides from the next [start] on, or no longer. */
+    /** Adds the other servers of 2027 from the next [start] on, or removes them. */
     fun toggleAll() = change { copy(isOfAll = !isOfAll) }
 
     private fun end() {
@@ -116,7 +116,7 @@ internal class RobotRecording(
 
     private class Running(val recorder: Recorder, val listener: RecordListener, val target: Path)
 
-    /** Reports on the window's thread what happens on the recorder's; of connections, that to the [robot]. */
+    /** Reports the recorder's events on the window's thread; of the connections, only the one to the [robot]. */
     private inner class Listener(private val robot: String) : RecordListener {
         override fun connected(name: String, address: ServerAddress) = say(name, connectedText(name, address))
 

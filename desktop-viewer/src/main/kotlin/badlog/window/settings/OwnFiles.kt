@@ -10,15 +10,15 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The files in which badlog keeps what it needs at the next start. The window works without them; a single sentence says what is not kept.
- * Use it only on the window's thread.
+ * The files that badlog keeps for its next start. Use it only on the window's thread. The window works without them; a single sentence
+ * reports the data that is not kept.
  *
  * @property folders the folders of these files.
  */
 internal class OwnFiles(val folders: UserFolders, private val notices: Notices) {
     private var isReported = false
 
-    /** Reports what cannot be kept, if a folder cannot be written. */
+    /** Reports the data that cannot be kept, if a folder cannot be written. */
     suspend fun check() {
         val (settings, answers) = withContext(Dispatchers.IO) { obstacleTo(folders.settings) to obstacleTo(folders.answers) }
         if (settings != null) isReported = true
@@ -32,7 +32,7 @@ internal class OwnFiles(val folders: UserFolders, private val notices: Notices) 
         notices.complain("$lost cannot be kept for the next start; ${obstacles.joinToString(" and ", transform = ::remedyFor)}.")
     }
 
-    /** Reports that settings or layouts cannot be saved, which failed with [e], unless that was reported before. */
+    /** Reports the failure [e] to save settings or layouts, unless one was reported before. */
     suspend fun cannotSave(e: IOException) {
         if (!isReported) check()
         if (isReported) return

@@ -12,8 +12,8 @@ import kotlinx.serialization.Serializable
 @Serializable
 internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f, val details: Float = 348f) {
     /**
-     * Returns the same in a window [room] wide: no part is narrower than its minimum, and if possible, all leave enough room for the
-     * graphs. A closed part has no width.
+     * Returns the widths in a window [room] wide. A closed part has no width. No part is narrower than its minimum, and if possible, all
+     * leave enough room for the graphs.
      */
     fun within(room: Float, hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean): PaneWidths {
         val least = LEAST.only(hasLogs, hasTopics, hasDetails)
@@ -31,7 +31,7 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
         )
     }
 
-    /** Returns the widths after a drag [by] from those [seen]; invisible parts do not change. */
+    /** Returns the widths after a drag [by] from the [seen] widths; invisible parts do not change. */
     fun draggedFrom(seen: PaneWidths, by: PaneWidths): PaneWidths = PaneWidths(
         logs = if (seen.logs > 0) seen.logs + by.logs else logs,
         topics = if (seen.topics > 0) seen.topics + by.topics else topics,
@@ -45,8 +45,8 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
 
     companion object {
         /**
-         * Whether topics and a panel on the right, of their default widths, leave the graphs at least half of a window [room] wide. The widths
-         * to which a person drags them do not count: no part may vanish under the pointer.
+         * Returns whether topics and a panel leave the graphs at least half of a window [room] wide. Their default widths count, not the
+         * widths to which a person drags them: no part may vanish under the pointer.
          */
         fun leaveHalf(room: Float, hasLogs: Boolean): Boolean =
             PaneWidths().only(hasLogs, hasTopics = true, hasDetails = true).sum <= room / 2
@@ -55,7 +55,7 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
         private const val GRAPHS = 400f
         private const val MOST = 1200f
 
-        /** A damaged file may have any number. */
+        /** Returns a valid width, since a damaged file may have any number. */
         private fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MOST)
     }
 }

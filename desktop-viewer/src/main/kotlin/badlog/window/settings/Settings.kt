@@ -11,14 +11,14 @@ import kotlinx.serialization.Serializable
  * @property previewTopic the topic that the list of logs previews; null for the battery voltage.
  * @property graphHeight the height of a graph, in dp.
  * @property fitsGraphs whether graphs share the window's height instead, if they are few enough.
- * @property window where the window was; null before the first time.
- * @property panes how wide the parts beside the graphs are.
+ * @property window the last place of the window; null before the first time.
+ * @property panes the widths of the parts beside the graphs.
  * @property robot the robot that logs were fetched from last, as it was typed.
  * @property stations whether the Driver Station's log of the same match is shown with a log, by the log's path; the latest last.
  * @property videos the video of a log, by the log's path, as `VideoNote` writes it; the latest last.
  * @property fields the file of the field on which the paths of the logs in a folder are drawn, by the folder's path; the latest last.
  * @property ringsForLogs whether there is a sound when a log arrives.
- * @property author the name of the person who changes the list of what to do; empty for that of the system's user.
+ * @property author the name of the person who changes the to-do list; empty for the name of the system's user.
  */
 @Serializable
 internal data class Settings(
@@ -46,7 +46,7 @@ internal data class Settings(
     fun withVideo(log: String, note: String?): Settings =
         copy(videos = if (note == null) videos - log else videos.latest(mapOf(log to note)))
 
-    /** Remembers the [file] of the field for the logs in [folder]; null for that beside them. */
+    /** Remembers the [file] of the field for the logs in [folder]; null for the field beside them. */
     fun withField(folder: String, file: String?): Settings =
         copy(fields = if (file == null) fields - folder else fields.latest(mapOf(folder to file)))
 }
@@ -55,7 +55,7 @@ internal data class Settings(
 private fun <T> Map<String, T>.latest(changes: Map<String, T>): Map<String, T> =
     (filterKeys { it !in changes } + changes).toList().takeLast(MAX_LOGS).toMap()
 
-/** Returns the merged settings of two windows: what [mine] has not changed since [before] is as in [theirs]. */
+/** Returns the merged settings of two windows: a setting that [mine] has not changed since [before] is as in [theirs]. */
 internal fun merged(mine: Settings, before: Settings, theirs: Settings): Settings {
     fun <T> of(property: (Settings) -> T) = property(if (property(mine) == property(before)) theirs else mine)
     val recent = of(Settings::recentFolders)
@@ -81,9 +81,9 @@ private fun merged(mine: Map<String, String>, before: Map<String, String>, their
 
 private const val MAX_RECENT = 10
 
-/** More logs than a team opens in a season. */
+/** The largest number of logs with a remembered choice; a team opens fewer in a season. */
 private const val MAX_LOGS = 500
 
-/** Where a window is on the screen, in dp, and whether it fills it. */
+/** The place of a window on the screen, in dp; with [isMaximized], it fills the screen. */
 @Serializable
 internal data class WindowPlace(val x: Int, val y: Int, val width: Int, val height: Int, val isMaximized: Boolean)

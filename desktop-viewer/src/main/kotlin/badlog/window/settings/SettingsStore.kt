@@ -23,7 +23,7 @@ internal class SettingsFile(private val file: Path) {
         coerceInputValues = true
     }
 
-    /** Returns what was stored. */
+    /** Returns the stored settings, or the defaults. */
     fun read(): Settings = readWhole() ?: Settings()
 
     private fun readWhole(): Settings? = try {
@@ -37,7 +37,7 @@ internal class SettingsFile(private val file: Path) {
     }
 
     /**
-     * Stores those of [settings] that changed since [before]; the rest stays as another window has stored it. Writes atomically.
+     * Stores the [settings] that have changed since [before], atomically; the rest stays as another window has stored it.
      *
      * @throws IOException if it cannot be written.
      */
@@ -55,7 +55,7 @@ internal class SettingsFile(private val file: Path) {
 /**
  * The user's settings.
  *
- * @param own the files of badlog, of which one stores the settings between starts.
+ * @param own the files of badlog, including the one for settings.
  * @param writes writes that file.
  * @param kept the content of that file.
  */
@@ -63,7 +63,7 @@ internal class SettingsStore(private val own: OwnFiles, private val writes: File
     StateHolder<Settings>(kept) {
     private val file = SettingsFile(own.folders.settings.resolve(SettingsFile.NAME))
 
-    /** What the file has of this window; only [writes] use it. */
+    /** The settings that this window has written to the file; only [writes] use it. */
     private var written = kept
 
     /** Writes each change a moment after it was made, until cancelled. */
@@ -76,12 +76,12 @@ internal class SettingsStore(private val own: OwnFiles, private val writes: File
         }
     }
 
-    /** Writes immediately what would otherwise be written a moment later, because the window is about to close. */
+    /** Writes immediately instead of a moment later, because the window is about to close. */
     fun saveNow() = writes.finish {
         try {
             save(state)
         } catch (_: IOException) {
-            // There is no longer a window to report it in.
+            // The window that could report it is closing.
         }
     }
 

@@ -159,7 +159,7 @@ internal fun EventLine(
     }
 }
 
-/** Selects the topics whose events are listed. */
+/** Selects the topics of the listed events. */
 @Composable
 internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
     val chosen = events.state.topicsOf(logs)
@@ -178,8 +178,8 @@ internal fun EventTopics(events: FilteredEvents, logs: List<EventLog>) {
     }
 }
 
-/** With more topics than this, use the search. */
+/** The largest number of topics to select from; for others, use the search. */
 private const val MAX_TOPICS = 40
 
-/** As many letters fit into a button; its own text would lose the end. */
+/** The number of letters that fit into a button, which would cut off the end of a longer text. */
 private const val MAX_TITLE_LENGTH = 24

@@ -17,7 +17,12 @@ import badlog.window.log.OpenRecording
 import badlog.window.panel.PanelView
 import badlog.window.todo.FolderTodo
 
-/** The findings in [open], see [findingsPanel]; [changes] is how the log differs from the ones before it; [isComparing] whether others are drawn. */
+/**
+ * The findings in [open], see [findingsPanel].
+ *
+ * @param changes the differences between the log and earlier ones.
+ * @param isComparing whether other logs are drawn.
+ */
 @Composable
 internal fun FindingsPanel(
     findings: LogFindings,

@@ -52,14 +52,14 @@ import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
 
 /**
- * The modules of a swerve drive: what they do at the cursor, and how well they follow their targets in the visible range.
+ * The modules of a swerve drive: their values at the cursor, and their errors in the visible range.
  *
  * @param showGraphs is called when a person goes to a moment.
  */
 @Composable
 internal fun ModulesPanel(view: AxisView, open: OpenRecording, showGraphs: () -> Unit, modifier: Modifier) {
     val drive = open.drive ?: return PanelHint(SwerveDrive.NONE)
-    // Of another log, the numbers of the one before must not be shown; of one that grows, those of a moment ago are.
+    // Another log must not show the numbers of the previous one; a growing log may show slightly older numbers.
     val made by key(open.file) {
         produceState<ShownModules?>(null, open) {
             val picture = withContext(Dispatchers.Default) { DrivePicture(drive, drive.errors).also { drive.fastest } }
@@ -92,7 +92,7 @@ internal fun ModulesPanel(view: AxisView, open: OpenRecording, showGraphs: () ->
     }
 }
 
-/** What the panel shows of a log: its [errors], null if they are not known, and their [sizes] over the visible range. */
+/** The content of the panel for a log: its [errors], null if unknown, and their [sizes] over the visible range. */
 private class ShownModules(val picture: DrivePicture, val errors: DriveErrors?, val sizes: List<ModuleError>)
 
 @Composable
@@ -113,7 +113,7 @@ private fun ErrorLine(error: ModuleError, index: Int, placeOf: (Double) -> Strin
     }
 }
 
-/** The [size] of an error; its largest value is a button that does what [hint] says. */
+/** The [size] of an error; its largest value is a button with the effect described by [hint]. */
 @Composable
 private fun SizeLine(size: ErrorSize, hint: String, onGo: (Double) -> Unit) {
     Row(verticalAlignment = Alignment.CenterVertically) {

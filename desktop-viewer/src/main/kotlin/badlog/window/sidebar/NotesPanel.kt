@@ -45,7 +45,7 @@ import badlog.window.todo.FolderTodo
 import badlog.window.todo.TodoButtons
 import badlog.window.todo.TodoMark
 
-/** The notes of [open], each with a link to its moment, which also calls [onGo], and the field for writing one. */
+/** The notes of [open] and the field for writing one. A click on a note goes to its moment and calls [onGo]. */
 @Composable
 internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
     val times = open.times

@@ -37,7 +37,7 @@ import badlog.window.log.OpenRecording
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 
-/** What was wrong in the file, the worst first. */
+/** The problems in the file, the worst first. */
 @Composable
 internal fun ProblemsPanel(open: OpenRecording, modifier: Modifier) {
     val palette = LocalPalette.current
@@ -99,5 +99,5 @@ private fun Palette.softOf(severity: Severity?): Color = when (severity) {
     Severity.NOTE, null -> raised
 }
 
-/** Returns losses, then warnings, then hints; those of one severity stay in order. */
+/** Returns losses, then warnings, then hints; problems of one severity stay in order. */
 internal fun worstFirst(problems: List<Problem>): List<Problem> = problems.sortedByDescending { it.severity }

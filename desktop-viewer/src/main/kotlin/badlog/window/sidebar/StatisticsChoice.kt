@@ -5,7 +5,7 @@ import badlog.viewer.shown.statistics.Statistic
 import badlog.window.state.StateHolder
 
 /**
- * What the table of statistics shows. Immutable; each transition returns a new one.
+ * The choices for the table of statistics. Immutable; each transition returns a new one.
  *
  * @property topics the names of the topics, in the order of their columns.
  * @property statistics the statistics of each topic.
@@ -32,7 +32,7 @@ internal data class StatisticsChoice(
     fun toggled(statistic: Statistic): StatisticsChoice =
         copy(statistics = if (statistic in statistics) statistics - statistic else statistics + statistic)
 
-    /** Sorts by [column]; reverses the order if it already is. */
+    /** Sorts by [column], or reverses the order if that is the column already. */
     fun sortedBy(column: StatisticsColumn): StatisticsChoice = copy(sort = column, isDescending = sort == column && !isDescending)
 }
 
@@ -42,7 +42,7 @@ internal sealed interface StatisticsColumn
 /** The name of the recording. */
 internal data object LabelColumn : StatisticsColumn
 
-/** When it was recorded. */
+/** The time when it was recorded. */
 internal data object DateColumn : StatisticsColumn
 
 /** A [statistic] of a [topic]. */
@@ -54,5 +54,5 @@ internal data class FigureColumn(val topic: String, val statistic: Statistic) : 
     fun unitIn(row: StatisticsRow): String = statistic.unitOf(row.units[topic] ?: Topic.UNITLESS, row.xUnit)
 }
 
-/** What the window's table of statistics shows. */
+/** The choices for the window's table of statistics. */
 internal class SelectedStatistics : StateHolder<StatisticsChoice>(StatisticsChoice())

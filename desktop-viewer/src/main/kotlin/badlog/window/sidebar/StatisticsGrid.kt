@@ -26,10 +26,10 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
     private val names = choice.topics.zip(shortNames(choice.topics)).toMap()
 
-    /** Returns the name of the topic in the heading of [column]: only as much of its path as distinguishes it from the others. */
+    /** Returns the name of the topic in the heading of [column]: the part of its path that distinguishes it from the others. */
     fun nameOf(column: FigureColumn): String = names.getValue(column.topic)
 
-    /** Returns the unit of all of [column]; null if recordings differ. */
+    /** Returns the common unit of [column]; null if recordings differ. */
     fun unitOf(column: FigureColumn): String? {
         val units = figures.getValue(column).units
         return if (units.size > 1) null else units.firstOrNull() ?: Topic.UNITLESS
@@ -38,7 +38,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     /** Returns whether the value of [row] is the smallest of [column], and not all are the same. */
     fun isLowest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == min }
 
-    /** Returns whether it is the largest. */
+    /** Returns whether the value of [row] is the largest of [column], and not all are the same. */
     fun isHighest(column: FigureColumn, row: StatisticsRow): Boolean = figures.getValue(column).run { min < max && column.of(row) == max }
 
     /** Returns the text of [column] in [row], with the unit only if the column does not have a single one. */
@@ -54,8 +54,8 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
     }
 
     /**
-     * Returns the table as CSV (RFC 4180): exact values, and an empty cell for none; a column with several units is followed by one with
-     * the units.
+     * Returns the table as CSV (RFC 4180): exact values, and an empty cell for none. A column with several units is followed by a column
+     * with the units.
      */
     fun toCsv(): String {
         val head = ArrayList(listOf("Log", "Date", "File"))
@@ -101,12 +101,12 @@ private fun directed(choice: StatisticsChoice, order: Comparator<StatisticsRow>)
 /**
  * A recording in the table of statistics.
  *
- * @property label the match, or else the name of the file.
- * @property date when it was recorded, as text that sorts by time; empty when not known.
+ * @property label the match, or otherwise the name of the file.
+ * @property date the time when it was recorded, as text that sorts by time; empty if unknown.
  * @property path its file.
- * @property statistics of each topic that it has and that was asked for, by name.
- * @property units of those topics, by name; `ul` for none.
- * @property xUnit the unit of its x axis, null where that is not known.
+ * @property statistics the statistics of each requested topic that it has, by name.
+ * @property units the units of these topics, by name; `ul` for none.
+ * @property xUnit the unit of its x axis; null if unknown.
  */
 internal class StatisticsRow(
     val label: String,

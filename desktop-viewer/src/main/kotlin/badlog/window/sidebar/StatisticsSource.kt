@@ -15,31 +15,34 @@ import java.nio.file.Files
 import java.util.concurrent.TimeUnit
 
 /**
- * What the table of statistics is made from.
+ * The data for the table of statistics.
  *
  * @property topics the names of all selectable topics, by folder.
- * @property drawn those topics that a recording on the screen has, by name.
- * @property rowsOf returns the statistics of some of them in every recording; it takes a while, so do not use it on the
- * window's thread.
+ * @property drawn the topics of the recordings on the screen, by name.
+ * @property rowsOf returns the statistics of the given topics in every recording; it takes a while: call it off the window's thread.
  */
 internal class StatisticsSource(
     val topics: List<String>,
     private val drawn: Map<String, DrawableTopic>,
     val rowsOf: (topics: List<String>) -> List<StatisticsRow>,
 ) {
-    /** Those of [topics] that [query] finds; [found] are the names of those that a finding is about. May look through samples. */
+    /**
+     * Returns the [topics] that match [query]. May look through samples.
+     *
+     * @param found the names of the topics that a finding is about.
+     */
     fun topicsFoundBy(query: Query, found: Set<String>): List<String> =
         topics.filter { name -> drawn[name]?.isFoundBy(query, found) ?: query.matches(name, KNOWN) }
 
     private companion object {
-        /** What is known about a topic of a log that is not open: that it has numbers. */
+        /** The known trait of a topic in a log that is not open: it has numbers. */
         val KNOWN = setOf(Trait.NUMBER)
     }
 }
 
 /**
- * Returns what the table is made from: the recordings that are [drawn], of which every signal has figures, and if it [isOverAll]
- * the logs that are [known], with those figures that they came with. A log that is both is there once.
+ * Returns the data for the table: all signals with numbers of the [drawn] recordings, and [known] rows of other logs. Those rows are
+ * included only if [isOverAll]. A log that is both is included once.
  */
 internal fun statisticsSource(drawn: List<OpenRecording>, known: List<StatisticsRow>, isOverAll: Boolean = true): StatisticsSource {
     val knownByFile = known.associateBy { it.path }
@@ -49,14 +52,14 @@ internal fun statisticsSource(drawn: List<OpenRecording>, known: List<Statistics
     val signals = drawn.flatMap { it.signals }.filter { it.hasFigures }
     signals.mapTo(topics) { it.name }
     for (row in others) topics += row.statistics.keys
-    // The first of one name is that of the open log, which the findings are of.
+    // The first signal of a name belongs to the open log, like the findings.
     val byName = signals.asReversed().associateBy { it.name }
     return StatisticsSource(topics.sortedBy { PathName.folderOf(it).lowercase() }, byName) { asked ->
         drawn.map { statisticsRow(it, asked, knownByFile[it.file]?.date ?: dateOf(it)) } + others
     }
 }
 
-/** Returns the figures of [topics] in [recording], those that it has; [date] is when it was recorded. */
+/** Returns the statistics of those [topics] that [recording] has; [date] is the time when it was recorded. */
 internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date: String): StatisticsRow {
     val signals = topics.mapNotNull { recording.signal(it) }.filter { it.hasFigures }
     return StatisticsRow(
@@ -69,7 +72,7 @@ internal fun statisticsRow(recording: OpenRecording, topics: List<String>, date:
     )
 }
 
-/** Returns when the file of [recording] was written last; empty when it is not there any more. */
+/** Returns the time of the last change to the file of [recording]; empty if the file is gone. */
 private fun dateOf(recording: OpenRecording): String = try {
     sortableText(localSecondOf(Files.getLastModifiedTime(recording.file).to(TimeUnit.SECONDS)))
 } catch (_: IOException) {
@@ -79,7 +82,7 @@ private fun dateOf(recording: OpenRecording): String = try {
 /** Returns [second] of a clock on the wall, in s since 1970 on that clock, as text that sorts by time: `2024-03-16 10:41`. */
 private fun sortableText(second: Long): String = isoText(second).replace('T', ' ')
 
-/** Returns each of [logs], the newest first, with the statistics of all its topics that are known without reading it again. */
+/** Returns a row for each of [logs], the newest first, with the statistics that are known without reading the log again. */
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(

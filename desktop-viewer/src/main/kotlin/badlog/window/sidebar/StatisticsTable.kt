@@ -60,12 +60,12 @@ import kotlinx.coroutines.withContext
 import java.nio.file.Path
 
 /**
- * A statistic of topics across logs.
+ * A table with statistics of topics across logs.
  *
  * @param entries the logs of the folder.
- * @param drawn the open log and those that are compared with it.
+ * @param drawn the open log and the compared ones.
  * @param found the names of the topics that a finding is about.
- * @param graphed the names of the topics that are drawn.
+ * @param graphed the names of the drawn topics.
  * @param onOpen shows the log of a row.
  * @param onSave saves the table.
  * @param onClose shows the graphs again.
@@ -83,7 +83,7 @@ internal fun StatisticsTable(
     modifier: Modifier = Modifier,
 ) {
     LaunchedEffect(Unit) {
-        // An empty table would not show what it is for.
+        // An empty table would not explain itself.
         val battery = entries.firstNotNullOfOrNull { it.summary.batteryTopic }
         if (battery != null && statistics.state.topics.isEmpty()) {
             statistics.change { toggled(battery) }
@@ -183,7 +183,7 @@ private fun TableHint(text: String) {
 
 private val NARROW = 640.dp
 
-/** Selects among the topics of [source] those that the table has; the selected ones come first, so that they can always be found. */
+/** Selects topics of [source] for the table; the selected ones come first, so that they can always be found. */
 @Composable
 internal fun StatisticsTopics(statistics: SelectedStatistics, source: StatisticsSource, found: Set<String>, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
@@ -231,7 +231,7 @@ private fun TopicChoice(topic: String, isSelected: Boolean, onClick: () -> Unit)
 
 /** Saves tables of statistics as CSV files that the person names. */
 internal class TableSaver(private val files: FileChoice, private val tasks: LongTasks, private val notices: Notices) {
-    /** Asks for a file, beginning in [folder], and writes [grid] to it. */
+    /** Asks for a file, starting in [folder], and writes [grid] to it. */
     fun save(grid: StatisticsGrid, folder: Path?) {
         val file = askToWrite(files, notices, "Save the table", folder, "statistics", ".csv") ?: return
         tasks.run("Saving ${file.fileName}", { writeAtomically(file) { it.write(grid.toCsv().encodeToByteArray()) } }) {

@@ -36,7 +36,7 @@ import badlog.window.theme.SearchField
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
-/** What was known when the recording began, by folder. */
+/** The values that were known when the recording began, by folder. */
 @Composable
 internal fun ValuesPanel(open: OpenRecording, modifier: Modifier) {
     if (open.view.recording.values.isEmpty()) {
@@ -69,7 +69,10 @@ internal fun ValuesPanel(open: OpenRecording, modifier: Modifier) {
  */
 internal class ValueRow(val folder: String, val value: Value?)
 
-/** Returns the values of [open] whose name or text has all words of [query], each folder below its heading; the root folder has none. */
+/**
+ * Returns the values of [open] with all words of [query] in their name or text, each folder below its heading. The root folder has no
+ * heading.
+ */
 internal fun valueRows(open: OpenRecording, query: String): List<ValueRow> {
     val wanted = Query(query)
     return open.view.folders.flatMap { folder ->

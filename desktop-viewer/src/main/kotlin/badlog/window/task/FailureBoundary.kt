@@ -22,7 +22,7 @@ internal fun FailureBoundary(failures: Failures, content: @Composable () -> Unit
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides factory, content = content)
 }
 
-/** Shows [failures] that the window is still updated. */
+/** Records in [failures] that the window is still updated. */
 @Composable
 internal fun FailuresSeen(failures: Failures) {
     val count = failures.count
@@ -30,8 +30,8 @@ internal fun FailuresSeen(failures: Failures) {
 }
 
 /**
- * A failure during composition leaves a frozen picture of a window. Reports this if [failures] are not shown although the window
- * [isInSight], and then calls [end]. Suspends until cancelled.
+ * Ends the program if a failure has frozen the window's picture, as failures during composition do. Reports this if [failures] are not
+ * shown although the window [isInSight], and then calls [end]. Suspends until cancelled.
  */
 internal suspend fun endWhenStuck(failures: Failures, isInSight: () -> Boolean, end: () -> Unit) {
     snapshotFlow { failures.count }.collectLatest { count ->

@@ -17,8 +17,8 @@ import java.time.temporal.ChronoUnit
 import javax.swing.SwingUtilities
 
 /**
- * Receives uncaught exceptions, which are defects of badlog. They are written to [log] and reported in a sentence, and the window
- * stays open: nobody should lose open work because of one failed click.
+ * Receives uncaught exceptions, which are defects of badlog. They are written to [log] and reported in a sentence. The window stays open,
+ * so that one failed click does not cost open work.
  */
 internal class Failures(private val log: FailureLog, private val notices: Notices) {
     /** The number of failures. */
@@ -28,7 +28,7 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
     /** The number of failures that the window has shown: lower if it can no longer show anything. */
     var seen = 0
 
-    /** Where they are kept. */
+    /** The file that stores them. */
     val file: Path get() = log.file
 
     /** Receives [failure], on any thread. */
@@ -47,7 +47,7 @@ internal class Failures(private val log: FailureLog, private val notices: Notice
 
 /** The failures of the program itself, for its developers: written to [file], each once per run. Thread-safe. */
 internal class FailureLog(cache: Path) {
-    /** Where it is kept. */
+    /** The file that stores them. */
     val file: Path = cache.resolve("failures.log")
 
     private val known = HashSet<String>()
@@ -74,7 +74,7 @@ internal class FailureLog(cache: Path) {
     }
 
     private companion object {
-        /** A failure in each frame must not fill the disk. */
+        /** The largest number of stored failures: a failure in each frame must not fill the disk. */
         const val MAX_KNOWN = 50
         const val MAX_BYTES = 1L shl 20
     }

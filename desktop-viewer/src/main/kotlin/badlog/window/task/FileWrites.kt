@@ -10,14 +10,14 @@ import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.withTimeoutOrNull
 import kotlin.time.Duration.Companion.seconds
 
-/** What people wrote, on its way to the disk: off the window's thread, one after another, and to the end when the window is closed. */
+/** Writes a person's changes to the disk, off the window's thread, one after another. Closing the window waits for them. */
 internal class FileWrites {
     private val scope = CoroutineScope(SupervisorJob() + Dispatchers.IO.limitedParallelism(1))
 
-    /** Does [work], after all before it, and returns its result. It is done even if the caller is cancelled. */
+    /** Runs [work] after all earlier work, and returns its result. It runs even if the caller is cancelled. */
     suspend fun <T> write(work: () -> T): T = scope.async { work() }.await()
 
-    /** Does [last], which may [write], and waits until all is written; for a stick that does not answer, only a moment. */
+    /** Runs [last], which may [write], and waits until everything is written; for a stick that does not answer, only a moment. */
     fun finish(last: suspend () -> Unit = {}) {
         runBlocking {
             withTimeoutOrNull(LONGEST) {

@@ -14,10 +14,10 @@ import java.io.IOException
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Something a person waits for.
+ * A task that a person waits for.
  *
  * @property id identifies it.
- * @property title what is being done, for the status bar.
+ * @property title the current work, for the status bar.
  * @property share the fraction done, 0 to 1; null while unknown.
  * @property cancel cancels it.
  */

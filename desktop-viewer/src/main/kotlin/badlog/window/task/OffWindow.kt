@@ -2,5 +2,5 @@ package badlog.window.task
 
 import java.awt.EventQueue
 
-/** Work on files and whole logs belongs off the window's thread, which would stand still meanwhile; checked in tests and in development. */
+/** Asserts, in tests and in development, that work on files and whole logs is off the window's thread, which it would block. */
 internal fun assertOffWindow() = assert(!EventQueue.isDispatchThread()) { "A file or a whole log is worked on by the window’s thread." }

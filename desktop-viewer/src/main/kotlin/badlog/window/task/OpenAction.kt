@@ -10,7 +10,8 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * Returns the action that opens [place], a file or a folder, with the system's program for it; null if the system cannot. Runs in [scope].
+ * Returns the action that opens [place] with the system's program for it; null if the system cannot. It runs in [scope]. [place] is a file
+ * or a folder.
  */
 internal fun openAction(place: Path, scope: CoroutineScope, notices: Notices): NoticeAction? {
     val canOpen = !GraphicsEnvironment.isHeadless() && Desktop.isDesktopSupported() &&

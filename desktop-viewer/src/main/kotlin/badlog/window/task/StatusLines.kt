@@ -28,11 +28,11 @@ import kotlinx.coroutines.delay
 /**
  * The lines at the bottom of the window: running tasks, and notices of successes and failures.
  *
- * @param isWaiting whether what was chosen is still being calculated.
+ * @param isWaiting whether the chosen state is still being calculated.
  */
 @Composable
 internal fun StatusLines(notices: Notices, tasks: LongTasks, isWaiting: Boolean) {
-    // Most is calculated before anybody could read that.
+    // Most calculations end before a person could read that.
     val isLong by produceState(false, isWaiting) {
         value = false
         if (isWaiting) delay(PATIENCE_MILLIS)

@@ -13,7 +13,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
 /**
- * Returns the frame around a text field with these [interactions], which shows whether it has the keyboard focus, and whether its text
+ * Returns the frame around a text field with these [interactions]. It shows whether the field has the keyboard focus, and whether its text
  * [isWrong].
  */
 @Composable

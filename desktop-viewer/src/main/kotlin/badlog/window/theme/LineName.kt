@@ -11,14 +11,14 @@ import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 
-/** The color of a line in a legend, by its number; pale where a person hid the line. */
+/** The color of a line in a legend, by its number; pale if the line is hidden. */
 @Composable
 internal fun LineColor(number: Int, isHidden: Boolean) {
     val color = LocalPalette.current.line(number).copy(alpha = if (isHidden) HIDDEN else 1f)
     Spacer(Modifier.size(10.dp, 3.dp).background(color, RoundedCornerShape(2.dp)))
 }
 
-/** The name of a line in a legend, struck out where a person hid the line. */
+/** The name of a line in a legend, struck out if the line is hidden. */
 @Composable
 internal fun LineName(name: String, isHidden: Boolean) {
     val palette = LocalPalette.current

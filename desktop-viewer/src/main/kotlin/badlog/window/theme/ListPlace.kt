@@ -6,7 +6,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.snapshots.Snapshot
 
-/** Scrolls [list] as far as necessary to show item [index], whenever that changes. */
+/** Scrolls [list] until item [index] is visible, whenever the index changes. */
 @Composable
 internal fun KeepInSight(list: LazyListState, index: Int) {
     LaunchedEffect(index) {

@@ -27,7 +27,7 @@ import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.constrain
 import kotlin.math.ceil
 
-/** What a name that is too long loses. */
+/** The part that a name loses if it is too long. */
 internal enum class NameCut {
     /** Its beginning: for topics and graphs, which differ at their end. */
     BEGINNING,
@@ -35,12 +35,15 @@ internal enum class NameCut {
     /** Its middle: for files and sentences with a name at their end. */
     MIDDLE,
 
-    /** Its first words: for the events where matches are played, of whose words a part says little. */
+    /** Its first words: for the events where matches are played, as a part of a word says little. */
     WORDS,
     ;
 
     companion object {
-        /** Returns what the name of a topic or graph loses: `[ Left Position Derivative ]` ends as that of every other derivative does. */
+        /**
+         * Returns the part that the name of a topic or graph loses. Calculated topics lose their middle: all derivatives end alike, as in
+         * `[ Left Position Derivative ]`.
+         */
         fun of(name: CharSequence): NameCut = if (name.endsWith("]")) MIDDLE else BEGINNING
     }
 }
@@ -110,11 +113,11 @@ internal fun TextMeasurer.measureName(name: AnnotatedString, style: TextStyle, w
     return measure(shown, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, constraints = Constraints(maxWidth = width))
 }
 
-/** Returns where the first word of [name] begins that begins at [from] or behind it; null if none does. */
+/** Returns the place of the first word of [name] that begins at [from] or behind it; null if there is none. */
 private fun wordFrom(name: CharSequence, from: Int): Int? =
     (maxOf(1, from) until name.length).firstOrNull { name[it - 1].isWhitespace() && !name[it].isWhitespace() }
 
-/** Returns how many of the first letters end at [x] or before. */
+/** Returns the number of first letters that end at [x] or before. */
 private fun TextLayoutResult.lastWithin(x: Int): Int = (nearest(x) downTo 0).first { it == 0 || (placeOf(it) <= x && isBetweenLetters(it)) }
 
 /** Returns the index of the first letter that begins at [x] or behind it. */
@@ -127,10 +130,10 @@ private fun TextLayoutResult.nearest(x: Int) = getOffsetForPosition(Offset(x.toF
 
 private fun TextLayoutResult.placeOf(index: Int) = getHorizontalPosition(index, usePrimaryDirection = true)
 
-/** Whether the text can be cut at [index]: not inside a letter of two characters. */
+/** Returns whether the text can be cut at [index]: not inside a letter of two characters. */
 private fun TextLayoutResult.isBetweenLetters(index: Int) = index >= layoutInput.text.length || !layoutInput.text[index].isLowSurrogate()
 
 private const val ELLIPSIS = "…"
 
-/** The layouts that are kept: the whole name is measured for its size, and again when it is drawn. */
+/** The number of layouts that are kept: the whole name is measured for its size, and again when it is drawn. */
 private const val MEASURED = 3

@@ -12,7 +12,7 @@ import badlog.viewer.draw.color.modeShade
 import badlog.viewer.draw.color.stateOpacity
 import badlog.viewer.draw.mark.RobotMode
 
-/** The colors of a theme, see [Shade]; the same as those of an exported page. */
+/** The colors of a theme, see [Shade]; the same as on an exported page. */
 @Immutable
 internal class Palette private constructor(val isDark: Boolean) {
     val page: Color = of(Shade.PAGE)
@@ -32,17 +32,17 @@ internal class Palette private constructor(val isDark: Boolean) {
     val stateOff: Color = of(Shade.STATE_OFF)
     val stateText: Color = of(Shade.STATE_TEXT)
 
-    /** The same for a pen. */
+    /** The same colors for a pen. */
     val pen: PenColors = PenColors.of(isDark)
     private val lines = List(LINE_COLORS) { opaque(lineColor(it, isDark)) }
 
-    /** Returns the color of line [index], from 0; further ones begin again. */
+    /** Returns the color of line [index], from 0; the colors repeat. */
     fun line(index: Int): Color = lines[index.mod(LINE_COLORS)]
 
     /** Returns the color of a lane in state [index], from 0: a line's color, muted enough for text on top of it. */
     fun state(index: Int): Color = line(index).copy(alpha = stateOpacity(isDark).toFloat()).compositeOver(surface)
 
-    /** Returns the color that shades [mode]. */
+    /** Returns the color that shades the times of [mode]. */
     fun mode(mode: RobotMode): Color = of(modeShade(mode))
 
     private fun of(shade: Shade) = opaque(shade.of(isDark))

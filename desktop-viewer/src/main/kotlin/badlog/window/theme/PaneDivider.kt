@@ -27,8 +27,10 @@ import androidx.compose.ui.unit.dp
 import java.awt.Cursor
 
 /**
- * The line between two parts of the window: [onDrag] receives by how many dp it is dragged to the right, [onReset] is called for a double
- * click.
+ * The line between two parts of the window, which a person can drag.
+ *
+ * @param onDrag receives the distance of a drag to the right, in dp.
+ * @param onReset is called for a double click.
  */
 @Composable
 internal fun PaneDivider(description: String, onDrag: (Float) -> Unit, onReset: () -> Unit) {

@@ -37,12 +37,12 @@ import androidx.compose.ui.text.input.VisualTransformation
 import androidx.compose.ui.unit.dp
 
 /**
- * A single-line field, for searching unless another [icon] shows its purpose; it shows [hint] while it is empty. Escape clears it,
- * unless it [keepsText], and releases the keyboard focus.
+ * A single-line field, for searching unless another [icon] shows its purpose; it shows [hint] while it is empty. Escape clears it, unless
+ * it [keepsText], and releases the keyboard focus.
  *
  * @param isSecret whether the text is hidden.
- * @param keepsText whether the text is one to keep rather than a search.
- * @param isSelectedAtFirst whether what is typed first replaces the text.
+ * @param keepsText whether the text is kept, unlike a search.
+ * @param isSelectedAtFirst whether the first typed letters replace the text.
  */
 @Composable
 internal fun SearchField(
@@ -59,7 +59,7 @@ internal fun SearchField(
     val focus = LocalFocusManager.current
     val interactions = remember { MutableInteractionSource() }
     var edited by remember { mutableStateOf(TextFieldValue(text, TextRange(0, if (isSelectedAtFirst) text.length else 0))) }
-    // The whole area is the field: a click beside the text must give it the keyboard focus, or else typing would run commands.
+    // The whole area is the field: a click beside the text must give it the keyboard focus, otherwise typing would run commands.
     BasicTextField(
         edited.copy(text = text),
         { typed ->
@@ -102,7 +102,10 @@ internal fun SearchField(
     }
 }
 
-/** Moves the keyboard focus to a field when a person [hasAsked] for it, also if it was not visible until then; then calls [onMoved]. */
+/**
+ * Moves the keyboard focus to a field when a person [hasAsked] for it, and then calls [onMoved]. The field may have been invisible until
+ * then.
+ */
 @Composable
 internal fun rememberAskedFocus(hasAsked: Boolean, onMoved: () -> Unit): FocusRequester {
     val focus = remember { FocusRequester() }

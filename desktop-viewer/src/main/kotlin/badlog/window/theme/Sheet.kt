@@ -13,7 +13,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** Makes a sheet above the window with the title [name], at most [widest] wide. */
+/** Makes an element a sheet above the window with the title [name], at most [widest] wide. */
 @Composable
 internal fun Modifier.sheet(name: String, widest: Dp): Modifier {
     val palette = LocalPalette.current

@@ -33,10 +33,10 @@ import androidx.compose.ui.unit.sp
 /**
  * A small button with an icon, a text, or both.
  *
- * @param description what it does: its tooltip, and its name for screen readers and tests.
+ * @param description its effect: its tooltip, and its name for screen readers and tests.
  * @param text its text; null for the icon only.
- * @param color of its icon and text while it is neither on nor disabled.
- * @param isOn whether what it represents is on.
+ * @param color the color of its icon and text while it is neither on nor disabled.
+ * @param isOn whether it represents something that is on.
  */
 @Composable
 internal fun ToolButton(
@@ -80,11 +80,11 @@ internal fun ToolButton(
     }
 }
 
-/** Shows [text] as a tooltip when the pointer rests on [content]; nothing for an empty one. */
+/** Shows [text] as a tooltip when the pointer rests on [content]; an empty text has none. */
 @Composable
 internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) = Tip({ text }, modifier, content)
 
-/** The same with a text that is computed only then. */
+/** The same with a text that is computed only when it is shown. */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
 internal fun Tip(text: () -> String, modifier: Modifier = Modifier, content: @Composable () -> Unit) {

@@ -24,8 +24,8 @@ internal enum class Theme {
     ;
 
     /**
-     * Returns the theme after a click if the system [isSystemDark]: always the opposite of the visible colors, [SYSTEM] if that has
-     * them.
+     * Returns the theme after a click if the system [isSystemDark]: always the opposite of the visible colors. It is [SYSTEM] if the system
+     * has these.
      */
     fun other(isSystemDark: Boolean): Theme {
         val wantsDark = when (this) {

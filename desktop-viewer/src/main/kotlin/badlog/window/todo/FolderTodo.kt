@@ -41,7 +41,9 @@ import java.io.IOException
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
-/** The team's list beside the logs of the open folder, which other laptops may change as well. Use it only on the window's thread. */
+/**
+ * The team's to-do list beside the logs of the open folder. Use it only on the window's thread. Other laptops may change the list as well.
+ */
 internal class FolderTodo(
     private val scope: CoroutineScope,
     private val library: Library,
@@ -51,7 +53,7 @@ internal class FolderTodo(
     private val notices: Notices,
     private val writes: FileWrites,
 ) : StateHolder<TodoState>(TodoState()) {
-    /** Who changes the list here. */
+    /** The name of the person who changes the list here. */
     val author: String get() = settings.state.author.ifBlank { System.getProperty("user.name").orEmpty() }.ifBlank { "somebody" }
 
     /** Follows the open folder, until cancelled. */
@@ -99,7 +101,7 @@ internal class FolderTodo(
 
     private fun examinedLogs() = library.state.ofRobots.filter { !it.isGray && it.found?.rules != null }
 
-    /** Writes that [by] did [deed] to [subject]. It is on the list at once, and in the file soon. */
+    /** Records that [by] did [deed] to [subject]: at once on the list, and soon in the file. */
     fun write(subject: TodoSubject, deed: TodoDeed, by: String = author) {
         val folder = state.folder ?: return notices.complain("Open a folder of logs first; the list is kept beside them.")
         val made = newChange(subject, deed, by, lastLog(), state.files.changes + state.written)
@@ -114,13 +116,13 @@ internal class FolderTodo(
         }
     }
 
-    /** Returns the log that began last, also of those that rules have not examined yet; null if none is known. */
+    /** Returns the log that began last, including logs that rules have not examined yet; null if none is known. */
     private fun lastLog(): FoundLog? {
         val now = wallClock()
         return library.state.ofRobots.map { foundLog(it, now) }.filter { it.isDated }.maxByOrNull { it.second }
     }
 
-    /** Remembers that the person at this computer is [name], unless it is known already. */
+    /** Remembers that the person at this computer is [name], unless a person is known already. */
     fun rememberAuthor(name: String) {
         if (name.isNotBlank() && name != author && settings.state.author.isBlank()) settings.change { copy(author = name.trim()) }
     }
@@ -146,7 +148,7 @@ internal class FolderTodo(
     }
 }
 
-/** The names of the rules whose findings are on the list. */
+/** The names of the rules with findings on the list. */
 private val TodoList.rules: Set<String> get() = (open + done).mapNotNullTo(HashSet()) { (it.task as? FaultTask)?.rule }
 
 private fun wallClock() = localSecondOf(System.currentTimeMillis() / MILLIS)
@@ -156,10 +158,10 @@ private const val MILLIS = 1000L
 private fun foundLog(entry: LogEntry, now: Long) = FoundLog.of(entry.fileName, entry.summary.match, entry.summary.date, now)
 
 /**
- * Returns what [entries] say for the list. What the rules found is read only where it may matter: [rules] are on the list, or the log is one of
- * the last with an error.
+ * Returns the logs of [entries] for the list. Findings of a log are read only if they may matter: [rules] are on the list, or the log is
+ * one of the last and has an error.
  *
- * @param known what was read before, by the file and the key of what was found in it.
+ * @param known the findings that were read before, by the file and the key of its findings.
  */
 private fun foundLogs(
     entries: List<LogEntry>,

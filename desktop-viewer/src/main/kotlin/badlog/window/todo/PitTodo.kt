@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.sp
 import badlog.viewer.todo.TodoItem
 import badlog.window.theme.LocalPalette
 
-/** What is still open, in letters that are read from two meters, and how much of the checklist is ticked; [onOpen] shows the whole list. */
+/** The open items, in letters that are read from two meters, and the progress of the checklist; [onOpen] shows the whole list. */
 @Composable
 internal fun PitTodo(todo: FolderTodo, onOpen: () -> Unit) {
     val palette = LocalPalette.current
@@ -53,5 +53,5 @@ private fun textOf(item: TodoItem): String =
 private fun Line(text: String, color: Color = LocalPalette.current.text, weight: FontWeight = FontWeight.Normal) =
     Text(text, color = color, fontSize = 28.sp, lineHeight = 36.sp, fontWeight = weight, maxLines = 1, overflow = TextOverflow.Ellipsis)
 
-/** As many as are read at a glance. */
+/** The number of items that are read at a glance. */
 private const val MOST = 4

@@ -22,7 +22,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** What the list says of [task], below the finding or note that it is about; nothing if nobody has dealt with it. */
+/** The state of [task] on the list, below its finding or note; empty if it is not on the list. */
 @Composable
 internal fun TodoMark(todo: FolderTodo, task: TodoTask) {
     val palette = LocalPalette.current
@@ -38,7 +38,7 @@ internal fun TodoMark(todo: FolderTodo, task: TodoTask) {
     if (item.isOpen && item.person.isNotEmpty()) Text("To do: ${item.person}", color = palette.muted, fontSize = 12.sp)
 }
 
-/** The buttons with which a team says what becomes of [task]. */
+/** The buttons for the actions on [task]. */
 @Composable
 internal fun TodoButtons(todo: FolderTodo, task: TodoTask) {
     if (todo.state.folder == null) return
@@ -50,7 +50,7 @@ internal fun TodoButtons(todo: FolderTodo, task: TodoTask) {
     }
 }
 
-/** Returns what a person can do with [item], which need not be on the list yet. */
+/** Returns a person's possible actions on [item], which need not be on the list yet. */
 internal fun todoOffers(todo: FolderTodo, item: TodoItem): List<TodoOffer> {
     val isListed = todo.state.list.item(item.task) != null
     val assign = TodoOffer("Assign…", Icons.Flag) { todo.ask(TodoSheet.Assign(item)) }
@@ -66,5 +66,5 @@ internal fun todoOffers(todo: FolderTodo, item: TodoItem): List<TodoOffer> {
     }
 }
 
-/** One of the things that a person can do with an item of the list. */
+/** A possible action on an item of the list. */
 internal class TodoOffer(val label: String, val icon: ImageVector, val run: () -> Unit)

@@ -100,12 +100,12 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
     }
 }
 
-/** A field of a dialog: what is asked, and the answer that it begins with. */
+/** A field of a dialog: its label, and its initial answer. */
 private class Asked(val label: String, val answer: String = "", val isNeeded: Boolean = false)
 
 /**
- * The dialog [sheet] with [fields], the first of which has the keyboard focus. Enter in one of them and the button [label] call [onAnswer] with
- * what stands in them, and close it; Escape only closes it.
+ * The dialog [sheet] with [fields]; the first one has the keyboard focus. Enter in a field and the button [label] call [onAnswer] with the
+ * answers, and close the dialog; Escape only closes it.
  */
 @Composable
 private fun AskedSheet(

@@ -49,7 +49,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** What the team has to do: what is open, the checklist before the next match, and what is done, folded. [copy] copies a text. */
+/** The team's to-do list: open items, the checklist before the next match, and done items, folded. [copy] copies a text. */
 @Composable
 internal fun TodoPane(todo: FolderTodo, library: Library, actions: LibraryActions, copy: (String) -> Unit, modifier: Modifier = Modifier) {
     val list = todo.state.list

@@ -34,7 +34,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** An [item] of the list with what a person can do with it; [log], in which it was found last, is opened by [onOpen]. */
+/** An [item] of the list with its actions; [onOpen] opens [log], in which it was found last. */
 @Composable
 internal fun TodoRow(todo: FolderTodo, item: TodoItem, log: LogEntry?, onOpen: (LogEntry) -> Unit) {
     val palette = LocalPalette.current
@@ -61,7 +61,7 @@ internal fun TodoRow(todo: FolderTodo, item: TodoItem, log: LogEntry?, onOpen: (
         }
         Row(Modifier, Arrangement.spacedBy(2.dp)) {
             if (log != null) ToolButton("Show what was found in ${log.title}", Icons.Graph) { onOpen(log) }
-            // The box is the first of them.
+            // The box already is the first of them.
             for (offer in todoOffers(todo, item).drop(1)) {
                 ToolButton("${offer.label}: ${item.title}", offer.icon, offer.label.takeIf { it.endsWith('…') }, onClick = offer.run)
             }

@@ -9,13 +9,13 @@ import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.TodoList
 
 /**
- * What the team of the open folder has to do, as the window knows it.
+ * The to-do list of the open folder, as the window knows it.
  *
- * @property folder where it is kept; null while no folder is open.
- * @property files what was read there.
- * @property written what this window has changed since.
- * @property logs what the rules found in the logs of the folder.
- * @property ofRules the lines of the checklist that the folder's rules have.
+ * @property folder the folder that stores it; null while no folder is open.
+ * @property files the content that was read last.
+ * @property written the changes by this window since then.
+ * @property logs the logs of the folder, with their findings.
+ * @property ofRules the lines of the checklist that come from the folder's rules.
  * @property sheet the dialog that is open; null for none.
  */
 internal data class TodoState(
@@ -29,13 +29,13 @@ internal data class TodoState(
     /** The list. */
     val list: TodoList by lazy { TodoList.of(files.changes + written, logs) }
 
-    /** The lines of the checklist: those of the rules, then the team's own. */
+    /** The lines of the checklist: the lines of the rules, then the team's own. */
     val lines: List<String> get() = (ofRules + files.checklist).distinct()
 
     /** The checklist before the next match. */
     val checklist: List<CheckedLine> by lazy { list.checklist(lines) }
 
-    /** Returns the same with what was [read], and without what is among it. */
+    /** Returns the state with the [read] content, and without the written changes that it contains. */
     fun reading(read: TodoFiles, ofRules: List<String>): TodoState {
         val ids = read.changes.mapTo(HashSet()) { it.id }
         return copy(files = read, ofRules = ofRules, written = written.filter { it.id !in ids })

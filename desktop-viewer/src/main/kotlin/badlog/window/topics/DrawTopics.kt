@@ -12,11 +12,11 @@ import badlog.window.log.OpenRecording
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.WindowPanels
 
-/** Whether [signal] is a list of events, which is not drawn as a line. */
+/** Returns whether [signal] is a list of events, which is not drawn as a line. */
 internal fun OpenRecording.isEvents(signal: DrawableTopic): Boolean =
     !signal.isDerived && !signal.isEmpty && signal.topic.samples.isEmpty() && signal.states == null
 
-/** Returns the graph to which a click on a topic adds it; null if it gets its own graph. */
+/** Returns the graph to which a click adds a topic; null if each topic gets its own graph. */
 internal fun targetOf(board: GraphBoard, topics: TopicListing): BoardGraph? =
     topics.state.target?.let { id -> board.state.graphs.find { it.id == id } }
 
@@ -50,7 +50,7 @@ internal fun toggleDrawn(
     if (signal.isEmpty) return
     if (current.recording?.isEvents(signal) == true) {
         events.change { EventFilter(topics = setOf(signal.name)) }
-        // Whoever chooses topics goes on with that.
+        // A person who selects topics goes on with that.
         panels.change { inspecting(InspectorTab.EVENTS).withTopics() }
         return
     }

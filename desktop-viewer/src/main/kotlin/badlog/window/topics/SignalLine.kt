@@ -71,10 +71,10 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 
 /**
- * A signal in the list of topics. A click draws it, a click with Ctrl or Shift selects it; a drag takes it to a graph, together
- * with all selected signals if it is one of them.
+ * A signal in the list of topics. A click draws it, a click with Ctrl or Shift selects it; a drag takes it to a graph, together with all
+ * selected signals if it is one of them.
  *
- * @param place of the color of its line in the first graph that draws it; null if none does.
+ * @param place the number of its line's color in the first graph that draws it; null if none does.
  * @param showsValue whether its value fits beside its name.
  */
 @OptIn(ExperimentalComposeUiApi::class)
@@ -211,7 +211,7 @@ internal fun SignalValue(view: AxisView, open: OpenRecording, signal: DrawableTo
         return
     }
     val ready by produceState<DrawableTopic?>(null, signal) {
-        // Samples are calculated when they are first asked for.
+        // Samples are calculated on first use.
         withContext(Dispatchers.Default) { signal.series.isOrdered }
         value = signal
     }

@@ -18,7 +18,8 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
 /**
- * Shows above the list of topics to which graph a click adds one, with a button that ends this; nothing if each topic gets its own graph.
+ * The line above the list of topics that names the graph to which a click adds a topic. It has a button that ends this, and is empty if
+ * each topic gets its own graph.
  */
 @Composable
 internal fun TargetLine(board: GraphBoard, topics: TopicListing) {

@@ -11,7 +11,7 @@ import badlog.window.state.StateHolder
  * @property folded the paths of the closed folders; a search opens all folders.
  * @property known the paths of all folders that were listed so far.
  * @property marked the name of the signal or path with the keyboard focus, or null.
- * @property isSearchAsked whether the keyboard is to go to the search field as soon as that is visible.
+ * @property isSearchAsked whether the search field gets the keyboard focus as soon as it is visible.
  * @property target the id of the graph to which a click adds a topic; null for a new graph.
  * @property selected the names of the selected signals, in the order of selection.
  */
@@ -32,7 +32,7 @@ internal data class TopicList(
         target = null,
     )
 
-    /** From now on, a click adds a topic to graph [id] or removes it; for null, it draws the topic in its own graph again. */
+    /** From now on, a click adds a topic to graph [id] or removes it. For null, it draws the topic in its own graph again. */
     fun adding(id: Int?): TopicList = copy(target = id)
 
     /** Closes or opens folder [path]. */
@@ -44,7 +44,7 @@ internal data class TopicList(
     /** Searches for [query]; no result has the keyboard focus. */
     fun searching(query: String): TopicList = copy(query = query, marked = null)
 
-    /** Moves the keyboard focus [steps] down in [rows], or to the first; to none if there are none. */
+    /** Moves the keyboard focus [steps] down in [rows], or to the first row if none has it. Without rows, none has it. */
     fun marking(steps: Int, rows: List<TopicRow>): TopicList {
         val listed = rows.mapNotNull { it.name }
         val at = listed.indexOf(marked)
@@ -64,6 +64,6 @@ internal data class TopicList(
 
 /** The state of the window's list of topics. */
 internal class TopicListing : StateHolder<TopicList>(TopicList()) {
-    /** How far the list is scrolled, also while it is folded. */
+    /** The scroll position of the list, kept while the list is hidden. */
     val list = LazyListState()
 }

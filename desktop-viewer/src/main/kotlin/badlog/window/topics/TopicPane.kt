@@ -96,10 +96,10 @@ internal fun TopicPane(
         val shown by produceState<ShownRows?>(null, open, list.query, list.folded, found) {
             value = open?.let { withContext(Dispatchers.Default) { ShownRows(it.file, list.query, it.rowsOf(list, found)) } }
         }
-        // Those of another log would lose the place to which this one is scrolled.
+        // The rows of another log would lose this log's scroll position.
         val ofThis = { shown?.takeIf { it.file == open?.file } }
         val rows = ofThis()?.rows
-        // A key may come before the rows of what was typed are shown.
+        // A key may come before the rows for the typed text are shown.
         val rowsOfKeys = { ofThis()?.takeIf { it.query == topics.state.query }?.rows ?: open?.rowsOf(topics.state, found).orEmpty() }
         fun draw(name: String) {
             val offered = rowsOfKeys().firstOrNull { it is GraphRow && it.name == name } as GraphRow?
@@ -125,7 +125,7 @@ internal fun TopicPane(
     }
 }
 
-/** The rows of the log in [file], which are searched for [query]. */
+/** The rows of the log in [file], searched for [query]. */
 private class ShownRows(val file: Path, val query: String, val rows: List<TopicRow>)
 
 private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRows(
@@ -139,7 +139,7 @@ private fun OpenRecording.rowsOf(list: TopicList, found: Set<String>) = topicRow
     offersXy = list.target == null,
 )
 
-/** In the search field, the arrow keys move through the list, and Enter draws the focused topic, or the first one. */
+/** Handles keys in the search field. The arrow keys move through the list, and Enter draws the focused topic, or the first one. */
 private fun handlesKeys(event: KeyEvent, topics: TopicListing, rows: () -> List<TopicRow>, draw: (String) -> Unit): Boolean {
     if (event.type != KeyEventType.KeyDown) return false
     when (event.key) {
@@ -209,7 +209,7 @@ private fun Rows(
     }
 }
 
-/** Returns the menu of what can be drawn of folder [path] of [open]. */
+/** Returns the menu for drawing the topics in folder [path] of [open]. */
 private fun folderMenu(board: GraphBoard, open: OpenRecording, path: String): List<ContextMenuItem> {
     val names = topicsIn(path, open.signals.filter { !open.isEvents(it) }).map { it.name }
     if (names.isEmpty()) return emptyList()

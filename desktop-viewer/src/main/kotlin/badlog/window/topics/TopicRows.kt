@@ -9,12 +9,12 @@ import badlog.window.log.DrawableTopic
 import badlog.window.log.isFoundBy
 
 /**
- * Returns the rows of the list of topics for [signals]: in each folder its signals in their order, then its folders by
- * name. Folders in [folded] are closed, unless there is a [query], which also finds the [empty] ones.
+ * Returns the rows of the list of topics: in each folder its [signals] in their order, then its folders by name. Folders in [folded] are
+ * closed, unless there is a [query]. A query also finds the [empty] topics.
  *
  * @param found the names of the topics that a finding is about.
- * @param poses those whose paths a query also finds.
- * @param offersXy whether it also finds XY plots.
+ * @param poses the poses with paths that a query also finds.
+ * @param offersXy whether a query also finds XY plots.
  */
 internal fun topicRows(
     signals: List<DrawableTopic>,
@@ -47,7 +47,7 @@ internal fun foldersOf(signals: List<DrawableTopic>): Set<String> {
     return folders
 }
 
-/** Returns those of [signals] that are in the folder [path] or in its folders. */
+/** Returns the [signals] that are in the folder [path] or in its folders. */
 internal fun topicsIn(path: String, signals: List<DrawableTopic>): List<DrawableTopic> = signals.filter { signal ->
     val folder = signal.folder.split('/').filter { it.isNotEmpty() }.joinToString("/")
     folder == path || folder.startsWith("$path/")
@@ -88,7 +88,7 @@ private val BY_TITLE = compareBy(String.CASE_INSENSITIVE_ORDER, TopicFolder::tit
  *
  * @property depth the number of folders around it.
  * @property key identifies it among the rows.
- * @property name the name of what it draws; null for a folder.
+ * @property name the name of the topic or graph that it draws; null for a folder.
  */
 internal sealed interface TopicRow {
     val depth: Int

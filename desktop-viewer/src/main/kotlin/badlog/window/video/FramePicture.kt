@@ -116,7 +116,7 @@ internal class FramePicture : AutoCloseable {
     private companion object {
         const val BYTES = 4
 
-        /** In pixels: larger than the panel on most screens; a 4K picture would take 33 MB. */
+        /** The longest side in pixels: larger than the panel on most screens; a 4K picture would take 33 MB. */
         const val MAX_SIDE = 1280.0
     }
 }

@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicReference
 
 /** Reads the frames of one video asynchronously; of several waiting requests, only the latest is answered. */
 internal interface FrameSource : AutoCloseable {
-    /** Requests the frame at [seconds]; [leads] is passed on with it. */
+    /** Requests the frame at [seconds]; the answer has the same [leads]. */
     fun seek(seconds: Double, leads: Boolean)
 
     /** Requests the frame [count] frames after the current one, or before it if negative. */
@@ -26,7 +26,7 @@ internal class ReadFrame(val frame: VideoFrame, val duration: Double, val leads:
  * Reads [path] on its own thread, starting with the first frame.
  *
  * @param onFrame receives each frame, on that thread.
- * @param onFailure receives, on that thread, the reason why nothing can be shown.
+ * @param onFailure receives, on that thread, the reason why the video cannot be shown.
  */
 internal class FrameReader(
     private val path: Path,

@@ -27,7 +27,7 @@ import java.nio.file.Path
  * @property frame the current frame; null until the first was read.
  * @property duration its duration in seconds; 0 while unknown.
  * @property alignment its position in the log's time; null if video and cursor are not linked.
- * @property problem why nothing can be shown; null if there is no problem.
+ * @property problem the reason why the video cannot be shown; null if it can.
  */
 internal data class ShownVideo(
     val file: Path? = null,
@@ -55,19 +55,19 @@ internal class LogVideo(
 ) : StateHolder<ShownVideo>(ShownVideo()) {
     private var reader: FrameSource? = null
 
-    /** The previous frame: it may still be being drawn. */
+    /** The previous frame, which may still be being drawn. */
     private var before: VideoFrame? = null
 
-    /** Where the video has put the cursor: this does not move the video again. */
+    /** The place to which the video has moved the cursor, which does not move the video again. */
     private var place: Double? = null
 
-    /** The cursor when the video was last stepped or moved, or put the cursor there: one that was moved since then stays where it is. */
+    /** The cursor at the last step or move of the video. If the cursor has moved since then, the video does not move it. */
     private var cursorBefore: Double? = null
 
     /** The number of seconds per unit of x; null if x is not a time, so that a video cannot be aligned. */
     val secondsOfX: Double? get() = current.recording?.let { Units.secondsIn(it.view.xAxis.unit) }
 
-    /** Follows the cursor, and shows with each log its previous video; runs until the window closes. */
+    /** Follows the cursor, and shows the last video of each opened log, until cancelled. */
     suspend fun run() = coroutineScope {
         launch { snapshotFlow { current.recording?.file }.collect(::showRemembered) }
         launch { snapshotFlow { Followed(view.cursor, state.alignment?.startSeconds, state.file) }.collect { follow() } }
@@ -79,7 +79,7 @@ internal class LogVideo(
         files.toRead("Open a video", state.file?.parent ?: log.file.parent)?.let(::open)
     }
 
-    /** Shows [file] beside the log, aligned as a video of that name was before. */
+    /** Shows [file] beside the log, with the alignment of the last video of that name. */
     fun open(file: Path) {
         if (current.recording == null) return sayNoLog(notices)
         if (secondsOfX == null) return notices.complain(VideoAlignment.NO_TIME)
@@ -87,7 +87,7 @@ internal class LogVideo(
         remember()
     }
 
-    /** Closes the video; it is no longer shown with the log. */
+    /** Closes the video, which is then not shown with the log again. */
     fun close() {
         clear()
         val log = current.recording?.file ?: return
@@ -109,7 +109,10 @@ internal class LogVideo(
         reader?.seek(seconds, leads = true)
     }
 
-    /** Aligns the current frame, in which the robot is enabled, with the start of the visible enabled period, or else of the first one. */
+    /**
+     * Aligns the current frame, in which the robot is enabled, with the start of an enabled period. It is the visible period, or otherwise
+     * the first one.
+     */
     fun alignEnabled() {
         val open = current.recording ?: return
         val x = enabledStart(open.enabled.map { it.span }, view.viewport.visible)
@@ -163,9 +166,9 @@ internal class LogVideo(
 
     private fun lead(seconds: Double) {
         val x = state.alignment?.xAt(seconds, secondsOfX ?: return) ?: return
-        // Not x: a video may be longer than the log.
+        // The log limits the cursor, since a video may be longer: the place is read afterwards.
         view.send(PlaceAction.GoTo(x))
-        // Not view.cursor: when that is calculated, others may hear of the cursor.
+        // From the state, because calculating view.cursor may notify observers of the cursor.
         place = view.place.cursors.x
         cursorBefore = place
     }
@@ -201,7 +204,7 @@ internal fun unpackFfmpegInto(folder: Path) {
     System.setProperty("org.bytedeco.javacpp.cachedir", "${folder.toAbsolutePath()}")
 }
 
-/** Whether [file] is a video, judged by its name. */
+/** Returns whether [file] is a video, judged by its name. */
 internal fun isVideo(file: Path): Boolean = file.fileName.toString().substringAfterLast('.').lowercase() in ENDINGS
 
 private val ENDINGS = setOf("mp4", "mov", "m4v", "mkv", "webm", "avi", "mts", "mpg", "3gp")

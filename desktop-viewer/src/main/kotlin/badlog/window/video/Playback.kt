@@ -7,13 +7,12 @@ import badlog.core.analysis.Span
  *
  * @property isPlaying whether it is running.
  * @property speed the speed relative to the recording; an x that is not a time takes a minute at 1.
- * @property loops whether it starts over at the end of what it plays: the selection, or else the visible range.
+ * @property loops whether it starts over at the end of its range: the selection, or otherwise the visible range.
  */
 internal data class Playback(val isPlaying: Boolean = false, val speed: Double = 1.0, val loops: Boolean = false) {
     /**
-     * Returns where the cursor is after advancing by [distance] of x, which is not negative, and the playback from there on.
-     * It stays within [range]: at the end, it starts over if it loops, otherwise it stops. From outside, it begins at the
-     * start of [range].
+     * Returns the cursor after advancing by [distance] of x, which is not negative, and the playback from there on. The cursor stays within
+     * [range]: at the end, it starts over if the playback loops, otherwise it stops. From outside, it begins at the start of [range].
      */
     fun advanced(cursor: Double?, distance: Double, range: Span): Step {
         val from = cursor?.takeIf { it in range } ?: range.from
@@ -25,7 +24,7 @@ internal data class Playback(val isPlaying: Boolean = false, val speed: Double =
         }
     }
 
-    /** Returns the next faster of [SPEEDS], or slower if [steps] is negative. */
+    /** Returns the playback with a speed [steps] higher in [SPEEDS], or lower if negative. */
     fun faster(steps: Int): Playback {
         val nearest = SPEEDS.indices.minBy { kotlin.math.abs(SPEEDS[it] - speed) }
         return copy(speed = SPEEDS[(nearest + steps).coerceIn(SPEEDS.indices)])

@@ -7,7 +7,7 @@ import badlog.viewer.text.exactText
 import badlog.window.theme.Icons
 import badlog.window.theme.ToolButton
 
-/** Play, speed and loop; if it [hasLabels], each icon has a word beside it. */
+/** The buttons for play, speed and loop; with [hasLabels], each icon has a word beside it. */
 @Composable
 internal fun PlaybackButtons(player: Player, isEnabled: Boolean, hasLabels: Boolean) {
     val playback = player.state

@@ -13,7 +13,7 @@ import badlog.window.state.StateHolder
 
 /** Plays the recording by moving the cursor. */
 internal class Player(private val current: CurrentRecording, private val view: AxisView) : StateHolder<Playback>(Playback()) {
-    /** The played range: when looping, the selection or the visible range; otherwise, up to the end of the selection or of everything. */
+    /** The played range: the selection, or otherwise the visible range when looping, or everything. */
     private val range: Span get() = view.selection ?: if (state.loops) view.viewport.visible else view.viewport.full
 
     /** Starts playback, from the start if the cursor is at the end; or pauses it. */
@@ -32,7 +32,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
     /** Turns looping on or off. */
     fun toggleLoop() = change { copy(loops = !loops) }
 
-    /** Advances by [seconds]. */
+    /** Advances the cursor by [seconds] of playback. */
     fun advance(seconds: Double) {
         val open = current.recording ?: return change { copy(isPlaying = false) }
         // After sleeping, the machine must not jump to the end.
@@ -46,7 +46,7 @@ internal class Player(private val current: CurrentRecording, private val view: A
     private fun follow(x: Double) {
         val visible = view.viewport.visible
         if (x in visible) return
-        // Leaves most of the room for what follows, and does not fill the history with steps.
+        // Leaves most of the room for the following data, and does not fill the history with steps.
         val from = x - visible.width * LEAD
         view.send(PlaceAction.Move(from, from + visible.width))
     }
@@ -71,7 +71,7 @@ internal fun PlayerFrames(player: Player) {
     }
 }
 
-/** Returns how much of x passes in a second at speed 1: according to its unit, or else all of it in a minute. */
+/** Returns the distance in x per second at speed 1: according to its unit, or otherwise all of [full] in a minute. */
 internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9

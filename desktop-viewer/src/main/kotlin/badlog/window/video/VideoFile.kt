@@ -39,8 +39,8 @@ import java.nio.file.Path
 import kotlin.math.floor
 
 /**
- * The frames of a video. Each seek finds the exact frame, by decoding from the frame before it that the file can jump to. FFmpeg is loaded
- * when the first file is opened. Use it from one thread at a time.
+ * The frames of a video. Each seek finds the exact frame. Use it from one thread at a time. It decodes from an earlier frame to which the
+ * file can jump. FFmpeg is loaded when the first file is opened.
  *
  * Times are in seconds from the start of the file, as browsers count them.
  *
@@ -55,7 +55,7 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
     private var origin = 0.0
     private var isAtEnd = false
 
-    /** The current frame, the next one, and the one being decoded. */
+    /** The current frame, and the next one. */
     private var shown: TimedFrame
     private var ahead: TimedFrame
     private val picture: FramePicture
@@ -98,7 +98,7 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         return avcodec_open2(context, decoder, null as AVDictionary?) >= 0
     }
 
-    /** Shows the frame at [seconds]: the last that begins then or earlier, but the first frame before the start. */
+    /** Shows the last frame that begins at [seconds] or earlier; before the start, the first frame. */
     fun seek(seconds: Double) {
         val isNear = seconds - shown.time in -TOLERANCE..NEAR
         if (!isNear) jump(seconds)
@@ -151,7 +151,7 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
             shown.clear()
             decode(ahead)
             next()
-            // If frames are stored in another order, a seek may end after the requested one.
+            // If frames are stored in another order, a seek may end after the requested frame.
             back = if (back == 0.0) 1.0 else back * 2
         } while ((!shown.isThere || shown.time > seconds + TOLERANCE) && target > 0)
     }
@@ -205,13 +205,13 @@ internal class VideoFile(private val path: Path) : AutoCloseable {
         const val MICROS = 1e6
         const val THREADS = 2
 
-        /** In seconds. Alignments are rounded to this; no camera has shorter frames. */
+        /** The tolerance of times in seconds. Alignments are rounded to it; no camera has shorter frames. */
         const val TOLERANCE = 1e-4
 
-        /** Distances up to this many seconds are decoded instead of jumped over. */
+        /** The longest distance in seconds that is decoded instead of jumped over. */
         const val NEAR = 0.5
     }
 }
 
-/** Why a video cannot be shown, in [message]: one sentence for a person. */
+/** The reason why a video cannot be shown; its [message] is one sentence for a person. */
 internal class VideoException(message: String, cause: Throwable? = null) : Exception(message, cause)

@@ -3,8 +3,9 @@ package badlog.window.welcome
 /**
  * A language that robots log in.
  *
- * @property lines what to write, by where it belongs. Each line is one of the program in the [guide], which is compiled and run by that guide's tests.
- * @property guide the guide that has the rest, in the folder docs.
+ * @property lines the code, by the place where it belongs. Each line is also in the program in the [guide], which that guide's tests
+ * compile and run.
+ * @property guide the guide with the rest, in the folder docs.
  */
 internal enum class LoggingLanguage(val title: String, val guide: String, val lines: List<Pair<String, String>>) {
     JAVA(

@@ -24,7 +24,7 @@ import androidx.compose.ui.unit.sp
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** What to write into a robot's program to have it log, in the language that is selected; [isWide] where there is room beside the lines. */
+/** The code that makes a robot's program log, in the selected language; [isWide] if there is room beside the lines. */
 @Composable
 internal fun LoggingLines(isWide: Boolean) {
     var language by remember { mutableStateOf(LoggingLanguage.JAVA) }

@@ -5,10 +5,10 @@ import badlog.files.writeAtomically
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** The log of a match that comes with the window, for those who have no log yet. */
+/** The log of a match that comes with the window, for a person who has no log yet. */
 internal object SampleLog {
     /**
-     * Puts it into the folder [cache], or a temporary one if that cannot be written, and returns its file.
+     * Unpacks the log into the folder [cache], or a temporary one if [cache] cannot be written, and returns its file.
      *
      * @throws java.io.IOException if neither can be written.
      */
@@ -19,9 +19,9 @@ internal object SampleLog {
     }
 
     /**
-     * Puts it into the folder [cache], unless it is there, and returns its file.
+     * Unpacks the log into the folder [cache], unless it is there, and returns its file.
      *
-     * @throws java.io.IOException with a sentence for a person, when it cannot be written.
+     * @throws java.io.IOException with a sentence for a person, if it cannot be written.
      */
     fun unpackInto(cache: Path): Path {
         val packed =

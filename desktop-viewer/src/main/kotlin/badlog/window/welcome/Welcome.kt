@@ -35,12 +35,12 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
 /**
- * What a person without any log can do.
+ * A person's actions without any log.
  *
  * @property openSample shows the match that comes with the window.
  * @property askForFolder asks for a folder of logs and opens it.
  * @property askForLog asks for a log and opens it.
- * @property askForRobot asks for the robot whose logs are to be copied here, and first for a folder where there is none yet.
+ * @property askForRobot asks for the robot to copy logs from, and first for a folder if there is none yet.
  */
 internal class WelcomeActions(
     val openSample: () -> Unit,
@@ -49,7 +49,7 @@ internal class WelcomeActions(
     val askForRobot: () -> Unit,
 )
 
-/** What the window shows while no log is open: the ways to get one. */
+/** The content of the window while no log is open: the ways to get one. */
 @Composable
 internal fun Welcome(actions: WelcomeActions, modifier: Modifier = Modifier) {
     val scroll = rememberScrollState()
@@ -123,7 +123,7 @@ private fun RobotCard(actions: WelcomeActions, modifier: Modifier) = Card(
     ToolButton("Fetch logs from a robot", Icons.Robot, text = "From a robot…", isOn = true, onClick = actions.askForRobot)
 }
 
-/** A framed part of the invitation: what it is for, and below that, at its foot, what to do. */
+/** A framed part of the welcome: its purpose, and below that its actions. */
 @Composable
 private fun Card(title: String, text: String, modifier: Modifier, content: @Composable () -> Unit) {
     val palette = LocalPalette.current

@@ -36,12 +36,12 @@ class FoldedTopicsSpec : FunSpec({
 
     fun DesktopComposeUiTest.hasTopics(has: Boolean) = onNodeWithContentDescription("Topic Arm/Angle").run { if (has) assertExists() else assertDoesNotExist() }
 
-    test("on a small laptop, the findings take the place of the topics, which come back when these are closed") {
+    test("on a small laptop, open findings take the place of the topics until they are closed") {
         inWindow(1366) { viewer ->
             hasTopics(true)
             findings()
             hasTopics(false)
-            // Before, 355 pixels were left between the axes.
+            // There once were 355 pixels left between the axes.
             onNodeWithContentDescription("Overview").fetchSemanticsNode().size.width shouldBeGreaterThan 600
             findings()
             hasTopics(true)
@@ -49,7 +49,7 @@ class FoldedTopicsSpec : FunSpec({
         }
     }
 
-    test("topics that a person opens beside the findings stay, until the findings are opened again") {
+    test("topics opened beside the findings stay until the findings are opened again") {
         inWindow(1366) { viewer ->
             findings()
             onNodeWithContentDescription("Topics").performClick()
@@ -70,7 +70,7 @@ class FoldedTopicsSpec : FunSpec({
         }
     }
 
-    test("events that are opened from the topics leave these open") {
+    test("events opened from the topics leave the topics open") {
         inWindow(1366) { viewer ->
             val events = checkNotNull(viewer.current.recording?.signal("Log"))
             toggleDrawn(viewer.current, viewer.board, viewer.events, viewer.panels, events)
@@ -79,7 +79,7 @@ class FoldedTopicsSpec : FunSpec({
         }
     }
 
-    test("with room for all, or without the list of logs, the topics stay") {
+    test("the topics stay if there is room for all parts, or without the list of logs") {
         inWindow(1760) {
             findings()
             hasTopics(true)

@@ -30,7 +30,7 @@ import kotlinx.coroutines.MainScope
 class LabelsSpec : FunSpec({
     val match = OpenRecording.read(samples.resolve("qualification-42.bag").toAbsolutePath().normalize(), null)
 
-    /** One with a swerve drive, which has one more panel. */
+    /** A log with a swerve drive, which has one more panel. */
     val swerve by lazy {
         val topics = List(3) { "Measured[$it]" }.flatMap { listOf("$it/speed", "$it/angle/value") }
         recordingOf(bagOf(listOf("Time|xaxis") + topics, listOf("0,1,0,1,0,1,0", "1,1,0,1,0,1,0")))
@@ -46,7 +46,7 @@ class LabelsSpec : FunSpec({
         }
     }
 
-    /** The buttons of the bar at the top and of that above the graphs, by their words, except those that show more than these. */
+    /** The buttons of the bars at the top and above the graphs, by their words, unless they show more than these. */
     val words = mapOf(
         "Logs: the list at the left" to "Logs",
         "Topics" to "Topics",
@@ -82,7 +82,7 @@ class LabelsSpec : FunSpec({
         }
     }
 
-    test("the words fit also with the modules of a swerve drive, in the narrowest window that has words") {
+    test("the words also fit with the panel for swerve modules, in the narrowest window that has words") {
         fun lastButton(width: Int): DpRect {
             lateinit var bounds: DpRect
             inWindow(width, swerve) {
@@ -98,7 +98,7 @@ class LabelsSpec : FunSpec({
         narrow.right shouldBeLessThan 1700.dp
     }
 
-    test("on a laptop, there are only the icons, whose tooltips say the same") {
+    test("on a laptop, buttons show only icons, and keep their descriptions") {
         inWindow(1366) {
             for ((button, word) in words) {
                 onNodeWithContentDescription(button).assertExists()

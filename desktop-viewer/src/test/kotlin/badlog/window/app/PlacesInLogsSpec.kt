@@ -48,7 +48,7 @@ class PlacesInLogsSpec : FunSpec({
         waitFor { at(list) == item to offset }
     }
 
-    test("search and scroll position belong to the log: another begins at its top, and this one is as it was left") {
+    test("each log keeps its search and scroll position; another log begins at its top") {
         inWindow { viewer ->
             runOnUiThread { viewer.show(large) }
             awaitTopic("Topic 0")
@@ -70,7 +70,7 @@ class PlacesInLogsSpec : FunSpec({
         }
     }
 
-    test("the graphs of a finding, which are gone by then, do not count") {
+    test("the graphs of a finding do not count for the scroll position of a log") {
         inWindow { viewer ->
             runOnUiThread { viewer.show(large) }
             awaitTopic("Topic 0")
@@ -83,7 +83,7 @@ class PlacesInLogsSpec : FunSpec({
         }
     }
 
-    test("a log that was closed begins at its top, without a search") {
+    test("a closed log begins at its top, without a search") {
         inWindow { viewer ->
             runOnUiThread { viewer.show(large) }
             awaitTopic("Topic 0")

@@ -10,7 +10,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 class SkiaPlaceSpec : FunSpec({
-    test("a program whose user has no home folder draws, and leaves nothing behind") {
+    test("the program draws without a home folder, and leaves no files behind") {
         val folder = tempdir().toPath()
         val home = Files.createFile(folder.resolve("home"))
         val temporary = Files.createDirectory(folder.resolve("temporary"))
@@ -19,13 +19,13 @@ class SkiaPlaceSpec : FunSpec({
         val program = ProcessBuilder(listOf(java) + options + listOf("-cp", System.getProperty("java.class.path"), "badlog.window.app.SkiaPlaceSpecKt"))
         val output = program.redirectErrorStream(true).start().inputStream.reader().use { it.readText() }
         output.trim() shouldBe "drawn"
-        // Windows deletes no library that is loaded.
+        // Windows does not delete loaded libraries.
         if (System.getProperty("os.name").startsWith("Windows")) return@test
         Files.list(temporary).use { files -> files.filter { it.fileName.toString().startsWith("badlog") }.count() } shouldBe 0
     }
 })
 
-/** Draws, as the window does first. */
+/** Draws after the same preparation as the window. */
 fun main() {
     placeSkia()
     Surface.makeRasterN32Premul(1, 1).close()

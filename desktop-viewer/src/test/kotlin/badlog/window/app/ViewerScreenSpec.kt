@@ -16,7 +16,7 @@ import kotlinx.coroutines.MainScope
 class ViewerScreenSpec : FunSpec({
     val home = tempdir().toPath()
 
-    test("each click on the theme changes what is seen") {
+    test("each click on the theme changes the visible colors") {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(1200, 800) {
             setContent { ViewerScreen(viewer) }
@@ -28,7 +28,7 @@ class ViewerScreenSpec : FunSpec({
         }
     }
 
-    test("a theme that was chosen under another system gives way to the other one") {
+    test("a theme chosen under other system colors switches to the opposite colors") {
         Theme.DARK.other(isSystemDark = true) shouldBe Theme.LIGHT
         Theme.LIGHT.other(isSystemDark = true) shouldBe Theme.SYSTEM
         Theme.LIGHT.other(isSystemDark = false) shouldBe Theme.DARK

@@ -61,7 +61,7 @@ class BatteriesPaneSpec : FunSpec({
         }
     }
 
-    test("the batteries are listed with what to do with them, and a click shows the matches of one") {
+    test("the batteries are listed with advice, and a click shows the matches of one") {
         onFolder { _, _ ->
             onNodeWithText("Use A1 next").assertExists()
             onNodeWithText("Retire B2. Its resistance is 30.0 ± 0.3 mΩ, 49 % more than that of A1 (20.1 ± 0.3 mΩ).").assertExists()
@@ -73,7 +73,7 @@ class BatteriesPaneSpec : FunSpec({
         }
     }
 
-    test("a battery typed beside a match is written beside its log, and can be taken back") {
+    test("a battery typed beside a match is stored beside its log, and can be removed") {
         onFolder { viewer, folder ->
             onNodeWithContentDescription("Battery Unknown").performClick()
             onNodeWithContentDescription("Battery of Qualification 3").performClick()
@@ -88,7 +88,7 @@ class BatteriesPaneSpec : FunSpec({
         }
     }
 
-    test("the pit view says which battery comes next, and leads to the list") {
+    test("the pit view names the next battery, and a click opens the list") {
         onFolder { viewer, _ ->
             viewer.panels.change { copy(main = MainView.PIT) }
             onNodeWithText("Battery: retire B2").assertExists()

@@ -60,7 +60,7 @@ class ChartsPaneSpec : FunSpec({
 
     fun names(viewer: Viewer) = viewer.charts.state.charts?.all.orEmpty().map { it.name }
 
-    test("a key shows charts of the listed logs, each with what it says, and what is lacking for others; shown again, they are there at once") {
+    test("a key shows charts of the listed logs and the data that others lack; shown again, they are not redrawn") {
         onFolder(sampleFolder()) { viewer ->
             showCharts(viewer)
             waitFor { names(viewer).isNotEmpty() }
@@ -76,7 +76,7 @@ class ChartsPaneSpec : FunSpec({
         }
     }
 
-    test("the search of the list decides which logs are drawn, and the charts follow it") {
+    test("the charts show the logs that match the search of the list") {
         onFolder(sampleFolder()) { viewer ->
             showCharts(viewer)
             waitFor { names(viewer).isNotEmpty() }
@@ -89,7 +89,7 @@ class ChartsPaneSpec : FunSpec({
         }
     }
 
-    test("drawing that a person stops says so, and can be asked for again; a chart is saved as SVG and as PNG") {
+    test("a stopped drawing is reported, and can be restarted; a chart is saved as SVG and as PNG") {
         val target = tempdir().toPath()
         onFolder(sampleFolder()) { viewer ->
             showCharts(viewer)
@@ -111,9 +111,9 @@ class ChartsPaneSpec : FunSpec({
         }
     }
 
-    test("a folder of logs that rules cannot look into has a sentence for each chart") {
+    test("a folder of logs that rules cannot examine gets a sentence for each chart") {
         val folder = tempdir().toPath()
-        // Rules wait for logs that are written just now.
+        // Rules wait for logs that have just been written.
         Files.setLastModifiedTime(folder.put("a.csv", "Time,Speed\n" + (0..99).joinToString("") { i -> "$i,${i % 7}\n" }), FileTime.fromMillis(1_700_000_000_000))
         onFolder(folder) { viewer ->
             showCharts(viewer)

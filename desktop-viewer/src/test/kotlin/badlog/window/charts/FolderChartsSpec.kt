@@ -22,7 +22,7 @@ import kotlinx.coroutines.yield
 import java.util.concurrent.Semaphore
 import kotlin.time.Duration.Companion.seconds
 
-/** When charts of a folder’s logs are drawn, whatever shows them and whatever they are. */
+/** The times at which charts of a folder’s logs are drawn, whatever shows them and whatever they are. */
 @Tags("InCheck")
 class FolderChartsSpec : FunSpec({
     val logs = listOf("a.bag", "b.bag", "c.bag").map { entry(it).copy(found = LogFound(0, emptyList())) }
@@ -30,7 +30,7 @@ class FolderChartsSpec : FunSpec({
 
     suspend fun until(condition: () -> Boolean) = eventually(60.seconds) { condition() shouldBe true }
 
-    /** Does [steps] with what makes charts of a list of logs, and with permits, each of which lets one drawing end. */
+    /** Runs [steps] with the charts, the list of logs, and permits; each permit lets one drawing end. */
     suspend fun following(steps: suspend (FolderCharts, MutableStateFlow<List<LogEntry>>, Semaphore) -> Unit) = withContext(Dispatchers.Main) {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
@@ -48,12 +48,12 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("a list that grows does not stop the drawing that runs; its own charts follow") {
+    test("a growing list does not stop a drawing; its own charts follow") {
         following { charts, lists, permits ->
             lists.value = some
             until { charts.state.isDrawing }
             lists.value = logs
-            // The other list is heard of while the first one is being drawn.
+            // The other list arrives while the first one is being drawn.
             repeat(20) { yield() }
             permits.release()
             until { charts.state.of == some }
@@ -63,12 +63,12 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("a list that is never calm has charts all the same") {
+    test("a list that never stops changing has charts, too") {
         following { charts, lists, permits ->
             permits.release()
             var change = 0
             until {
-                // The rules look into one log after the other.
+                // The rules examine one log after the other.
                 lists.value = logs.map { it.copy(found = LogFound(change, emptyList())) }
                 change++
                 charts.state.charts != null
@@ -77,7 +77,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("charts that are right again while others are being drawn are not called stopped") {
+    test("charts that are correct again during another drawing are not reported as stopped") {
         following { charts, lists, permits ->
             permits.release()
             lists.value = some
@@ -91,7 +91,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("charts are not shown as those of a folder that shares no log with them") {
+    test("charts are not shown for a folder that shares no log with them") {
         following { charts, lists, permits ->
             permits.release()
             lists.value = logs.take(1)
@@ -100,7 +100,7 @@ class FolderChartsSpec : FunSpec({
         }
     }
 
-    test("logs over which the rules of today were not run are counted") {
+    test("logs without results of today's rules are counted") {
         drawCharts(logs, { null }) {}.unknown shouldBe logs.size
     }
 })

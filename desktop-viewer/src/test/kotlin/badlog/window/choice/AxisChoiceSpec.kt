@@ -24,7 +24,7 @@ import java.nio.file.Files
 class AxisChoiceSpec : FunSpec({
     val text = bagOf(listOf("Time", "Arm/Angle"), List(20) { "${10 + it * 0.5},$it" })
 
-    test("a bag that names no x axis is drawn over its time once a person wants that, and over its rows again") {
+    test("a bag without an x axis is drawn over its time on request, and over its rows again") {
         val viewer = viewerOf(recordingOf(text))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
@@ -40,7 +40,7 @@ class AxisChoiceSpec : FunSpec({
         viewer.board.state.graphs.map { it.lines } shouldBe listOf(listOf("Time"), listOf("Arm/Angle"))
     }
 
-    test("a person's own graphs stay, and so do formulas") {
+    test("a change of the axis keeps a person's own graphs and formulas") {
         val viewer = viewerOf(recordingOf(text).withFormulas(listOf("Twice = 2 * Arm/Angle")))
         viewer.formulas.replaceAll(listOf("Twice = 2 * Arm/Angle"))
         val own = Board().withGraph(listOf("Twice"))
@@ -50,7 +50,7 @@ class AxisChoiceSpec : FunSpec({
         viewer.current.recording?.signal("Twice")?.series?.size shouldBe 20
     }
 
-    test("once it is known, logs are read so, and nobody is asked again") {
+    test("after the choice of an axis, logs are read with it, and the question is not repeated") {
         val log = Files.writeString(tempdir().toPath().resolve("a.bag"), text)
         val viewer = viewerOf(null)
         viewer.axis.choose(true)
@@ -61,7 +61,7 @@ class AxisChoiceSpec : FunSpec({
         OpenRecording.read(log, choices = { RecordingChoices(overTime = true) }).span shouldBe Span(10.0, 19.5)
     }
 
-    test("nothing is asked of a log with an x axis, and of plain CSV, which is drawn over its time anyway") {
+    test("no axis is offered for a log with an x axis, or for plain CSV, which is drawn over its time") {
         viewerOf(recordingOf(text.replace("\"Time\",\"unit\":\"V\",\"attrs\":[]", "\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]"))).axis.offered.shouldBeNull()
         val log = Files.writeString(tempdir().toPath().resolve("a.csv"), "Time,Angle\n1,2\n2,3\n")
         viewerOf(OpenRecording.read(log)).axis.offered.shouldBeNull()

@@ -20,7 +20,7 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 
 class FieldChoiceSpec : FunSpec({
-    /** A field in a folder of its own, of this [length] in m. */
+    /** Returns a field in a folder of its own, with this [length] in m. */
     fun fieldOf(length: Int): Path = tempdir().let { folder ->
         ImageIO.write(BufferedImage(40, 20, BufferedImage.TYPE_INT_RGB), "png", File(folder, "f.png"))
         val text = """{"field-image":"f.png","field-corners":{"top-left":[0,0],"bottom-right":[40,20]},"field-size":[$length,8],"field-unit":"m"}"""
@@ -40,7 +40,7 @@ class FieldChoiceSpec : FunSpec({
 
     fun Viewer.menu() = graphActions(graphs, board.state.graphs[0]).flatten().filter { "field file" in it.label }
 
-    test("a field is selected in the menu of a path, remembered for the folder of the logs, and deselected there") {
+    test("a field is selected in the menu of a path, remembered for the folder, and deselected there") {
         val file = fieldOf(20)
         val viewer = viewerOf(ChosenFiles(file), log())
         val plain = viewer.fieldLength()
@@ -50,7 +50,7 @@ class FieldChoiceSpec : FunSpec({
         viewer.current.recording?.fieldPicture?.width shouldBe 40
         val folder = checkNotNull(viewer.current.recording).file.parent
         viewer.settings.state.fields shouldBe mapOf("$folder" to "$file")
-        // Another log of the folder, and one of another folder.
+        // A selection is for another log of the folder, too, but not for a log of another folder.
         viewer.fields.selectedFor(folder.resolve("b.bag")) shouldBe file
         viewer.fields.selectedFor(tempdir().toPath().resolve("b.bag")).shouldBeNull()
         viewer.menu().map { it.label to it.isOn } shouldBe listOf("Select a field file…" to true, "Deselect the field file" to false)
@@ -59,7 +59,7 @@ class FieldChoiceSpec : FunSpec({
         viewer.settings.state.fields shouldBe emptyMap()
     }
 
-    test("a selected field comes before the one beside the logs") {
+    test("a selected field has priority over the one beside the logs") {
         val folder = tempdir().toPath()
         val beside = fieldOf(18)
         Files.copy(beside, folder.resolve(FieldFile.NAME))
@@ -70,7 +70,7 @@ class FieldChoiceSpec : FunSpec({
         viewer.fieldLength() shouldBe 20.0
     }
 
-    test("a file that is not a field is refused in a sentence, and nothing is remembered; nor is it when a person thinks better of it") {
+    test("a file that is not a field is reported and not remembered; a canceled selection is not remembered either") {
         val wrong = Files.writeString(tempdir().toPath().resolve("wrong.json"), "{}")
         val files = ChosenFiles(wrong)
         val viewer = viewerOf(files, log())

@@ -38,7 +38,7 @@ class ShownRecordingsSpec : FunSpec({
 
     suspend fun <T> onWindow(action: () -> T): T = withContext(Dispatchers.Swing) { action() }
 
-    test("whole logs and layouts are read, made anew, searched by rules and written on other threads than the window's") {
+    test("logs and layouts are read, calculated, searched and written off the window's thread") {
         val file = Files.writeString(tempdir().toPath().resolve("a.bag"), bagOf(listOf("Time", "A"), listOf("0,1", "1,2")))
         val open = OpenRecording.read(file)
         val layout = file.resolveSibling("a${Layout.ENDING}")
@@ -55,7 +55,7 @@ class ShownRecordingsSpec : FunSpec({
         }
     }
 
-    test("what depends on no choice that was changed is not made anew: another field calculates no formula, a formula adds no signals again") {
+    test("a changed choice recalculates only the parts that depend on it") {
         val open = log("a.bag").with(RecordingChoices(definitions = listOf("Twice = 2 * Arm/Angle")))
         val otherField = open.with(open.choices.copy(fieldSelections = 1))
         otherField.view shouldBeSameInstanceAs open.view
@@ -67,7 +67,7 @@ class ShownRecordingsSpec : FunSpec({
         open.with(open.choices.copy(overTime = true)).signal("Twice")?.series?.x?.first() shouldBe 10.0
     }
 
-    test("formulas of a choice that is no longer wanted are not calculated on") {
+    test("the calculation of formulas stops when their choice is replaced") {
         val wanted = RecordingChoices(definitions = List(100) { "F$it = $it * Arm/Angle" })
         var begun = 0
         shouldThrow<CancellationException> { log("a.bag").with(wanted) { if (++begun > 3) throw CancellationException() } }
@@ -85,11 +85,11 @@ class ShownRecordingsSpec : FunSpec({
             slow.goOn()
             following.join()
         }
-        // Whoever calculates to the end reads them once more, with what came of them.
+        // A calculation that ends reads the definitions once more, with its results.
         slow.timesRead shouldBe 1
     }
 
-    test("a choice is shown in the open log and in the compared ones, and nothing waits any more") {
+    test("a choice is shown in the open log and the compared ones, and no calculation remains") {
         val open = log("a.bag")
         val other = log("b.bag")
         val viewer = viewerOf(open)
@@ -106,7 +106,7 @@ class ShownRecordingsSpec : FunSpec({
         viewer.shown.isWaiting shouldBe false
     }
 
-    test("of several choices in a row, the last one counts") {
+    test("the last of several choices in a row counts") {
         val viewer = viewerOf(log("a.bag"))
         choosing(viewer) {
             for (number in 1..20) {
@@ -118,7 +118,7 @@ class ShownRecordingsSpec : FunSpec({
         viewer.current.recording?.span?.from shouldBe 10.0
     }
 
-    test("graphs that a person arranged stay, and where they look in the log stays unless its axis is another one") {
+    test("arranged graphs stay, and so does the visible range unless the axis changes") {
         val viewer = viewerOf(log("a.bag"))
         val own = Board().withGraph(listOf("Arm/Angle"))
         viewer.board.replace(own)
@@ -130,7 +130,7 @@ class ShownRecordingsSpec : FunSpec({
         viewer.view.viewport.isZoomed shouldBe false
     }
 
-    test("a field file that is gone is said, and the path is drawn without it") {
+    test("a missing field file is reported, and the path is drawn without it") {
         val log = Files.copy(Path.of("..", "samples", "wrong-turn.bag"), tempdir().toPath().resolve("a.bag"))
         val gone = log.resolveSibling("gone.json")
         val viewer = viewerOf(OpenRecording.read(log))
@@ -139,7 +139,7 @@ class ShownRecordingsSpec : FunSpec({
         viewer.current.recording?.fieldPicture.shouldBeNull()
     }
 
-    test("what waits for a choice to be shown comes after it, at once if there is nothing to wait for") {
+    test("an action that waits for a shown choice runs after it, or at once if no choice is waiting") {
         val viewer = viewerOf(log("a.bag"))
         val seen = ArrayList<Double>()
         val note = { seen += checkNotNull(viewer.current.recording).span.from }
@@ -151,7 +151,7 @@ class ShownRecordingsSpec : FunSpec({
         seen shouldBe listOf(0.0, 10.0)
     }
 
-    test("a layout brings its axis and a range of it, but not to another log that was opened meanwhile") {
+    test("a layout applies its axis and its range, but not to another log opened meanwhile") {
         val viewer = viewerOf(log("a.bag"))
         val layout = Layout(Layout.VERSION, visible = LayoutSpan(12.0, 14.0), overTime = true)
         choosing(viewer) { viewer.layouts.apply(layout) }
@@ -170,7 +170,7 @@ class ShownRecordingsSpec : FunSpec({
         viewer.view.viewport.isZoomed shouldBe false
     }
 
-    test("a log that has grown is shown as it was chosen, with the range where it was, or all of another axis") {
+    test("a grown log keeps its choices and visible range; over another axis, all of it is shown") {
         val viewer = viewerOf(log("a.bag"))
         viewer.view.send(PlaceAction.Show(2.0, 4.0))
         viewer.shown.show(log("a.bag"))
@@ -181,13 +181,13 @@ class ShownRecordingsSpec : FunSpec({
     }
 })
 
-/** Definitions of formulas, whose reader waits until [goOn] is called. */
+/** Definitions of formulas, with a reader that waits until [goOn] is called. */
 private class SlowDefinitions(private val all: List<String>) : AbstractList<String>() {
     private val isRead = CountDownLatch(1)
     private val mayGoOn = CountDownLatch(1)
     private val lastReads = AtomicInteger()
 
-    /** How often the last of them was read. */
+    /** The number of times that the last definition was read. */
     val timesRead: Int get() = lastReads.get()
 
     override val size: Int get() = all.size

@@ -23,7 +23,7 @@ import kotlinx.coroutines.launch
 
 @OptIn(ExperimentalTestApi::class)
 class StationChoiceSpec : FunSpec({
-    test("the Driver Station's log of the match is offered, shown over the same time, used by rules, and left out again") {
+    test("the Driver Station's log of the match is offered, shown over the same time, used by rules, and hidden again") {
         val log = putPair(tempdir().toPath())
         val viewer = viewerOf(OpenRecording.read(log))
         runDesktopComposeUiTest(900, 600) {
@@ -42,7 +42,7 @@ class StationChoiceSpec : FunSpec({
         shown.span shouldBe Span(-3.0, 13.98)
         viewer.view.viewport.full shouldBe shown.span
         findingsOf(shown.forRules, log, null).all.flatMap { it.evidence } shouldContain "Driver Station/Battery Voltage"
-        // What a person saves is of the robot's log alone.
+        // A saved part has only the topics of the robot's log.
         partOf(shown, Span(0.0, 1.0)).recording.topics.map { it.name } shouldBe listOf("Time", "Robot/Enabled", "Arm/Angle")
         choosing(viewer) { viewer.stations.choose(false) }
         checkNotNull(viewer.current.recording).run { station.shouldBeNull() }
@@ -50,7 +50,7 @@ class StationChoiceSpec : FunSpec({
         viewer.stations.offered.shouldBeNull()
     }
 
-    test("what a person chose for a log holds when it is opened again, and formulas may name the Driver Station's topics") {
+    test("the choice for a log is kept when it is reopened, and formulas can use the Driver Station's topics") {
         val log = putPair(tempdir().toPath())
         val viewer = viewerOf(OpenRecording.read(log))
         viewer.stations.change { StationOfLog(log, stationBeside(OpenRecording.read(log), null)) }
@@ -62,7 +62,7 @@ class StationChoiceSpec : FunSpec({
         shown.withFormulas(listOf("Twice = 2 * Driver Station/Trip Time")).signal("Twice")?.series?.y?.max() shouldBe 180.0
     }
 
-    test("the error is not said to be less than the Driver Station's period, and clocks alone are said to be so") {
+    test("the shown error is at least the Driver Station's period, and alignment by clocks only is marked") {
         alignmentText(ClockFit(1.0, 4, 0.0)) shouldBe "± 0.02 s"
         alignmentText(ClockFit(1.0, 4, 0.031)) shouldBe "± 0.04 s"
         alignmentText(ClockFit(1.0, 0, 1.0)) shouldBe "± 1 s, aligned by the clocks only"

@@ -5,7 +5,10 @@ import badlog.formats.driverstation.TestDslog
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A robot's log `robot.bag` in [folder], which knows neither link nor power, and the Driver Station's of the same match; gives the first. */
+/**
+ * Puts a pair of logs of one match into [folder]; returns the robot's log, `robot.bag`, without link and power. The other is the Driver
+ * Station's.
+ */
 internal fun putPair(folder: Path): Path {
     val dslog = TestDslog().records(250).records(100, Status.BOTH_TELEOP)
     repeat(50) { dslog.record(Status.BOTH_TELEOP, volts = 6.5, trip = 180) }

@@ -54,7 +54,7 @@ class ComparedRecordingsSpec : FunSpec({
         onWindow { viewer.compared.state } shouldBe Comparison()
     }
 
-    test("the open recording is checked without being read again, and is drawn once") {
+    test("the open recording can be checked without being read again, and is drawn once") {
         val viewer = onWindow { viewerOf() }
         onWindow {
             viewer.compared.toggle(open.file)
@@ -64,7 +64,7 @@ class ComparedRecordingsSpec : FunSpec({
         }
     }
 
-    test("what cannot be read is reported and unchecked") {
+    test("an unreadable recording is reported and unchecked") {
         val viewer = onWindow { viewerOf() }
         onWindow {
             viewer.compared.toggle(home.resolve("missing.bag"))
@@ -76,7 +76,7 @@ class ComparedRecordingsSpec : FunSpec({
         }
     }
 
-    test("a comparison is moved by hand, and its table saved and opened from") {
+    test("a compared recording is moved by hand, and the table of statistics is saved") {
         val saved = home.resolve("table.csv")
         val viewer = viewerOf(ChosenFiles(saved))
         val read = recordingOf(Files.readString(other), other.toString())

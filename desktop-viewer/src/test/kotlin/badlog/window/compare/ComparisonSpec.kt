@@ -18,7 +18,7 @@ class ComparisonSpec : FunSpec({
     val third = recordingOf("Time,A\n", "empty.bag")
     val both = Comparison().with(other.file).with(third.file).withLoaded(other).withLoaded(third)
 
-    test("recordings are aligned by when they begin and when the robot was enabled, and move by hand from there") {
+    test("recordings are aligned by their beginning or by when the robot was enabled, and can be moved by hand") {
         both.offsetOf(other, open) shouldBe -8.0
         both.offsetOf(third, open) shouldBe 2.0
         val enabled = both.alignedBy(Alignment.ENABLED, open)
@@ -28,7 +28,7 @@ class ComparisonSpec : FunSpec({
         moved.offsetOf(third, open) shouldBe 1.5
     }
 
-    test("unchecking lets go of what was read, and what is not checked is not kept") {
+    test("an unchecked recording is released, and a recording that is not checked is not kept") {
         both.without(other.file).loaded.keys shouldBe setOf(third.file)
         Comparison().withLoaded(other) shouldBe Comparison()
         both.with(other.file) shouldBe both

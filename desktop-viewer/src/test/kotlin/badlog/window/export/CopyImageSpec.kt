@@ -27,13 +27,13 @@ class CopyImageSpec : FunSpec({
 
     fun imageOn(clipboard: Clipboard) = clipboard.getData(DataFlavor.imageFlavor) as Image
 
-    test("a picture goes to the clipboard as an image") {
+    test("a picture is copied to the clipboard as an image") {
         val clipboard = Clipboard("test")
         copyImage(ImageBitmap(30, 20), { clipboard })
         imageOn(clipboard).getWidth(null) shouldBe 30
     }
 
-    test("a graph goes to the clipboard as the picture of a figure") {
+    test("a graph is copied to the clipboard as the picture of a figure") {
         val clipboard = Clipboard("test")
         val recording = recordingOf(armBag(500))
         val viewer = Viewer(MainScope(), UserFolders(home, home))
@@ -47,7 +47,7 @@ class CopyImageSpec : FunSpec({
         }
     }
 
-    test("where there is no clipboard, or another program holds it, a sentence says so") {
+    test("a missing or busy clipboard is reported in a sentence") {
         shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw HeadlessException() } }.message shouldContain "no clipboard"
         shouldThrow<IOException> { copyImage(ImageBitmap(1, 1)) { throw IllegalStateException() } }.message shouldContain "is using the clipboard"
     }

@@ -25,7 +25,7 @@ class CutFileSpec : FunSpec({
     Files.writeString(file, armBag(500))
     val whole = recordingOf(armBag(500), file)
 
-    test("a bag of a part has just its rows, with the values, units and attributes of the whole") {
+    test("a part saved as a bag has only its rows, with the values, units and attributes of the whole") {
         val target = folder.resolve("part.bag")
         cutFile(whole, Span(1.0, 2.0), target) shouldBe "Wrote 51 rows to $target."
         val part = readRecording(target, LOG_FORMATS)
@@ -42,7 +42,7 @@ class CutFileSpec : FunSpec({
         part.topics.last().texts.let { texts -> List(texts.size) { texts[it] } } shouldBe (50..100).map { mode[it] }
     }
 
-    test("a part of a WPILOG has rows every 20 ms, or at the samples of a topic that has more, with the last values") {
+    test("a part of a WPILOG has rows every 20 ms, or at the samples of a denser topic, with the last values") {
         val open = wpilogRecording(
             loggedTopic("Gain", 0.0 to 1.0, 0.05 to 2.0, 2.0 to 5.0),
             loggedTopic("Gyro", *List(200) { 1 + it * 0.005 to it.toDouble() }.toTypedArray()),
@@ -58,7 +58,7 @@ class CutFileSpec : FunSpec({
         shouldThrow<IOException> { cutFile(open, Span(5.0, 6.0), target) }.message shouldContain "no samples"
     }
 
-    test("formulas are columns of a part; one without a value in each row is left out, which is said") {
+    test("formulas are columns of a part; a formula without a value in each row is left out and reported") {
         val target = folder.resolve("formula part.bag")
         val open = whole.withFormulas(listOf("Twice [deg] = 2 * Arm/Angle", "Most = max(Arm/Angle)", "Is Far = Arm/Angle > 10"))
         cutFile(open, Span(0.2, 0.4), target) shouldBe
@@ -78,7 +78,7 @@ class CutFileSpec : FunSpec({
         Files.readAllLines(target).size shouldBe 3
     }
 
-    test("the open file itself is never overwritten, and nothing else is left beside it") {
+    test("the open file is never overwritten, and no other file is left beside it") {
         val failure = shouldThrow<IOException> { cutFile(whole, Span(1.0, 2.0), file) }
         failure.message shouldContain "select another name"
         Files.readString(file) shouldBe armBag(500)
@@ -86,7 +86,7 @@ class CutFileSpec : FunSpec({
             listOf("match.bag")
     }
 
-    test("a part without samples, and a folder that cannot be written to, are reported in a sentence") {
+    test("a part without samples, and a folder that cannot be written, are reported in a sentence") {
         shouldThrow<IOException> { cutFile(whole, Span(2000.0, 2001.0), folder.resolve("none.bag")) }
             .message shouldContain "no samples"
         Files.writeString(folder.resolve("a part file"), "")
@@ -94,7 +94,7 @@ class CutFileSpec : FunSpec({
             .message shouldContain "cannot be written"
     }
 
-    test("where x goes backwards, the rows between the first and the last are the part") {
+    test("a part includes the rows between its first and last where x goes backwards") {
         val back = recordingOf("""{"topics":[{"name":"T","unit":"s","attrs":["xaxis"]}],"values":[]}""" + "\nT\n1\n5\n2\n9\n")
         rowsWithin(back, Span(0.0, 3.0)) shouldBe 0..2
         rowsWithin(back, Span(6.0, 7.0)).isEmpty() shouldBe true

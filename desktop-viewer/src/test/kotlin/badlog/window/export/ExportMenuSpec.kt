@@ -59,7 +59,7 @@ class ExportMenuSpec : FunSpec({
         onNodeWithContentDescription(entry).performClick()
     }
 
-    test("without a log, every entry that needs one is off and says why") {
+    test("without a log, every entry that needs one is disabled and says why") {
         window(null, hasLog = false) { _, _ ->
             onNodeWithText("Export").performClick()
             onNodeWithContentDescription("Export the page of this log…").assertIsNotEnabled()
@@ -71,7 +71,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the page of the open log is made where the person says") {
+    test("the page of the open log is written to the file that the person names") {
         val page = home.resolve("page.html")
         window(page) { viewer, _ ->
             choose("Export", "Export the page of this log…")
@@ -80,7 +80,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the pages of checked logs are made, and those that cannot be are reported") {
+    test("the pages of checked logs are made, and failures are reported") {
         val folder = home.resolve("pages")
         window(folder) { viewer, _ ->
             viewer.compared.change { Comparison(checked = listOf(log, home.resolve("gone.bag"))) }
@@ -101,7 +101,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("a figure is saved with what was selected for it, has the values at the pinned cursor, and says where it stands") {
+    test("a figure is saved with its options and the values at the pinned cursor, and its file is reported") {
         val file = home.resolve("figure.svg")
         window(file) { viewer, files ->
             viewer.view.send(PlaceAction.GoTo(1.0))
@@ -122,7 +122,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("a picture gets its ending, and is twice as large as its points") {
+    test("the name of a picture gets its ending, and the picture has two pixels per point") {
         window(home.resolve("picture")) { viewer, _ ->
             choose("Export", "Figure for a report…")
             onNodeWithContentDescription("Save the figure").performClick()
@@ -131,7 +131,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("the selection is saved rather than the visible range, when there is one, also of the topics of the graphs alone, with their units") {
+    test("the selection is saved instead of the visible range, also for the topics of the graphs only, with their units") {
         val file = home.resolve("part.csv")
         window(file) { viewer, files ->
             viewer.view.send(PlaceAction.Select(Span(1.0, 1.1)))
@@ -147,7 +147,7 @@ class ExportMenuSpec : FunSpec({
         }
     }
 
-    test("who thinks better of it gets nothing, and hears nothing; a file that is there is not replaced when the person has not named it in full") {
+    test("canceling saves and reports nothing; an existing file is replaced only if its full name was entered") {
         val there = Files.writeString(home.resolve("there.csv"), "mine")
         window(null) { viewer, files ->
             choose("Export", "The visible range as a bag…")

@@ -16,7 +16,7 @@ import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.Files
 
 class PageExportSpec : FunSpec({
-    test("of many logs one that is broken is reported, and the pages of the others are made") {
+    test("a broken log among many is reported, and the pages of the others are made") {
         val folder = tempdir().toPath()
         val logs = listOf("a.bag", "broken.bag", "b.bag").map(folder::resolve)
         for (log in logs) Files.writeString(log, armBag(20))
@@ -31,7 +31,7 @@ class PageExportSpec : FunSpec({
         shares.last() shouldBe 1f
     }
 
-    test("pages carry the formulas that make a topic there, and the rules of the folder") {
+    test("pages contain the formulas that work there, and the rules of the folder") {
         val folder = tempdir().toPath()
         val log = Files.writeString(folder.resolve("a.bag"), armBag(100))
         writeRules(folder, ruleText("Far", "Arm/Angle > 40", "error", "The arm went to {value}."))
@@ -44,7 +44,7 @@ class PageExportSpec : FunSpec({
         Additions(emptyList(), formulas, folder).of(folder.resolve("gone.bag")).virtualTopics shouldBe emptyList()
     }
 
-    test("pages begin with the graphs of the window, where there are any") {
+    test("pages begin with the graphs of the window, if there are any") {
         val folder = tempdir().toPath()
         val log = Files.writeString(folder.resolve("a.bag"), armBag(100))
         val board = Board(listOf(BoardGraph(1, "Arm/Angle", listOf("Arm/Angle", "Arm/Current"))))
@@ -53,7 +53,7 @@ class PageExportSpec : FunSpec({
         Additions(emptyList(), emptyList(), folder).of(log).layout shouldBe null
     }
 
-    test("the page of a log that is compared holds the other log, too") {
+    test("the page of a compared log contains the other log, too") {
         val folder = tempdir().toPath()
         val (log, other) = listOf("a.bag", "b.bag").map { Files.writeString(folder.resolve(it), armBag(100)) }
         val jobs = listOf(PageJob(log, folder.resolve("a.html"), listOf(other)), PageJob(other, folder.resolve("b.html")))
@@ -61,13 +61,13 @@ class PageExportSpec : FunSpec({
         pages.map { "class=\"compared\" data-name=\"b.bag\"" in it } shouldBe listOf(true, false)
     }
 
-    test("logs of the same name in different folders get pages of different names") {
+    test("logs of the same name in different folders get pages with different names") {
         val folder = tempdir().toPath()
         val jobs = pageJobs(listOf("one/match.bag", "two/match.bag", "two/MATCH.bag").map(folder::resolve), folder)
         jobs.map { it.page.fileName.toString() } shouldBe listOf("match.bag.html", "match.bag (2).html", "MATCH.bag (3).html")
     }
 
-    test("the logs of a folder are those of its sub-folders too, and nothing else") {
+    test("the logs of a folder include the logs of its subfolders, and no other files") {
         val folder = tempdir().toPath()
         Files.createDirectories(folder.resolve("day 2"))
         for (name in listOf("b.bag", "day 2/a.bag.gz", "notes.txt", "a.CSV", "b.bag.html")) Files.writeString(folder.resolve(name), "")

@@ -5,14 +5,14 @@ import badlog.core.bag.BagParser
 import badlog.window.log.OpenRecording
 import java.nio.file.Path
 
-/** The recording that [text], the content of a bag or of a CSV file, makes. */
+/** Returns the recording of [text], the content of a bag or of a CSV file. */
 internal fun recordingOf(text: String, file: Path = Path.of("match.bag").toAbsolutePath()): OpenRecording {
     val parser = BagParser()
     parser.accept(text.encodeToByteArray())
     return OpenRecording(file, LogView.of(parser.finish()))
 }
 
-/** A bag of [rows] rows, 0.02 s apart: `Arm/Angle` in degrees, `Arm/Current` in amperes, `Arm/Mode` in texts; with a value. */
+/** Returns a bag of [rows] rows, 0.02 s apart: `Arm/Angle` in degrees, `Arm/Current` in amperes, `Arm/Mode` in texts; with a value. */
 internal fun armBag(rows: Int, angle: (Int) -> String = { (it % 50).toString() }): String = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Arm/Angle","unit":"deg","attrs":["zero"]},""")
     append("""{"name":"Arm/Current","unit":"A","attrs":[]},{"name":"Arm/Mode","unit":"ul","attrs":[]}],""")

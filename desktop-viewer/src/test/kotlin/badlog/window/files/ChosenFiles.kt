@@ -2,9 +2,9 @@ package badlog.window.files
 
 import java.nio.file.Path
 
-/** A person who always chooses [file], or thinks better of it when that is null. */
+/** A person who always chooses [file], or cancels if it is null. */
 internal class ChosenFiles(var file: Path?) : FileChoice {
-    /** The titles of the questions that were asked. */
+    /** The titles of the dialogs. */
     val questions = ArrayList<String>()
 
     override fun toWrite(title: String, folder: Path?, name: String): Path? = answer(title)

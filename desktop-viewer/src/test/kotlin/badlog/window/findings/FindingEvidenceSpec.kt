@@ -24,7 +24,7 @@ class FindingEvidenceSpec : FunSpec({
         findings.change { knowing(findingsIn(checkNotNull(current.recording))) }
     }
 
-    test("why a match browned out takes one click: voltage, current and outputs together, around the moment") {
+    test("one click on a brownout shows voltage, current and outputs around the moment") {
         val viewer = investigating()
         val incident = checkNotNull(viewer.findings.state.list).incidents.first()
         runDesktopComposeUiTest(1006, 600) {
@@ -40,7 +40,7 @@ class FindingEvidenceSpec : FunSpec({
         }
     }
 
-    test("the graphs of a finding take the place of those of the finding before, and no layout keeps them") {
+    test("the graphs of a finding replace the graphs of the previous one, and no layout keeps them") {
         val viewer = investigating()
         val arranged = viewer.board.state
         val list = checkNotNull(viewer.findings.state.list)
@@ -53,7 +53,7 @@ class FindingEvidenceSpec : FunSpec({
         (first == viewer.board.state) shouldBe false
     }
 
-    test("a graph of a finding that a person has changed stays theirs") {
+    test("a finding's graph that a person has changed stays") {
         val viewer = investigating()
         viewer.findings.goTo(checkNotNull(viewer.findings.state.list).all.first { it.rule == "Browned out" })
         val top = viewer.board.state.graphs.first()

@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Files
 
 class FindingsOfSpec : FunSpec({
-    test("no program of a file of rules is run") {
+    test("a file of rules cannot run programs") {
         val folder = tempdir().toPath()
         val ran = folder.resolve("ran")
         writeRules(folder, ruleText("A", "A > 5"), "[[hook]]\nname = \"Evil\"\ncommand = \"touch '$ran'\"\n")

@@ -28,10 +28,10 @@ import kotlin.time.Duration.Companion.seconds
 class LogFindingsSpec : FunSpec({
     val home = tempdir().toPath()
 
-    /** A window without graphs, which the rules do not wait for. */
+    /** Returns a window without graphs, for which the rules do not wait. */
     fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
 
-    /** The findings of [viewer], found by [find]. */
+    /** Returns the findings of [viewer], as returned by [find]. */
     fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FoundInLog) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, rest = { rest() }, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
@@ -43,13 +43,13 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
-    // Who waits for a change of the state hears of it when a frame is drawn, which nobody does here.
+    // Observers of the state are notified when a frame is drawn, which does not happen here.
     suspend fun change(change: () -> Unit) = withContext(Dispatchers.Main) {
         change()
         Snapshot.sendApplyNotifications()
     }
 
-    test("the rules run over what is opened, and again when somebody wants it") {
+    test("the rules run over each opened log, and again on request") {
         val folder = tempdir().toPath()
         writeRules(folder, ruleText("Half", "A > 50"))
         over { viewer ->
@@ -62,7 +62,7 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
-    test("a log that grows all the time is not looked at all the time, but its last state is") {
+    test("a log that grows all the time is examined at intervals, including its last state") {
         val folder = tempdir().toPath()
         val runs = AtomicInteger()
         val rests = Channel<Unit>()
@@ -83,7 +83,7 @@ class LogFindingsSpec : FunSpec({
         restAfter(1.seconds) shouldBe 9.seconds
     }
 
-    test("the worst finding of a log that is being opened is gone to when it is known, but not after another one was opened") {
+    test("the worst finding of a log being opened is shown once it is known, unless another log is opened") {
         val folder = tempdir().toPath()
         writeRules(folder, ruleText("Note", "A > 10", "note"), ruleText("Error", "A > 50", "error"))
         val wanted = counted(folder)
@@ -98,13 +98,13 @@ class LogFindingsSpec : FunSpec({
 
             change { viewer.findings.showWorst(folder.resolve("never opened.bag")) }
             change { viewer.current.replace(counted(home)) }
-            // Not the findings of the log before, which stay until the window hears of the other one.
+            // The findings of the previous log stay until the window receives the other one.
             eventually(60.seconds) { viewer.findings.state.list?.all?.none { it.rule == "Error" } shouldBe true }
             viewer.findings.selected shouldBe null
         }
     }
 
-    test("another recording gives up what runs") {
+    test("opening another recording cancels the running rules") {
         val began = CountDownLatch(1)
         val interrupted = CountDownLatch(1)
         over { viewer ->

@@ -8,17 +8,17 @@ import badlog.window.recordingOf
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A rule as a file has it. */
+/** Returns a rule in the form of a file. */
 internal fun ruleText(name: String, condition: String, severity: String = "warning", text: String = "$name at {time}"): String = "[[rule]]\nname = \"$name\"\nseverity = \"$severity\"\nwhen = \"$condition\"\ntext = \"$text\"\n"
 
 /** Writes [rules] as the rules of [folder]. */
 internal fun writeRules(folder: Path, vararg rules: String): Path = Files.writeString(Files.createDirectories(folder).resolve(RulesFile.NAME), rules.joinToString("\n"))
 
-/** A recording in [folder] of a hundred rows, one each second: `A` counts them, `B` is 1 in every tenth. */
+/** Returns a recording in [folder] of a hundred rows, one each second: `A` counts them, `B` is 1 in every tenth. */
 internal fun counted(folder: Path, rows: Int = 100): OpenRecording = recordingOf(
     bagOf(listOf("Time|xaxis", "A", "B"), List(rows) { "$it,$it,${if (it % 10 == 0) 1 else 0}" }),
     folder.resolve("counted.bag").toString(),
 )
 
-/** What the rules of the folder of [recording] find in it. */
+/** Returns the findings of the folder's rules in [recording]. */
 internal fun findingsIn(recording: OpenRecording): FoundInLog = findingsOf(recording.view, recording.file, library = null)

@@ -68,7 +68,7 @@ class LibraryScreenSpec : FunSpec({
 
     fun shown(viewer: Viewer) = viewer.library.state.visible.map { it.title }
 
-    test("the samples are listed with their matches, a click opens one, and page up the one above the selected one") {
+    test("the samples are listed with their matches, a click opens one, and page up the one above it") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithText("Qualification 42", substring = true).assertExists()
             onNodeWithText("16 Mar 2024, 10:41 · 2:36 · 6.73 V").assertExists()
@@ -81,7 +81,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("the match of a log is whole in the list; its event has the room that is left") {
+    test("the match of a log is never shortened in the list; its event gets the remaining room") {
         onFolder(sampleFolder()) {
             val row = onNodeWithContentDescription("Log qualification-42.bag").fetchSemanticsNode().boundsInRoot
             val isInRow = hasAnyAncestor(hasContentDescription("Log qualification-42.bag"))
@@ -94,7 +94,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("a search, which the slash puts the keyboard into, leaves what has all words, and can be taken back") {
+    test("a search lists the logs that have all words, and can be cleared") {
         onFolder(sampleFolder()) { viewer ->
             viewer.commands.first { it.meaning == "Search the logs" }.action()
             onNodeWithContentDescription("Search logs").assertIsFocused()
@@ -109,7 +109,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("a tick takes a log into the comparison and out of it") {
+    test("a tick adds a log to the comparison, or removes it") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithContentDescription("Compare practice.bag").performClick()
             viewer.compared.state.checked.map { "${it.fileName}" } shouldContainExactly listOf("practice.bag")
@@ -118,7 +118,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("clicks on the heads of the table sort it, either way round") {
+    test("clicks on the heads of the table sort it, in either direction") {
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
             onNodeWithContentDescription("Sort by Match").performClick()
             shown(viewer).take(2) shouldContainExactly listOf("Qualification 42", "Qualification 57")
@@ -130,7 +130,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("the keyboard goes through the table, and Enter opens the log in the graphs; so does a double click, and a click selects a row") {
+    test("keys move through the table, Enter and a double click open the log in the graphs, and a click selects a row") {
         onFolder(sampleFolder(), MainView.LOGS) { viewer ->
             val table = onNodeWithContentDescription("Table of logs")
             table.performKeyInput { pressKey(Key.MoveHome) }
@@ -151,7 +151,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("idle logs say so, and can be hidden") {
+    test("idle logs are marked as idle, and can be hidden") {
         val folder = sampleFolder()
         folder.put("reboot.bag", bag(0))
         folder.put("idle.bag", bag(voltage = { 12.0 }))
@@ -164,7 +164,7 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("a log that cannot be read is complained of, not opened") {
+    test("an unreadable log is reported and not opened") {
         val folder = tempdir().toPath()
         folder.put("diary.bag", "Dear diary\ntoday I was happy\n")
         onFolder(folder) { viewer ->
@@ -174,11 +174,11 @@ class LibraryScreenSpec : FunSpec({
         }
     }
 
-    test("an empty folder says what badlog looks for") {
+    test("an empty folder says that there are no logs yet") {
         onFolder(tempdir().toPath()) { onNodeWithText("No logs here yet", substring = true).assertExists() }
     }
 
-    test("the preview can be that of any topic of any log") {
+    test("the preview can show any topic of any log") {
         onFolder(sampleFolder()) { viewer ->
             onNodeWithContentDescription("Preview: the battery’s voltage").performClick()
             onNodeWithContentDescription("Search topics for the preview").performTextInput("pos elevator/")

@@ -40,7 +40,7 @@ import java.nio.file.attribute.PosixFilePermissions
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
-/** Symbolic links: on Windows only administrators make them. */
+/** Symbolic links, which only administrators create on Windows. */
 private val IF_LINKS =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows makes symbolic links for administrators only")
 
@@ -54,7 +54,7 @@ class LibrarySpec : FunSpec({
 
     fun newViewer(home: Path = tempdir().toPath()) = Viewer(MainScope(), UserFolders(home, home))
 
-    /** Opens [folder] in [viewer], waits for what [until] wants, and closes it. */
+    /** Opens [folder] in [viewer], runs [steps], and closes the folder. */
     suspend fun watching(folder: Path, viewer: Viewer = newViewer(), steps: suspend (Viewer) -> Unit) {
         try {
             withContext(Dispatchers.Main) {
@@ -69,7 +69,7 @@ class LibrarySpec : FunSpec({
 
     fun names(viewer: Viewer) = viewer.library.state.entries.map { it.fileName }
 
-    test("a new file appears, a growing one is read again, a renamed one follows, a deleted one vanishes") {
+    test("new, growing, renamed and deleted files are followed in the list") {
         val folder = tempdir().toPath()
         val first = folder.put("first.bag", bag(100))
         watching(folder) { viewer ->
@@ -86,7 +86,7 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("the newest log is shown before anybody asks") {
+    test("the newest log is shown automatically") {
         val folder = tempdir().toPath()
         for (number in 1..5) folder.put("$number.bag", bag(values = matchValues(number)))
         watching(folder) { viewer ->
@@ -95,7 +95,7 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("a newer log takes the place of the one that was shown unasked, unless somebody is looking closer at that") {
+    test("a newer log replaces the one that was shown automatically, unless a person is using that") {
         val folder = tempdir().toPath()
         folder.put("1.bag", bag(values = matchValues(1)))
         watching(folder) { viewer ->
@@ -110,7 +110,7 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("what a layout ticks does not keep the newest log from being shown, nor a newer one") {
+    test("logs checked by a layout do not prevent the newest log, or a newer one, from being shown") {
         val folder = tempdir().toPath()
         val home = tempdir().toPath()
         for (number in 1..2) folder.put("$number.bag", bag(values = matchValues(number)))
@@ -126,7 +126,7 @@ class LibrarySpec : FunSpec({
         viewer.scope.cancel()
     }
 
-    test("a file that cannot be opened leaves the one that is shown, which is followed on") {
+    test("a file that cannot be opened leaves the open log, which is still followed") {
         val folder = tempdir().toPath()
         val file = folder.put("1.bag", bag(100))
         val viewer = newViewer()
@@ -141,13 +141,13 @@ class LibrarySpec : FunSpec({
         viewer.scope.cancel()
     }
 
-    test("the second time, what is known is there without reading a file") {
+    test("known logs are listed the second time without reading a file") {
         val folder = tempdir().toPath()
         val home = tempdir().toPath()
         val file = folder.put("a.bag", bag(100))
         watching(folder, newViewer(home)) { viewer -> eventually(longest) { names(viewer).size shouldBe 1 } }
         eventually(longest) { FolderStore(folder, home.resolve("answers"), BADLOG_VERSION)[LogFile.of(file)].shouldNotBeNull() }
-        // The same size at the same time with other content: who reads it, knows.
+        // Only a reader notices other content of the same size at the same time.
         val written = Files.getLastModifiedTime(file)
         Files.writeString(file, Files.readString(file).replace("System/Battery Voltage", "System/Cattery Voltage"))
         Files.setLastModifiedTime(file, written)
@@ -156,7 +156,7 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("the rules run over each log in the background, and what they found is there the next time") {
+    test("the rules run over each log in the background, and their results are stored for the next time") {
         val folder = tempdir().toPath()
         val home = tempdir().toPath()
         folder.putSamples(areSettled = true)
@@ -168,7 +168,7 @@ class LibrarySpec : FunSpec({
         eventually(longest) { kept() shouldBe Severity.ERROR }
     }
 
-    test("a folder of broken files is listed with a sentence for each, what can be read of one is shown, and nothing hangs").config(enabledOrReasonIf = { IF_LINKS }) {
+    test("a folder of broken files is listed with a sentence for each, and readable parts are shown").config(enabledOrReasonIf = { IF_LINKS }) {
         val folder = tempdir().toPath()
         Files.write(folder.resolve("random.bag"), ByteArray(5000) { (it * 31 + it / 7).toByte() })
         val gz = Files.readAllBytes(samples.resolve("qualification-57.bag.gz"))
@@ -206,7 +206,7 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("a folder that is not there says so, and is looked for again") {
+    test("a missing folder is reported, and listed as soon as it exists") {
         val folder = tempdir().toPath().resolve("not yet")
         watching(folder) { viewer ->
             eventually(longest) { viewer.library.state.trouble.shouldNotBeNull() }
@@ -216,13 +216,13 @@ class LibrarySpec : FunSpec({
         }
     }
 
-    test("a folder that may not be read is reported, and the others are listed").config(enabledOrReasonIf = { IF_POSIX }) {
+    test("a folder without read permission is reported, and the others are listed").config(enabledOrReasonIf = { IF_POSIX }) {
         val folder = tempdir().toPath()
         val closed = folder.put("closed/a.bag", bag()).parent
         folder.put("b.bag", bag())
         Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("---------"))
         try {
-            // Nothing is closed to an administrator.
+            // An administrator can read every folder.
             if (!Files.isReadable(closed)) {
                 watching(folder) { viewer ->
                     eventually(longest) { names(viewer) shouldContainExactly listOf("b.bag") }

@@ -17,20 +17,20 @@ class LibraryStateSpec : FunSpec({
     val foreign = entry("groceries.csv", content = Content.NO_LOG)
     val state = LibraryState().knowing(listOf(bench, match9, reboot, match10, foreign))
 
-    test("the newest log is one in which something happened") {
+    test("the newest log is not an idle one, unless all are idle") {
         state.newest shouldBe match9
         LibraryState().knowing(listOf(reboot)).newest shouldBe reboot
         LibraryState().newest.shouldBeNull()
     }
 
-    test("a table of numbers is the newest log only where there is no robot's log") {
+    test("a table of numbers is the newest log only if there is no robot's log") {
         val table = entry("elevator-bench.csv", second = 900)
         LibraryState().knowing(listOf(table, match9, bench)).newest shouldBe match9
         LibraryState().knowing(listOf(table, reboot)).newest shouldBe reboot
         LibraryState().knowing(listOf(table, bench)).newest shouldBe table
     }
 
-    test("steps go along the list as it is shown, and stop at its ends") {
+    test("steps follow the order of the list, and stop at its ends") {
         val shown = state.hidingEmpty(true)
         shown.stepped(1) shouldBe match9
         shown.stepped(-1) shouldBe bench
@@ -40,7 +40,7 @@ class LibraryStateSpec : FunSpec({
         LibraryState().stepped(1).shouldBeNull()
     }
 
-    test("another folder is listed as the one before, from its beginning") {
+    test("another folder is listed like the previous one, from its beginning") {
         val next = state.sorted(LogColumn.SIZE).hidingEmpty(true).filtered("mill").opening(match9.file.parent)
         next.listing.column shouldBe LogColumn.SIZE
         next.listing.hidesEmpty shouldBe true

@@ -73,7 +73,7 @@ class NewLogsSpec : FunSpec({
         onNodeWithText("Browned out at 1:33.", substring = true).assertExists()
     }
 
-    test("what a folder has when it is opened did not arrive; a log that arrives is announced, takes nothing away, and is shown at the worst in it") {
+    test("a log that arrives is announced, replaces nothing, and is shown at its worst finding; the first logs of a folder did not arrive") {
         onFolder { viewer, arrives ->
             waitFor { viewer.library.state.entries.all { it.found != null || it.isGray } }
             onAllNodesWithContentDescription("New log").assertCountEquals(0)
@@ -119,7 +119,7 @@ class NewLogsSpec : FunSpec({
         }
     }
 
-    test("what was put off is announced no more, and neither is what a person opens in the list") {
+    test("a postponed log, and one that a person opens in the list, is no longer announced") {
         onFolder { viewer, arrives ->
             arrives()
             awaitBar(viewer)
@@ -134,7 +134,7 @@ class NewLogsSpec : FunSpec({
         }
     }
 
-    test("the list has the worst finding of each log, which the pit view says in large letters") {
+    test("the list has the worst finding of each log, and the pit view shows it in large letters") {
         onFolder { viewer, arrives ->
             arrives()
             awaitBar(viewer)
@@ -143,13 +143,13 @@ class NewLogsSpec : FunSpec({
             viewer.panels.change { toggled(MainView.PIT) }
             waitForIdle()
             onNodeWithContentDescription("Pit view").assertExists()
-            // It goes on by itself, so that the bar is not needed.
+            // The pit view shows it by itself, so that the bar is not needed.
             onAllNodesWithContentDescription("New log").assertCountEquals(0)
             onAllNodesWithText("Browned out at 1:33").assertCountEquals(1)
             val last = viewer.library.state.entries.single { it.fileName == "qualification-57.bag.gz" }
             onNodeWithText(verdictText(last.found)).assertExists()
             onNodeWithText("Next: ", substring = true).assertExists()
-            // Somebody who looks at it has seen what has arrived.
+            // A person who looks at the pit view has seen the new logs.
             viewer.newLogs.state.latest shouldBe null
             onNodeWithText("Browned out at 1:33").performClick()
             waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }

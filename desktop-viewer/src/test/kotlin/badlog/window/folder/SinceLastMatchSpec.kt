@@ -31,7 +31,7 @@ import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
 class SinceLastMatchSpec : FunSpec({
-    test("a click on what is different shows it over the match before") {
+    test("a click on a difference shows it over the previous match") {
         val home = tempdir().toPath()
         val folder = tempdir().toPath().also { it.putSamples() }
         val viewer = Viewer(MainScope(), UserFolders(home, home))

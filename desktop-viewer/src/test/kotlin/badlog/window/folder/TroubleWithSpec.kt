@@ -10,7 +10,7 @@ import java.nio.file.Path
 class TroubleWithSpec : FunSpec({
     val folder = Path.of("/logs")
 
-    test("a folder that may not be read is not taken for a drive that is gone") {
+    test("missing permission for a folder is not reported as a missing drive") {
         troubleWith(folder, AccessDeniedException("/logs")) shouldContain "permission denied"
         troubleWith(folder, NoSuchFileException("/logs")) shouldContain "There is no folder /logs"
         troubleWith(folder, IOException("x")) shouldContain "is its drive connected?"

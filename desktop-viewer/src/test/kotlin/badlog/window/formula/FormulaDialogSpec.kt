@@ -47,7 +47,7 @@ class FormulaDialogSpec : FunSpec({
 
     val field = "Definition of the formula"
 
-    test("a formula is kept by Enter also when that comes right after the key that completed it") {
+    test("Enter saves a formula even right after the key that completed it") {
         val viewer = viewerOf(bag(12))
         over(viewer) {
             onNodeWithContentDescription("New formula… (F)").performClick()
@@ -63,7 +63,7 @@ class FormulaDialogSpec : FunSpec({
         }
     }
 
-    test("a formula is written with suggested names, drawn, calculated in what is compared, changed, and removed") {
+    test("a formula is written with suggested names, drawn, calculated in compared logs, changed, and removed") {
         val viewer = viewerOf(bag(12))
         val other = bag(6)
         viewer.compared.change { Comparison(checked = listOf(other.file), loaded = mapOf(other.file to other)) }
@@ -107,7 +107,7 @@ class FormulaDialogSpec : FunSpec({
         }
     }
 
-    test("one that others need keeps its name, and is not removed; both say which need it") {
+    test("a formula that others need keeps its name and is not removed; both refusals name the others") {
         val definitions = listOf("Power = System/Battery Voltage * 2", "Half = Power / 2")
         val viewer = viewerOf(bag(12).withFormulas(definitions))
         viewer.formulas.replaceAll(definitions)
@@ -123,7 +123,7 @@ class FormulaDialogSpec : FunSpec({
         }
     }
 
-    test("one that makes no topic here says why in its line; a click changes it") {
+    test("a formula that makes no topic in the log has the reason in its line; a click changes it") {
         val viewer = viewerOf(bag(12).withFormulas(listOf("A = Arm/Angle * 2")))
         viewer.formulas.replaceAll(listOf("A = Arm/Angle * 2"))
         viewer.settings.change { copy(theme = Theme.DARK) }
@@ -138,7 +138,7 @@ class FormulaDialogSpec : FunSpec({
         }
     }
 
-    test("the sheet fits a narrow window") {
+    test("the formula sheet fits a narrow window") {
         val viewer = viewerOf(bag(12))
         over(viewer, width = 420) {
             viewer.formulas.write(listOf("PDP/Total Current"))

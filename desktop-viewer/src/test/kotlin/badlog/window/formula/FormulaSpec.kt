@@ -37,7 +37,7 @@ class FormulaSpec : FunSpec({
         defaultBoard(open.logged) shouldBe defaultBoard(recording.view)
     }
 
-    test("a formula has statistics; over a log of nothing it is reported to be empty") {
+    test("a formula has statistics; over a log without samples, it is reported as empty") {
         val open = recording.withFormulas(listOf(power))
         statisticsRow(open, listOf("Power"), "").statistics.getValue("Power").mean shouldBe (17.0 plusOrMinus 1e-9)
         val nothing = recordingOf("").withFormulas(listOf("One = 1"))
@@ -45,7 +45,7 @@ class FormulaSpec : FunSpec({
         nothing.signals shouldBe emptyList()
     }
 
-    test("one that makes no sense in a recording costs the others nothing, and says why") {
+    test("a formula that fails in a recording gives a reason, and does not affect the others") {
         val definitions = listOf("A = Arm/Angle + 1", power, "Nothing", "B = Power / 2")
         val open = recording.withFormulas(definitions)
         open.formulas.map { it.definition } shouldContainExactly definitions
@@ -53,12 +53,12 @@ class FormulaSpec : FunSpec({
         reasonFor(open.formulas[0], open).shouldNotBeNull() shouldContain "Arm/Angle"
         reasonFor(open.formulas[1], open) shouldBe null
         open.signal("B").shouldNotBeNull().series.y.last() shouldBe 15.0
-        // A layout that draws it is whole all the same.
+        // A layout that draws the formula still lacks nothing.
         fitted(Board().withGraph(listOf("A", "Power")), open).missing shouldBe emptyList()
         fitted(Board().withGraph(listOf("C", "Power")), open).missing shouldBe listOf("C")
     }
 
-    test("the place of a mistake is underlined; where something is missing, what stands before it") {
+    test("the place of a mistake is underlined; if something is missing, the text before it") {
         val vocabulary = vocabularyFor(recording, null)
         fun underlined(text: String): String {
             val error = VirtualTopic.parse(text, vocabulary).shouldBeInstanceOf<ExpressionError>()
@@ -68,7 +68,7 @@ class FormulaSpec : FunSpec({
         underlined("P = 2 *") shouldBe "*"
     }
 
-    test("a formula may be changed without being in its own way") {
+    test("a formula may be changed without conflicting with itself") {
         val open = recording.withFormulas(listOf(power, "B = Power / 2"))
         VirtualTopic.parse(power, vocabularyFor(open, power)).shouldBeInstanceOf<VirtualTopic>()
         VirtualTopic.parse(power, vocabularyFor(open, null)).shouldBeInstanceOf<ExpressionError>()

@@ -30,7 +30,7 @@ class GraphDragSpec : FunSpec({
         test(viewer)
     }
 
-    /** Takes graph [dragged] by its title to the [share] of the height of graph [onto]. */
+    /** Drags graph [dragged] by its title to the [share] of the height of graph [onto]. */
     fun DesktopComposeUiTest.take(dragged: String, onto: String, share: Float) {
         val from = onNodeWithContentDescription("Graph $dragged").fetchSemanticsNode().boundsInRoot
         val to = onNodeWithContentDescription("Graph $onto").fetchSemanticsNode().boundsInRoot
@@ -47,7 +47,7 @@ class GraphDragSpec : FunSpec({
         waitForIdle()
     }
 
-    test("a graph that is dragged by its title goes above, below or into the one it is let go on, and comes back by undoing") {
+    test("a graph dragged by its title is moved above, below or into another one, and undo moves it back") {
         graphs { viewer ->
             take("C", "A", 0.1f)
             savePicture("graph-dragged-above")
@@ -65,7 +65,7 @@ class GraphDragSpec : FunSpec({
         }
     }
 
-    test("Escape, and letting go where it was, leave it there") {
+    test("Escape, and a drop at the old place, leave a dragged graph there") {
         graphs { viewer ->
             take("C", "A", 0.1f)
             viewer.keyboard.menus.closeLast() shouldBe true
@@ -77,7 +77,7 @@ class GraphDragSpec : FunSpec({
         }
     }
 
-    test("a drag over a plot zooms, and moves no graph") {
+    test("a drag over a plot zooms, and does not move the graph") {
         graphs { viewer ->
             onNodeWithContentDescription("Plot C").performMouseInput {
                 moveTo(Offset(width * 0.2f, centerY))

@@ -27,7 +27,7 @@ import kotlin.math.abs
 
 @OptIn(ExperimentalTestApi::class)
 class GraphPaneSpec : FunSpec({
-    test("a single sample among a hundred thousand is to be seen") {
+    test("a single sample among a hundred thousand is visible") {
         val viewer = viewerOf(recordingOf(bagOf(100_000) { if (it == 50_000) 100.0 else 1.0 }))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
@@ -44,14 +44,14 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("without a recording it says how to get one") {
+    test("without a recording, the pane says how to open one") {
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewerOf(null)) }
             onNodeWithText("Select a log at the left, or drop a file here.").assertExists()
         }
     }
 
-    test("while a log is being read it says that, and not that none is open") {
+    test("while a log is being read, the pane says so, and not that none is open") {
         runDesktopComposeUiTest(900, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { GraphPane(viewerOf(null).graphs, isOpening = true) } }
             onNodeWithText("Opening the log…").assertExists()
@@ -59,7 +59,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("a graph out of sight is scrolled to when it is wanted") {
+    test("a graph out of sight is scrolled to when it is requested") {
         val viewer = viewerOf(recordingOf(bagOf(100) { 0.0 }))
         viewer.settings.change { copy(fitsGraphs = false) }
         viewer.board.replace(Board(List(12) { BoardGraph(it + 1, "Graph $it", listOf("A/Voltage")) }))
@@ -82,14 +82,14 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("when all graphs were removed, the standard ones come back by a button") {
+    test("when all graphs were removed, a button restores the standard ones") {
         val viewer = viewerOf(recordingOf(bagOf(100) { 0.0 }))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
             val graph = onNodeWithContentDescription("Graph A/Voltage")
             graph.performMouseInput { moveTo(center) }
             waitForIdle()
-            // Over the plot the legend is read: only the menu is there, beside it.
+            // A person reads the legend over the plot: only the menu is there, beside it.
             onNodeWithContentDescription("More for this graph").assertExists()
             onNodeWithContentDescription("Remove this graph").assertDoesNotExist()
             graph.performMouseInput { moveTo(Offset(300f, 8f)) }
@@ -101,7 +101,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("a name of 500 letters, a row alone, and a graph of a formula that is not calculated yet break nothing") {
+    test("a name of 500 letters, a single row, and a graph of a formula not calculated yet do not fail") {
         val name = "Folder ".repeat(40) + "/" + "n".repeat(300)
         val text = """{"topics":[{"name":"$name","unit":"${"u".repeat(300)}","attrs":[]}],"values":[]}""" + "\n$name\n1\n"
         val viewer = viewerOf(recordingOf(text))
@@ -115,7 +115,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("a thousand topics of states make graphs of some lanes each") {
+    test("a thousand topics of states are drawn as graphs of some lanes each") {
         val names = (0 until 1000).joinToString(",") { """{"name":"S$it","unit":"ul","attrs":[]}""" }
         val row = (0 until 1000).joinToString(",") { "A" }
         val viewer = viewerOf(recordingOf("""{"topics":[$names],"values":[]}""" + "\n" + (0 until 1000).joinToString(",") { "S$it" } + "\n$row\n$row\n"))
@@ -127,7 +127,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("zooming to the time enabled is offered where a topic shows") {
+    test("zooming to the enabled time is offered if a topic shows it") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }
@@ -136,7 +136,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("graphs share the height when they fit, and are as tall as was set when they do not") {
+    test("graphs share the height if they fit, and otherwise have the set height") {
         fun heights(lanes: List<Int>, room: Int, own: Int? = null) = graphHeights(lanes.map { BoardGraph(0, "", emptyList(), height = own) }, lanes, room, usual = 150, fit = true)
         heights(listOf(0, 0, 0), room = 300) shouldBe listOf(100, 100, 100)
         heights(listOf(0, 0, 0), room = 170) shouldBe listOf(150, 150, 150)
@@ -148,7 +148,7 @@ class GraphPaneSpec : FunSpec({
         heights(emptyList(), room = 300) shouldBe emptyList()
     }
 
-    test("each key has a meaning of its own") {
+    test("each key has its own meaning") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
         val commands =
             actionCommands(viewer.view::press)

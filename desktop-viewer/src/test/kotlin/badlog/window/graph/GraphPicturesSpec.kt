@@ -13,10 +13,10 @@ import badlog.window.theme.Theme
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 
-/** Pictures for a person to look at, under `build/pictures`; the tests tell that the lines of the graphs are in them. */
+/** Pictures for a person to look at, under `build/pictures`; the tests check that they contain the lines of the graphs. */
 @OptIn(ExperimentalTestApi::class)
 class GraphPicturesSpec : FunSpec({
-    test("a match in light colors") {
+    test("a match is drawn in light colors") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.view.send(PlaceAction.MoveCursor(93.7))
         runDesktopComposeUiTest(1100, 860) {
@@ -26,7 +26,7 @@ class GraphPicturesSpec : FunSpec({
         }
     }
 
-    test("the middle of a match in dark colors, with a selection and two axes") {
+    test("the middle of a match is drawn in dark colors, with a selection and two axes") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         val names = listOf("System/Battery Voltage", "PDP/Total Current", "Drivetrain/Gear")
         viewer.board.replace(Board().withGraph(names).withGraph(names.take(1)).withGraph(listOf("Elevator/Position")))
@@ -42,7 +42,7 @@ class GraphPicturesSpec : FunSpec({
         }
     }
 
-    test("a narrow window") {
+    test("graphs are drawn in a narrow window") {
         val viewer = viewerOf(sample("practice.bag"))
         runDesktopComposeUiTest(380, 700) {
             setContent { TestGraphs(viewer) }
@@ -52,7 +52,7 @@ class GraphPicturesSpec : FunSpec({
     }
 })
 
-/** Expects much of the [palette]'s background, and enough of its first [lines] colors to be lines. */
+/** Expects a large area in the [palette]'s background color, and enough pixels of its first [lines] colors to be lines. */
 private fun ImageBitmap.shouldShow(palette: Palette, lines: Int) {
     val pixels = toPixelMap().buffer.map { Color(it) }.groupingBy { it }.eachCount()
     pixels.getOrDefault(palette.surface, 0) shouldBeGreaterThan width * height / 5

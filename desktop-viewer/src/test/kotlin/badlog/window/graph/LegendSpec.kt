@@ -29,7 +29,7 @@ class LegendSpec : FunSpec({
     val names = List(8) { "Drivetrain/Module $it/Azimuth encoder position of the absolute sensor" }
     val long = recordingOf(bagOf(listOf("Time|xaxis") + names, listOf(0, 1).map { row -> (listOf(row) + names.indices).joinToString(",") }))
 
-    test("of eight lines with long names those without room stand behind a number, which lists them with their values") {
+    test("of eight lines with long names, those without room are counted, and listed with their values") {
         val viewer = viewerOf(long).apply {
             board.replace(Board(listOf(BoardGraph(1, "Azimuths", names))))
             view.send(PlaceAction.MoveCursor(1.0))
@@ -54,7 +54,7 @@ class LegendSpec : FunSpec({
         graphActions(viewer.graphs, viewer.board.state.graphs.first()).last() shouldHaveSize 29
     }
 
-    test("the menu of a graph among many finds the one to add it to") {
+    test("the menu of a graph among many has a search for the graph to add it to") {
         val viewer = viewerOf(long).apply { board.replace(Board(List(30) { BoardGraph(it + 1, "Graph $it", listOf(names[it % 8])) })) }
         runDesktopComposeUiTest(900, 900) {
             setContent { TestGraphs(viewer) }

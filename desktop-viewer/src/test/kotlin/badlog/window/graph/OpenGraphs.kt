@@ -33,7 +33,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
-/** A viewer that shows [recording] with its default graphs. */
+/** Returns a viewer that shows [recording] with its default graphs. */
 internal fun viewerOf(recording: OpenRecording?): Viewer {
     val nowhere = Path.of("build", "nowhere")
     return Viewer(MainScope(), UserFolders(nowhere, nowhere)).apply {
@@ -44,10 +44,10 @@ internal fun viewerOf(recording: OpenRecording?): Viewer {
     }
 }
 
-/** The recording of a bag's [text]. */
+/** Returns the recording of a bag's [text]. */
 internal fun recordingOf(text: String): OpenRecording = recordingOf(Path.of("test.bag"), text.encodeToByteArray())
 
-/** The recording of a file of the samples. */
+/** Returns the recording of a file of the samples. */
 internal fun sample(name: String): OpenRecording = Path.of("..", "samples", name).let { recordingOf(it, Files.readAllBytes(it)) }
 
 private fun recordingOf(file: Path, bytes: ByteArray): OpenRecording {
@@ -56,7 +56,7 @@ private fun recordingOf(file: Path, bytes: ByteArray): OpenRecording {
     return OpenRecording(file.toAbsolutePath(), LogView.of(parser.finish()))
 }
 
-/** A bag of one topic over seconds: [value] at each of [count] samples, a tenth of a second apart. */
+/** Returns a bag of one topic over seconds: [value] at each of [count] samples, a tenth of a second apart. */
 internal fun bagOf(count: Int, unit: String = "V", value: (Int) -> Double): String = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"A/Voltage","unit":"$unit","attrs":[]}],"values":[]}""")
     append("\nTime,A/Voltage\n")
@@ -69,14 +69,14 @@ internal fun TestGraphs(viewer: Viewer, theme: Theme = Theme.LIGHT) {
     ViewerTheme(theme) { viewer.keyboard.Watch { GraphPane(viewer.graphs, Modifier.fillMaxSize()) } }
 }
 
-/** Waits until what is to be seen of [viewer] is drawn. */
+/** Waits until all visible graphs of [viewer] are drawn. */
 @OptIn(ExperimentalTestApi::class)
 internal fun DesktopComposeUiTest.waitForPictures(viewer: Viewer) {
     waitFor { viewer.graphs.plots.areReady(viewer.compared.drawn, viewer.view.viewport.visible) }
     waitForIdle()
 }
 
-/** Keeps what is seen under the build folder, to be looked at. */
+/** Saves the current picture under the build folder, for people to look at. */
 @OptIn(ExperimentalTestApi::class)
 internal fun DesktopComposeUiTest.savePicture(name: String): ImageBitmap {
     val picture = onRoot().captureToImage()
@@ -86,12 +86,12 @@ internal fun DesktopComposeUiTest.savePicture(name: String): ImageBitmap {
     return picture
 }
 
-/** Lets a person choose by [choice], on the window's thread, and returns when that is shown. */
+/** Calls [choice] on the window's thread, and returns when the chosen state is shown. */
 internal fun choosing(viewer: Viewer, choice: () -> Unit) = runBlocking(Dispatchers.Swing) {
     val following = launch { viewer.shown.run() }
     choice()
     eventually(60.seconds) {
-        // Without a window, nobody else does.
+        // Without a window, this has to be done here.
         Snapshot.sendApplyNotifications()
         (viewer.shown.isWaiting || viewer.tasks.all.isNotEmpty()) shouldBe false
     }

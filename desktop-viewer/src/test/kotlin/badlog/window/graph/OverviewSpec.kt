@@ -12,13 +12,13 @@ import io.kotest.matchers.shouldBe
 
 @OptIn(ExperimentalTestApi::class)
 class OverviewSpec : FunSpec({
-    test("a battery's voltage is preferred, or else the first numbers") {
+    test("the overview prefers the battery's voltage to the first numbers") {
         overviewSpec(sample("qualification-42.bag"))?.title shouldBe "System/Battery Voltage"
         overviewSpec(recordingOf(bagOf(3) { 1.0 }))?.title shouldBe "A/Voltage"
         overviewSpec(recordingOf("")) shouldBe null
     }
 
-    test("a drag over the overview of everything selects the visible range") {
+    test("a drag over the overview selects the visible range while everything is visible") {
         val viewer = viewerOf(recordingOf(bagOf(1001) { it * 1.0 }))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }

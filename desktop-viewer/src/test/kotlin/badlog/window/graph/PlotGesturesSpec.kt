@@ -30,7 +30,7 @@ import kotlin.math.sin
 class PlotGesturesSpec : FunSpec({
     val recording: OpenRecording by lazy { recordingOf(bagOf(1001) { 10 + sin(it / 50.0) }) }
 
-    /** A graph of 100 s, with what is done over its plot. */
+    /** Runs [test] over a graph of 100 s. */
     fun graph(test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(900, 600) {
         val viewer = viewerOf(recording)
         setContent { TestGraphs(viewer) }
@@ -40,7 +40,7 @@ class PlotGesturesSpec : FunSpec({
 
     fun DesktopComposeUiTest.plot() = onNodeWithContentDescription("Plot A/Voltage")
 
-    test("the wheel with Ctrl leaves the place under the pointer where it stands; without, and over the title, it is left to the list") {
+    test("the wheel with Ctrl zooms around the pointer; without Ctrl, and over the title, it scrolls the list") {
         graph { viewer ->
             onNodeWithContentDescription("Graph A/Voltage").performMouseInput {
                 moveTo(Offset(200f, 8f))
@@ -65,7 +65,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("the wheel sideways moves along, and so does Shift with the wheel") {
+    test("the wheel sideways, and Shift with the wheel, pan") {
         graph { viewer ->
             viewer.view.send(PlaceAction.Show(40.0, 60.0))
             waitForIdle()
@@ -78,7 +78,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("a drag shows what it has gone over, and a double click everything") {
+    test("a drag shows its range, and a double click everything") {
         graph { viewer ->
             plot().performMouseInput {
                 moveTo(Offset(width * 0.2f, centerY))
@@ -95,7 +95,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("a drag with Alt shows a part of y of its graph, until that is reset") {
+    test("a drag with Alt shows a part of its graph's y, until it is reset") {
         graph { viewer ->
             plot().performMultiModalInput {
                 key { keyDown(Key.AltLeft) }
@@ -117,7 +117,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("a drag with the other button selects, and the selection can be zoomed to and cleared") {
+    test("a drag with the other button selects a range, which can be zoomed to and cleared") {
         graph { viewer ->
             plot().performMouseInput {
                 moveTo(Offset(width * 0.5f, centerY))
@@ -137,7 +137,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("the middle button, Shift and the axis move the graphs along") {
+    test("the middle button, Shift, and the axis pan the graphs") {
         graph { viewer ->
             viewer.view.send(PlaceAction.Show(40.0, 60.0))
             waitForIdle()
@@ -175,7 +175,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("Escape gives up a drag, and then the selection") {
+    test("Escape cancels a drag, and then the selection") {
         graph { viewer ->
             viewer.view.send(PlaceAction.Select(Span(1.0, 2.0)))
             plot().performMouseInput {
@@ -193,7 +193,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("two fingers zoom into what is between them") {
+    test("two fingers zoom into the range between them") {
         graph { viewer ->
             plot().performTouchInput {
                 down(0, Offset(width * 0.4f, centerY))

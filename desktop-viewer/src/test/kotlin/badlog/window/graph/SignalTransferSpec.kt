@@ -7,7 +7,7 @@ import java.awt.datatransfer.StringSelection
 import java.awt.datatransfer.Transferable
 
 class SignalTransferSpec : FunSpec({
-    test("signals are dragged as their names, one on a line, and files are none") {
+    test("signals are dragged as their names, one per line, and files are not signals") {
         signalNames(signalTransfer(listOf("A/B", "C, D"))) shouldBe listOf("A/B", "C, D")
         signalNames(StringSelection("")) shouldBe emptyList()
         val files = object : Transferable {

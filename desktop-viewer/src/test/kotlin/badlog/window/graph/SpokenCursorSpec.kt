@@ -44,7 +44,7 @@ class SpokenCursorSpec : FunSpec({
                 viewer.view.press(KeyAction.NEXT_SAMPLE)
             }
             onNode(region).assertTextEquals("5.000 V, Voltage 7 V, Current 10 V")
-            // A screen reader ignores what takes no room.
+            // A screen reader ignores elements without a size.
             onNode(region).fetchSemanticsNode().size.width shouldBeGreaterThan 0
 
             onNodeWithContentDescription("Plot Battery").performMouseInput { moveTo(centerLeft) }
@@ -53,7 +53,7 @@ class SpokenCursorSpec : FunSpec({
         }
     }
 
-    test("of two cursors, the one that keys move is said, without the values of hidden lines") {
+    test("the text for screen readers is about the cursor that keys move, without the values of hidden lines") {
         val viewer = viewer()
         viewer.board.change { withLineHidden(1, "Voltage", true) }
         viewer.view.send(PlaceAction.MoveCursor(4.0))
@@ -62,7 +62,7 @@ class SpokenCursorSpec : FunSpec({
         viewer.spoken.state shouldBe "5.000 V, Current 10 V"
     }
 
-    test("a finding is said where it is") {
+    test("the text for screen readers has a finding with its place") {
         val viewer = viewer()
         viewer.view.send(PlaceAction.GoTo(3.0))
         viewer.spoken.sayFinding("Browned out")

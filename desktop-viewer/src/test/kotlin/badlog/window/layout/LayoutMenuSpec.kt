@@ -39,7 +39,7 @@ class LayoutMenuSpec : FunSpec({
         onNodeWithContentDescription(entry).performClick()
     }
 
-    test("without a log there is nothing to arrange") {
+    test("without a log, the entries for layouts are disabled") {
         runDesktopComposeUiTest(1200, 800) {
             setContent { ViewerScreen(Viewer(MainScope(), UserFolders(home, home))) }
             onNodeWithText("Layout").performClick()
@@ -48,7 +48,7 @@ class LayoutMenuSpec : FunSpec({
         }
     }
 
-    test("a layout that is dropped before there is a log is not read as one; a log that is dropped with it is") {
+    test("a dropped layout is ignored without a log, and a log dropped with it is opened") {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         val layout = home.resolve("dropped${Layout.ENDING}")
         viewer.openDropped(listOf(layout))
@@ -58,7 +58,7 @@ class LayoutMenuSpec : FunSpec({
         viewer.library.state.folder shouldBe home
     }
 
-    test("a layout is saved and opened, the start board comes back, and a file that is not a layout is reported") {
+    test("a layout is saved and opened, the start board is restored, and a file that is not a layout is reported") {
         val file = home.resolve("mine${Layout.ENDING}")
         val files = ChosenFiles(file)
         runDesktopComposeUiTest(1200, 800) {
@@ -81,7 +81,7 @@ class LayoutMenuSpec : FunSpec({
         }
     }
 
-    test("layouts that are saved beside the logs are in the menu, and keys go through them where the person is in the log") {
+    test("layouts saved beside the logs are in the menu, and keys go through them without leaving the place in the log") {
         val folder = tempdir().toPath()
         val own = Files.writeString(folder.resolve("match.bag"), armBag(500))
         val files = ChosenFiles(folder.resolve("Power${Layout.ENDING}"))

@@ -38,7 +38,7 @@ class LayoutSpec : FunSpec({
         board.replace(graphs ?: defaultBoard(arm.view))
     }
 
-    test("a window saved and opened again is the same window") {
+    test("a window that is saved and opened again is the same") {
         val other = Files.writeString(folder.resolve("other.bag"), "")
         val arranged = viewerOver(Board(listOf(chosen)))
         arranged.view.send(PlaceAction.Show(1.0, 2.0))
@@ -59,7 +59,7 @@ class LayoutSpec : FunSpec({
         fresh.layouts.layout shouldBe arranged.layouts.layout
     }
 
-    test("a layout file of version 1 opens, and is written as it was") {
+    test("a layout file of version 1 can be opened, and is written in the same form") {
         val file = home.resolve("today.json")
         Files.writeString(file, LAYOUT_1)
         val viewer = viewerOver()
@@ -75,14 +75,14 @@ class LayoutSpec : FunSpec({
         Files.readString(file) shouldBe LAYOUT_1
     }
 
-    test("files below the folder are named from there, so that a layout moves with its folder") {
+    test("files below the folder are named relative to it, so that a layout moves with its folder") {
         pathText(folder.resolve("day 1/a.bag"), folder) shouldBe "day 1/a.bag"
         pathOf("day 1/a.bag", folder) shouldBe folder.resolve("day 1").resolve("a.bag")
         val outside = home.resolve("elsewhere.bag")
         pathOf(pathText(outside, folder), folder) shouldBe outside
     }
 
-    test("lines of which the recording has no signal are left out, and graphs without any line, and both are said") {
+    test("lines without a signal in the recording, and graphs without lines, are left out and reported") {
         val viewer = viewerOver()
         val graphs = listOf(
             BoardGraph(1, "Both", listOf("Arm/Angle", "Wrist/Angle")),
@@ -96,21 +96,21 @@ class LayoutSpec : FunSpec({
         said.text shouldContain "“Wrist/Angle”, “Claw”"
     }
 
-    test("the default graphs are kept as such, and bring back what the attributes ask for") {
+    test("the default graphs are stored as defaults, and follow the attributes when restored") {
         viewerOver().layouts.layout.graphs shouldBe null
         val viewer = viewerOver(Board(listOf(chosen)))
         viewer.layouts.showStartBoard()
         viewer.board.state shouldBe defaultBoard(arm.view)
     }
 
-    test("ranges that are none, or lie outside the recording, show all of it") {
+    test("invalid ranges, and ranges outside the recording, show all of it") {
         val viewer = viewerOver()
         viewer.layouts.apply(Layout(Layout.VERSION, visible = LayoutSpan(900.0, 901.0), selection = LayoutSpan(2.0, 1.0)))
         viewer.view.viewport.visible shouldBe arm.span
         viewer.view.selection shouldBe null
     }
 
-    test("unknown keys and unknown panels of a newer program are passed over") {
+    test("unknown keys and unknown panels of a newer program are ignored") {
         val file = Files.writeString(
             home.resolve("newer.json"),
             """{"badlog-layout":1,"color":"red","graphs":[{"title":"A","lines":["Arm/Angle"],"log":true}],"panels":{"main":"MAP"}}""",
@@ -121,7 +121,7 @@ class LayoutSpec : FunSpec({
         viewer.panels.state.main shouldBe MainView.GRAPHS
     }
 
-    test("a damaged, a foreign, a newer and a missing file are each reported in a sentence that names it") {
+    test("a damaged, a foreign, a newer and a missing file are each reported in a sentence that names the file") {
         val contents = mapOf(
             "cut.json" to """{"badlog-layout":1,"graphs":[{"ti""",
             "foreign.json" to """{"name":"package","version":"1.0.0"}""",
@@ -139,7 +139,7 @@ class LayoutSpec : FunSpec({
     }
 })
 
-/** As badlog wrote it before boards had a form of their own. */
+/** The form in which badlog wrote layouts before boards had a form of their own. */
 private val LAYOUT_1 = """
 {
     "badlog-layout": 1,

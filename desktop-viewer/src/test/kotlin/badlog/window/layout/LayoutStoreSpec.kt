@@ -31,7 +31,7 @@ import java.nio.file.Path
 
 @OptIn(ExperimentalTestApi::class)
 class LayoutStoreSpec : FunSpec({
-    /** What a new start of the program shows over [folder] once [recording] is opened. */
+    /** Starts the program again over [folder], and runs [then] once [recording] is opened. */
     fun started(home: Path, folder: Path, recording: OpenRecording, then: ComposeUiTest.(Viewer) -> Unit) {
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(100, 100) {
@@ -56,7 +56,7 @@ class LayoutStoreSpec : FunSpec({
 
     fun hasArranged(home: Path, folder: Path) = FolderLayouts(home.resolve("layouts")).read(folder)
 
-    test("a folder that is opened again is arranged as it was left, whichever of its recordings is opened") {
+    test("a reopened folder is arranged as it was left, whichever of its recordings is opened") {
         val home = tempdir().toPath()
         val folder = Files.createDirectories(home.resolve("logs"))
         val one = recordingOf(armBag(500), folder.resolve("one.bag"))
@@ -76,7 +76,7 @@ class LayoutStoreSpec : FunSpec({
         started(home, home.resolve("elsewhere"), one) { it.board.state shouldBe defaultBoard(one.view) }
     }
 
-    test("what was arranged a moment before another log is shown is on the disk, and a new formula stays") {
+    test("the arrangement just before another log is shown is stored, and a new formula stays") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(500), home.resolve("one.bag"))
         val other = recordingOf(armBag(500), home.resolve("other.bag"))
@@ -92,14 +92,14 @@ class LayoutStoreSpec : FunSpec({
         hasArranged(home, home)?.formulas shouldBe listOf("Twice = 2 * Arm/Current")
     }
 
-    test("the recording that was open is shown where it was left") {
+    test("the last open recording is shown at its last place") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(500), home.resolve("one.bag"))
         started(home, home, one) { it.view.send(PlaceAction.Show(2.0, 3.0)) }
         started(home, home, one) { it.view.viewport.visible shouldBe Span(2.0, 3.0) }
     }
 
-    test("a recording that lacks signals does not make the others forget them") {
+    test("a recording that lacks signals does not make the others lose their graphs") {
         val home = tempdir().toPath()
         val whole = recordingOf(armBag(500), home.resolve("one.bag"))
         val poor = recordingOf(armBag(500).replace("Arm/Current", "Other"), home.resolve("poor.bag"))
@@ -112,7 +112,7 @@ class LayoutStoreSpec : FunSpec({
         started(home, home, whole) { it.board.state.graphs.single().lines shouldHaveSize 2 }
     }
 
-    test("formulas belong to the folder, and those of a layout join them") {
+    test("formulas belong to the folder, and formulas of a layout are added to them") {
         val home = tempdir().toPath()
         val folder = Files.createDirectories(home.resolve("logs"))
         val one = recordingOf(armBag(500), folder.resolve("one.bag"))
@@ -131,7 +131,7 @@ class LayoutStoreSpec : FunSpec({
         started(home, home.resolve("elsewhere"), one) { it.formulas.definitions shouldBe emptyList() }
     }
 
-    test("a graph of a formula is shown also if the log was read before the formulas of its folder were known") {
+    test("a graph of a formula is shown even if the log was read before the formulas of its folder were known") {
         val home = tempdir().toPath()
         val folder = Files.createDirectories(home.resolve("logs"))
         val log = Files.writeString(folder.resolve("one.bag"), armBag(500))
@@ -182,7 +182,7 @@ class LayoutStoreSpec : FunSpec({
         hasArranged(home, home)?.panels?.topics shouldBe false
     }
 
-    test("a layout for a type of matches brings its formulas, once, where nobody arranged the graphs") {
+    test("a layout for a type of match adds its formulas once, unless the graphs are arranged") {
         val home = tempdir().toPath()
         val folder = Files.createDirectories(home.resolve("logs"))
         val log = Files.writeString(folder.resolve("one.bag"), armBag(50).replace("Match Number", "Match Type").replace("\"8\"", "\"Practice\""))
@@ -214,7 +214,7 @@ class LayoutStoreSpec : FunSpec({
         }
     }
 
-    test("the log that was open over a folder is known at the next start") {
+    test("the last open log of a folder is known at the next start") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         started(home, home, one) { it.view.send(PlaceAction.Show(2.0, 3.0)) }
@@ -224,7 +224,7 @@ class LayoutStoreSpec : FunSpec({
         last()?.file shouldBe one.file
     }
 
-    test("a damaged memory is as none") {
+    test("a damaged stored layout is ignored") {
         val home = tempdir().toPath()
         val one = recordingOf(armBag(50), home.resolve("one.bag"))
         started(home, home, one) { it.board.replace(Board().withGraph(listOf("Arm/Angle"))) }

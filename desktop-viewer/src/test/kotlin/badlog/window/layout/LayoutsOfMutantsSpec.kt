@@ -17,7 +17,7 @@ private val WHOLE = """
 """.trimIndent()
 
 class LayoutsOfMutantsSpec : FunSpec({
-    test("a damaged layout file is a layout, or a sentence") {
+    test("a damaged layout file is read as a layout, or reported in a sentence") {
         val file = tempdir().toPath().resolve("a.badlog-layout.json")
         val random = Random(15)
         repeat(MUTANTS) {
@@ -25,7 +25,7 @@ class LayoutsOfMutantsSpec : FunSpec({
             try {
                 readLayout(file)
             } catch (_: IOException) {
-                // It says what is wrong.
+                // The message names the mistake.
             }
         }
     }

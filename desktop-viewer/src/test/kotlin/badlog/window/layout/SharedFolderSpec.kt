@@ -36,7 +36,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.time.Duration.Companion.seconds
 
-/** What several windows do with the layout of one folder. */
+/** Several windows that use the layout of one folder. */
 @Tags("InCheck")
 class SharedFolderSpec : FunSpec({
     val home = tempdir().toPath()
@@ -45,7 +45,7 @@ class SharedFolderSpec : FunSpec({
 
     fun arm(folder: Path, name: String = "one.bag", change: (String) -> String = { it }): OpenRecording = recordingOf(change(armBag(50)), folder.resolve(name))
 
-    /** Opens a window on [folder], in which [recording] is shown at last, and [before] is done before the folder is known. */
+    /** Opens a window on [folder], which finally shows [recording]; [before] runs before the folder is known. */
     fun window(folder: Path, recording: OpenRecording = arm(folder), before: Viewer.() -> Unit = {}): Viewer = runBlocking(Dispatchers.Swing) {
         val viewer = Viewer(MainScope(), UserFolders(home, home)).apply(before)
         withContext(Dispatchers.IO) { layouts.update(folder) { (it ?: Layout(Layout.VERSION)).copy(panels = LayoutPanels(topics = false)) } }
@@ -59,7 +59,7 @@ class SharedFolderSpec : FunSpec({
 
     fun stored(folder: Path): List<String> = layouts.read(folder)?.graphs?.graphs.orEmpty().map { it.title }
 
-    /** Saves, whether or not something has changed, so that the window takes over what others have changed. */
+    /** Saves, even without a change, so that the window takes over the changes of others. */
     fun Viewer.exchange() {
         panels.change { copy(topics = !topics) }
         this.layouts.saveNow()
@@ -69,7 +69,7 @@ class SharedFolderSpec : FunSpec({
 
     fun Viewer.id(title: String) = board.arranged.graphs.single { it.title == title }.id
 
-    test("a window keeps what another one did with another graph, whichever of them is saved first") {
+    test("a window keeps another window's change to another graph, whichever of them is saved first") {
         for (isFirst in listOf(true, false)) {
             val folder = folders.next()
             layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current", "Arm/Mode")) }
@@ -84,7 +84,7 @@ class SharedFolderSpec : FunSpec({
         }
     }
 
-    test("windows that begin with the same graphs, for different logs, have them once") {
+    test("windows that begin with the same graphs, for different logs, store them once") {
         val folder = folders.next()
         val a = window(folder)
         val b = window(folder, arm(folder, "other.bag") { it.replace("Arm/Mode", "Wrist/Mode") })
@@ -101,7 +101,7 @@ class SharedFolderSpec : FunSpec({
         a.board.arranged.graphs.map { it.lines } shouldBe lines
     }
 
-    test("a formula that one window removes takes its graphs along everywhere: from other windows, their undo, and logs that lack it") {
+    test("a formula that one window removes takes its graphs along in other windows, in their undo, and in logs that lack it") {
         val folder = folders.next()
         val twice = "Twice = 2 * Arm/Angle"
         layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Twice", "Arm/Current"), formulas = listOf(twice)) }
@@ -124,7 +124,7 @@ class SharedFolderSpec : FunSpec({
         }
     }
 
-    test("undoing in one window takes back nothing that another did, whatever is changed before it is written") {
+    test("undo in one window takes back no change of another one, whatever is changed before it is written") {
         val folder = folders.next()
         layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle", "Arm/Current")) }
         val (a, b) = List(2) { window(folder) }
@@ -143,7 +143,7 @@ class SharedFolderSpec : FunSpec({
             listOf("Arm/Angle" to 200, "Arm/Current" to null, "Arm/Mode" to null)
     }
 
-    test("what a person has arranged before the folder is known is a change of the graphs that the log began with") {
+    test("graphs arranged before the folder is known count as a change of the log's initial graphs") {
         val folder = folders.next()
         layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Angle")) }
         val viewer = window(folder) {
@@ -155,7 +155,7 @@ class SharedFolderSpec : FunSpec({
         viewer.board.arranged shouldBe layouts.read(folder)?.graphs
     }
 
-    test("a layout that both windows switch to is there once") {
+    test("the graphs of a layout that both windows switch to are stored once") {
         val folder = folders.next()
         layouts.update(folder) { Layout(Layout.VERSION, arranged("Arm/Mode")) }
         val (a, b) = List(2) { window(folder) }
@@ -174,7 +174,7 @@ class SharedFolderSpec : FunSpec({
         layouts.read(folder)?.graphs shouldBe null
     }
 
-    test("graphs that are arranged for a folder survive what is changed while a young log has none or few of their lines") {
+    test("graphs arranged for a folder survive changes while a young log has none or few of their lines") {
         for (before in listOf(arranged("Arm/Angle", "Arm/Mode"), arranged("Arm/Angle", "Arm/Current", "Arm/Mode"))) {
             val folder = folders.next()
             layouts.update(folder) { Layout(Layout.VERSION, before) }
@@ -204,7 +204,7 @@ class SharedFolderSpec : FunSpec({
         stored(folder) shouldBe listOf("Arm/Angle", "Arm/Current")
     }
 
-    test("two windows that save at the same moment lose nothing of each other") {
+    test("two windows that save at the same moment keep each other's changes") {
         val folder = folders.next()
         val windows = List(2) { window(folder) }
         val moment = CyclicBarrier(windows.size)
@@ -224,7 +224,7 @@ class SharedFolderSpec : FunSpec({
 
     class Deed(val window: Int, val kind: Int, val graph: Int, val value: Int)
 
-    test("whatever three windows do and undo, in logs of different topics, they end with the same graphs and formulas, and nothing draws a removed one") {
+    test("after any changes and undos, three windows have the same graphs and formulas, and draw no removed formula") {
         val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..11).bind(), Arb.int(0..5).bind(), Arb.int(0..9).bind()) }, 0..40)
         checkAll(60, deeds) { all ->
             val folder = folders.next()

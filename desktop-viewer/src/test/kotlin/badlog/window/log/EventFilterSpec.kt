@@ -10,7 +10,7 @@ class EventFilterSpec : FunSpec({
         bagOf(listOf("Time|xaxis", "Arm/Log|log", "Drive/Log|log"), listOf("2,homed,", "1,,stopped", "3,jammed,Started", ",lost,", "5,,")),
     )
 
-    test("a filter that another log's topics were selected for lets everything through") {
+    test("a filter for topics of another log accepts all events") {
         fun count(filter: EventFilter) = filter.over(open.events, open.eventLogs).size
         count(EventFilter(topics = setOf("Drive/Log"))) shouldBe 2
         count(EventFilter(topics = setOf("Of another robot"))) shouldBe 5

@@ -29,7 +29,7 @@ class GraphBoardSpec : FunSpec({
 
     fun Viewer.choose(label: String, id: Int) = graphActions(graphs, board.state.graphs.single { it.id == id }).flatten().single { it.label == label }.run()
 
-    test("a graph that is added out of sight is gone to, and so is one that gets a line there") {
+    test("a graph out of sight is scrolled to when it is added, or gets a line") {
         val board = abc()
         board.inSight = setOf(1, 2)
         board.change { withGraph(listOf("D")) }
@@ -42,7 +42,7 @@ class GraphBoardSpec : FunSpec({
         board.wanted shouldBe null
     }
 
-    test("keys are for the graph that was pointed at last, else for the first in sight") {
+    test("keys act on the graph that was pointed at last, or otherwise on the first in sight") {
         val board = abc()
         board.current?.id shouldBe 1
         board.inSight = setOf(2, 3)
@@ -53,7 +53,7 @@ class GraphBoardSpec : FunSpec({
         board.current?.id shouldBe 2
     }
 
-    test("only one graph, none, or its height: by the menu, and taken back by a key; another log begins anew") {
+    test("the menu leaves one graph, none, or changes its height, and undo takes that back; another log has no undo") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         val before = viewer.board.state
         viewer.choose("Only this graph", before.graphs[1].id)
@@ -76,12 +76,12 @@ class GraphBoardSpec : FunSpec({
         viewer.board.canUndo shouldBe false
     }
 
-    test("a key that is pressed again goes on with the graph that it moved, until the pointer moves") {
+    test("a repeated key acts on the graph that it moved, until the pointer moves") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         val before = viewer.board.state.graphs.map { it.id }
         viewer.board.pointed = before[2]
         viewer.perform(KeyAction.MOVE_UP)
-        // What is below the pointer now.
+        // The graph below the pointer now.
         viewer.board.pointed = before[1]
         viewer.perform(KeyAction.MOVE_UP)
         viewer.board.state.graphs.first().id shouldBe before[2]
@@ -90,7 +90,7 @@ class GraphBoardSpec : FunSpec({
         viewer.board.state.graphs.take(2).map { it.id } shouldBe listOf(before[1], before[2])
     }
 
-    test("the default graphs come with a way back to a person's own") {
+    test("the default graphs come with a way back to a person's own graphs") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.board.replace(Board().withGraph(listOf("System/Battery Voltage")))
         val own = viewer.board.state
@@ -100,7 +100,7 @@ class GraphBoardSpec : FunSpec({
         viewer.board.state shouldBe own
     }
 
-    test("the graphs of a finding before, which undo and redo bring back, are not a person's own until they are kept") {
+    test("graphs of an earlier finding, restored by undo and redo, are not a person's own until they are kept") {
         val board = abc()
         val own = board.state
         board.showEvidence(Board().withGraph(listOf("X")))
@@ -119,7 +119,7 @@ class GraphBoardSpec : FunSpec({
         board.kept shouldBe board.state
     }
 
-    test("a graph of a finding that is pinned stays when the next finding comes") {
+    test("a pinned graph of a finding stays when the next finding is shown") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.findings.change { knowing(findingsIn(checkNotNull(viewer.current.recording))) }
         viewer.findings.goTo(checkNotNull(viewer.findings.state.list).all.first { it.rule == "Browned out" })
@@ -133,7 +133,7 @@ class GraphBoardSpec : FunSpec({
         viewer.board.state.graphs shouldNotContain graph
     }
 
-    test("what findings point at joins the graphs that a log begins with, as no change of a person's, and makes room for another finding") {
+    test("the graphs of a finding join the initial graphs, do not count as a person's change, and make room for another finding") {
         val board = abc()
         board.beginWith(board.state.withGraphs(listOf(BoardGraph(0, "Found", listOf("D"))), before = 2))
         lines(board) shouldBe listOf("A", "D", "B", "C").map(::listOf)
@@ -143,7 +143,7 @@ class GraphBoardSpec : FunSpec({
         lines(board) shouldBe listOf("E", "A", "B", "C").map(::listOf)
     }
 
-    test("what findings point at comes too late for graphs that a person has arranged") {
+    test("the graphs of a finding are not added if a person has arranged graphs before") {
         val board = abc()
         board.change { without(2) }
         board.beginWith(board.state.withGraph(listOf("D")))

@@ -16,7 +16,7 @@ class LiveViewSpec : FunSpec({
         live.begin()
     }
 
-    test("whoever follows a log sees its newest moment, as wide as they look at it, and goes back to where they were") {
+    test("following a log shows its newest moment at the visible width, and ends at the previous place") {
         val viewer = growing()
         for (seconds in 11..20) viewer.shown.show(log(seconds))
         viewer.live.isStaying shouldBe true
@@ -25,7 +25,7 @@ class LiveViewSpec : FunSpec({
         viewer.live.newest shouldBe 20.0
     }
 
-    test("whoever stops following stays where they are, though the log grows and their range ended at its end") {
+    test("after following a log, its growth does not move the visible range, even if that ended at its end") {
         val viewer = growing()
         viewer.live.pause()
         for (seconds in 11..20) viewer.shown.show(log(seconds))

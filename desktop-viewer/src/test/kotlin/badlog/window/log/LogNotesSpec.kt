@@ -42,7 +42,7 @@ class LogNotesSpec : FunSpec({
         panels.change { copy(inspector = InspectorTab.NOTES) }
     }
 
-    test("a note is written at the cursor, changed and removed, and is in the file beside the log each time") {
+    test("a note is written at the cursor, changed and removed, and stored beside the log each time") {
         runDesktopComposeUiTest(360, 600) {
             val scope = CoroutineScope(Dispatchers.Unconfined + Job())
             val viewer = viewer(scope)
@@ -66,7 +66,7 @@ class LogNotesSpec : FunSpec({
             onNodeWithText("Remove").performClick()
             waitFor { viewer.notes.all.isEmpty() }
             waitFor { NotesFile.read(log).notes.isEmpty() }
-            // Nothing is ever taken out of the file.
+            // Lines are never removed from the file.
             Files.readAllLines(NotesFile.of(log)).size shouldBe 4
             runOnIdle { viewer.notices.all.last().action?.run?.invoke() }
             waitFor { viewer.notes.all.size == 1 }
@@ -76,10 +76,10 @@ class LogNotesSpec : FunSpec({
         }
     }
 
-    test("a note that is written before those of the log are read replaces none of them") {
+    test("a note written before the notes of the log are read replaces none of them") {
         val earlier = listOf(Note(7.0, "from yesterday"))
         NotesFile.update(log, earlier, read = emptyList())
-        // Nothing reads them here.
+        // Notes are not read here.
         val viewer = viewer(CoroutineScope(Dispatchers.Unconfined))
         viewer.notes.write(1.0)
         viewer.notes.type("too early")
@@ -90,7 +90,7 @@ class LogNotesSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("damaged notes are reported, nothing replaces them, and others are written beside them") {
+    test("damaged notes are reported and not replaced, and new ones are written beside them") {
         Files.writeString(NotesFile.beginningOf(log), "damaged")
         runDesktopComposeUiTest(360, 600) {
             val scope = CoroutineScope(Dispatchers.Unconfined + Job())
@@ -113,7 +113,7 @@ class LogNotesSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("what cannot be written is said, and its text is still there") {
+    test("a note that cannot be written is reported, and its text stays") {
         val folder = Files.createDirectory(home.resolve("gone"))
         val scope = CoroutineScope(Dispatchers.Unconfined + Job())
         val viewer = viewer(scope)

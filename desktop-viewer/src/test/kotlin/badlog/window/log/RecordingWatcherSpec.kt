@@ -35,7 +35,7 @@ class RecordingWatcherSpec : FunSpec({
         "while it is read" to NotReadException(ReadResult.NotRead.of(shown.file, OutOfMemoryError())),
         "while it is prepared for the screen" to OutOfMemoryError(),
     ).forEach { (moment, failure) ->
-        test("a log that outgrows the memory $moment stays as it was, which is reported once, and is not read again") {
+        test("a log that outgrows the memory $moment stays as it was, is reported once, and is not read again") {
             val viewer = viewerOf(shown)
             var hasEnded = false
             val watcher =
@@ -49,7 +49,7 @@ class RecordingWatcherSpec : FunSpec({
         }
     }
 
-    test("a log that is gone when it is to be read again stays, and that is said once") {
+    test("a log that is missing when it is read again stays open, and is reported once") {
         val viewer = viewerOf(shown)
         val gone = { _: OpenRecording, _: Boolean ->
             file.delete()
@@ -61,7 +61,7 @@ class RecordingWatcherSpec : FunSpec({
         viewer.current.recording shouldBe shown
     }
 
-    test("formulas are calculated anew when a log has grown") {
+    test("formulas are recalculated when a log has grown") {
         val home = tempdir().toPath()
         val file = home.resolve("growing.bag")
         fun bag(rows: Int) = bagOf(listOf("Time|xaxis", "A/Voltage"), List(rows) { "$it,$it" })
@@ -78,7 +78,7 @@ class RecordingWatcherSpec : FunSpec({
         }
     }
 
-    test("a WPILOG that grows is followed, and the half of its last record is not a problem while it does") {
+    test("a growing WPILOG is followed, and half of a last record is not a problem meanwhile") {
         val home = tempdir().toPath()
         val whole = wpilogOf(listOf(loggedTopic("Gain", *List(100) { it * 1.0 to it * 2.0 }.toTypedArray())))
         val file = home.resolve("growing.wpilog")
@@ -90,7 +90,7 @@ class RecordingWatcherSpec : FunSpec({
             withContext(Dispatchers.Main) { viewer.loader.open(file) }
             eventually(60.seconds) { size() }
             val before = size()
-            // What is cut is cut inside a record.
+            // A file that is cut off ends inside a record.
             Files.write(file, whole.copyOf(whole.size - 3))
             eventually(60.seconds) {
                 size() shouldBe 99

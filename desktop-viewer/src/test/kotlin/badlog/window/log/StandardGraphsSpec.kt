@@ -15,7 +15,7 @@ class StandardGraphsSpec : FunSpec({
         return recordingOf((listOf("""{"topics":[$described],"values":[]}""", all.joinToString(",")) + rows).joinToString("\n", postfix = "\n"))
     }
 
-    test("a log of hundreds of topics begins with what its signals are, few enough to look through; the topics stay in the list") {
+    test("a log of hundreds of topics begins with a few graphs of its signals; the topics stay in the list") {
         val names = List(300) { "Dashboard $it/Value" } +
             listOf("/SystemStats/BatteryVoltage", "/PowerDistribution/TotalCurrent", "/DriverStation/Enabled", "/RealOutputs/LoggedRobot/FullCycleMS")
         val open = logOf(names) { name, row -> if (name == "/DriverStation/Enabled") "${row > 2}" else "${row + name.length}" }
@@ -31,7 +31,7 @@ class StandardGraphsSpec : FunSpec({
         open.signals.size shouldBe names.size
     }
 
-    test("a log that a person can look through begins with what explains most of a match, then all else that its attributes ask for") {
+    test("a small log begins with the graphs that explain most of a match, then all others that its attributes define") {
         val match = sample("qualification-42.bag")
         val graphs = match.standardGraphs.graphs
         graphs.first().title shouldBe "Battery and current"

@@ -34,7 +34,7 @@ import kotlinx.coroutines.MainScope
 
 @OptIn(ExperimentalTestApi::class)
 class KeyboardSpec : FunSpec({
-    test("keys do what their commands say, but letters go to the field that is typed into") {
+    test("keys run their commands, but letters go to the field in use") {
         val done = ArrayList<String>()
         val commands = listOf(
             Command("", "", listOf(KeyPress(Key.T, "T"))) { done += "T" },
@@ -75,7 +75,7 @@ class KeyboardSpec : FunSpec({
         }
     }
 
-    test("Space does what its command says after a button was clicked, Enter presses the button, and a field takes both") {
+    test("Space runs its command after a click on a button, Enter presses the button, and a field takes both") {
         val done = ArrayList<String>()
         val commands = listOf(Command("", "", listOf(KeyPress(Key.Spacebar, "Space"))) { done += "Space" })
         val keyboard = Keyboard()
@@ -106,7 +106,7 @@ class KeyboardSpec : FunSpec({
         }
     }
 
-    test("the sheet lists every command and gesture, and closes") {
+    test("the help sheet lists every command and gesture, and closes") {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         runDesktopComposeUiTest(1200, 800) {

@@ -46,13 +46,13 @@ import java.awt.event.KeyEvent
 class OpenMenusSpec : FunSpec({
     val keyboard = Keyboard()
 
-    /** A window of [content] that hears keys as the real one does. */
+    /** Shows [content] in a window that receives keys like the real one. */
     @Composable
     fun TestWindow(content: @Composable () -> Unit) = ViewerTheme(Theme.LIGHT) {
         Box(Modifier.fillMaxSize().onPreviewKeyEvent { keyboard.dispatchFirst(it, emptyList()) }) { keyboard.Watch(content) }
     }
 
-    test("Escape closes the menu that is open, and nothing else while one is; the keyboard is its button’s again") {
+    test("Escape closes only the open menu, and its button gets the keyboard focus again") {
         runDesktopComposeUiTest(400, 300) {
             setContent { TestWindow { Box { Menu("Export", "Export menu", Icons.Graph) { listOf(MenuEntry("Save page") {}) } } } }
             keyboard.menus.closeLast() shouldBe false
@@ -66,7 +66,7 @@ class OpenMenusSpec : FunSpec({
         }
     }
 
-    test("a click beside a menu closes it and does what it is for, on another menu’s button as well; one on its own button closes it") {
+    test("a click beside a menu closes it and has its own effect, also on another menu’s button; a click on its own button closes it") {
         val done = ArrayList<String>()
         runDesktopComposeUiTest(900, 300) {
             setContent {
@@ -96,7 +96,7 @@ class OpenMenusSpec : FunSpec({
         }
     }
 
-    test("the arrow keys go through a menu, and Enter does what its line says") {
+    test("the arrow keys go through a menu, and Enter runs its line") {
         val done = ArrayList<String>()
         runDesktopComposeUiTest(400, 300) {
             setContent { TestWindow { Menu("Do", "Menu", Icons.Graph) { listOf("one", "two").map { MenuEntry(it) { done += it } } } } }
@@ -107,7 +107,7 @@ class OpenMenusSpec : FunSpec({
         }
     }
 
-    test("a menu of the right button opens at the pointer, has all of its lines, and closes likewise") {
+    test("a context menu opens at the pointer, has all of its lines, and closes like other menus") {
         val done = ArrayList<String>()
         runDesktopComposeUiTest(400, 300) {
             setContent {
@@ -129,7 +129,7 @@ class OpenMenusSpec : FunSpec({
         }
     }
 
-    test("a menu of the right button hears the arrow keys, Enter and Escape, while what was focused keeps the focus") {
+    test("a context menu receives the arrow keys, Enter and Escape, while the focused element keeps the focus") {
         val done = ArrayList<String>()
         runDesktopComposeUiTest(400, 300) {
             setContent {
@@ -169,7 +169,7 @@ class OpenMenusSpec : FunSpec({
         }
     }
 
-    test("the menu key and Shift+F10 open the menu of what has the keyboard focus, with its first line marked") {
+    test("the menu key and Shift+F10 open the menu of the focused element, with its first line marked") {
         val done = ArrayList<String>()
         runDesktopComposeUiTest(400, 300) {
             setContent {

@@ -25,14 +25,14 @@ import java.util.Base64
 import kotlin.math.abs
 
 /**
- * The window's pen draws what the one of SVG does: what is seen on the screen is what is in the file. Pictures of charts, and an assistant's,
- * are made of SVG as here.
+ * The window's pen and the SVG pen draw the same: a file shows the same as the screen. Pictures of charts, and an assistant's pictures, are
+ * made of SVG as here.
  */
 class PenAgreementSpec : FunSpec({
     val colors = PenColors.LIGHT
     val image = SkiaImage(Image.makeFromEncoded(Base64.getDecoder().decode(PRIMITIVE_IMAGE.substringAfter(','))), PRIMITIVE_IMAGE)
     for ((name, draw) in PEN_PRIMITIVES) {
-        test("the window's pen and the file's draw $name alike") {
+        test("the window's pen and the file's pen draw $name alike") {
             val screen = onScreen { draw(it, image) }
             val file = inFile { draw(it, image) }
             val blank = onScreen { }
@@ -42,7 +42,7 @@ class PenAgreementSpec : FunSpec({
     }
 
     for ((name, text) in PEN_TEXTS) {
-        test("the window's pen and the file's write $name where it belongs, as wide as they measure") {
+        test("the window's pen and the file's pen write $name at its place, as wide as they measure") {
             val ruler = ruler()
             val pens = listOf(onScreen(text::writeWith) to ruler::widthOf, inFile(text::writeWith) to SvgRaster::widthOf)
             for ((drawn, widthOf) in pens) {
@@ -51,30 +51,30 @@ class PenAgreementSpec : FunSpec({
                     covered.distanceFrom(text.boxFor(widthOf)) shouldBeLessThan TEXT_TOLERANCE
                 }
             }
-            // Not covered by an outline.
+            // The part that an outline does not cover.
             val dark = pens.map { (drawn, _) -> drawn.dark(most = 128) }
             dark.min() shouldBeGreaterThan dark.max() / 2
         }
     }
 
-    test("a text is drawn between its ends, whether it is written letter by letter or has to be shaped, as Arabic and accents that are letters of their own") {
+    test("a text is drawn between its ends, whether it is written letter by letter or shaped, like Arabic and separate accents") {
         for (text in listOf("-12.5 V", "Größe (µΩ) – Δ", "سلام", "e\u0301", "🤖")) {
             val screen = onScreen { pen ->
                 pen.text(text, 20.0, 50.0, 16.0, colors.line(0), TextSide.RIGHT)
                 pen.widthOf(text, 16.0) shouldBeGreaterThan 5.0
                 pen.widthOf(text, 16.0) shouldBeLessThan 160.0
             }
-            // Nothing before its beginning, nor beyond its end.
+            // The text covers no pixel before its beginning or beyond its end.
             val covered = screen.covered().shouldNotBeNull()
             covered.left shouldBeGreaterThan 16.9
             covered.right shouldBeLessThan 190.1
         }
     }
 
-    test("letters that need no shaping are as wide as if they were shaped") {
+    test("letters that need no shaping are as wide as shaped ones") {
         val pen = ruler()
 
-        // The last letter has to be shaped, so all of that text is.
+        // The last letter has to be shaped, and so the whole text is shaped.
         fun shaped(text: String) = pen.widthOf("$text\u0301", 16.0) - pen.widthOf("e\u0301", 16.0) + pen.widthOf("e", 16.0)
         for (text in listOf("12.5e", "0.001e", "-40e")) abs(shaped(text) - pen.widthOf(text, 16.0)) shouldBeLessThan 1.0
     }
@@ -100,5 +100,5 @@ private const val WIDTH = PRIMITIVE_WIDTH
 private const val HEIGHT = PRIMITIVE_HEIGHT
 private const val WHITE = -1
 
-/** Edges are smoothed a little differently. */
+/** The difference between two ways of smoothing edges. */
 private const val TOLERANCE = 0.1

@@ -61,7 +61,7 @@ class RobotBarSpec : FunSpec({
 
     fun DesktopComposeUiTest.awaitText(text: String) = waitFor { onAllNodes(hasText(text, substring = true)).fetchSemanticsNodes().isNotEmpty() }
 
-    test("a team's number brings what is new while the robot is disabled, and its newest match is shown") {
+    test("a team's number fetches new logs while the robot is disabled, and shows its newest match") {
         DriverStation().use { station ->
             FakeRobot(tempdir().toPath()).use { robot ->
                 robot.log("match.bag", matchBag(42), secondsAgo = 100)
@@ -84,7 +84,7 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("when another folder is opened, where the robot's logs go is said, and can be changed") {
+    test("the folder of the robot's logs is reported when another one is opened, and can be changed") {
         val first = tempdir().toPath()
         val second = tempdir().toPath()
         FakeRobot(tempdir().toPath()).use { robot ->
@@ -101,7 +101,7 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("a robot that nobody trusts is left alone") {
+    test("a robot that is not trusted is left alone") {
         FakeRobot(tempdir().toPath()).use { robot ->
             DriverStation().use { station ->
                 beside({ listOf(robot.address(station.port)) }, tempdir().toPath()) { viewer ->
@@ -116,7 +116,7 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("a robot that does not say whether it is enabled waits for a person, who may fetch anyway") {
+    test("a robot that does not report whether it is enabled waits for a person, who may fetch anyway") {
         FakeRobot(tempdir().toPath()).use { robot ->
             robot.log("match.bag", matchBag(42))
             beside({ listOf(robot.address()) }, tempdir().toPath()) { viewer ->
@@ -130,7 +130,7 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("a password is asked for, not shown, and not kept") {
+    test("a password is requested, not shown, and not stored") {
         val folder = tempdir().toPath()
         FakeRobot(tempdir().toPath(), passwords = mapOf("lvuser" to "secret")).use { robot ->
             robot.log("match.bag", matchBag(42))
@@ -150,7 +150,7 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("the field has the keyboard whenever it opens, and what is typed takes the place of the robot of last time") {
+    test("the field has the keyboard focus whenever it opens, and typed text replaces the last robot") {
         beside(RobotAddress::of, tempdir().toPath()) { viewer ->
             onNodeWithContentDescription("Team number or address").assertIsFocused()
             onNodeWithContentDescription("Team number or address").performTextInput("1014")
@@ -163,7 +163,7 @@ class RobotBarSpec : FunSpec({
         }
     }
 
-    test("what is neither a team nor an address is one sentence, and so is a window without a folder") {
+    test("an invalid team or address is reported in one sentence, and so is a window without a folder") {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         viewer.robot.connect("1014")

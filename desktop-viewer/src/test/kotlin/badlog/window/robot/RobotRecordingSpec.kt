@@ -43,7 +43,7 @@ import kotlin.io.path.copyTo
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** A robot that plays a match, over and over. */
+/** Returns a robot that repeats a match. */
 private fun robot(): ReplayServer {
     val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals, "qualification-42.bag")
     return ReplayServer(match, ReplayOptions(0, speed = 5.0, isLooping = true))
@@ -74,7 +74,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    /** Waits until [text] is shown, or until it no longer [isShown]: the window follows what it shows a moment later. */
+    /** Waits until [text] is shown, or until it no longer [isShown]: the window updates a moment later. */
     fun DesktopComposeUiTest.await(text: String, isShown: Boolean = true) = waitFor { onAllNodesWithText(text, substring = true).fetchSemanticsNodes().isNotEmpty() == isShown }
 
     fun DesktopComposeUiTest.record(choice: String) {
@@ -82,7 +82,7 @@ class RobotRecordingSpec : FunSpec({
         onNodeWithText(choice).performClick()
     }
 
-    test("what a robot publishes is recorded, shown at its newest moment while it grows, and marked; then it is an ordinary log") {
+    test("a robot's data is recorded, shown at its newest moment while it grows, and marked; then it is an ordinary log") {
         val folder = tempdir().toPath()
         robot().use { server ->
             server.start()
@@ -104,7 +104,7 @@ class RobotRecordingSpec : FunSpec({
                 waitFor { !viewer.live.isStaying }
                 waitFor { viewer.current.recording!!.span.to > here + 0.5 }
                 viewer.view.cursors.pinned shouldBe (begin + here) / 2
-                // A moment that somebody marks is now, wherever they look.
+                // A mark is made at the newest moment, wherever the person looks.
                 runOnUiThread { viewer.view.press(KeyAction.MARK) }
                 waitFor { NotesFile.read(log).notes.any { it.text == "Mark 2" && it.x > here } }
                 onNodeWithContentDescription("Follow the log while it is written (End)").performClick()
@@ -119,7 +119,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("a log for each time enabled does not take away what somebody looks at") {
+    test("recording a log for each time enabled does not replace the log that a person looks at") {
         val folder = tempdir().toPath()
         robot().use { server ->
             server.open()
@@ -141,7 +141,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("the graphs arranged for a folder are those of the log that is recorded as soon as it has their topics, and stay arranged") {
+    test("the graphs arranged for a folder appear as soon as the recorded log has their topics, and stay arranged") {
         val folder = tempdir().toPath()
         robot().use { server ->
             server.start()
@@ -163,7 +163,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("without a robot it says where it looks, and makes no file") {
+    test("without a robot, the recording says where it looks, and creates no file") {
         val folder = tempdir().toPath()
         beside(null, folder) { viewer ->
             record("Record until stopped")
@@ -175,7 +175,7 @@ class RobotRecordingSpec : FunSpec({
         }
     }
 
-    test("a folder that cannot be written is said, and ends the recording") {
+    test("a folder that cannot be written is reported, and ends the recording") {
         val file = tempdir().toPath().resolve("a-file").also { Files.writeString(it, "x") }
         robot().use { server ->
             server.start()

@@ -12,7 +12,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 class CompareWindowSpec : FunSpec({
-    test("two matches that are checked lie over each other, and a table has their figures").config(
+    test("two checked matches are drawn over each other, and a table has their statistics").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).also { it.putSamples() }
@@ -34,7 +34,7 @@ class CompareWindowSpec : FunSpec({
             window.awaitState("the battery") { it.statistics.state.topics == listOf("System/Battery Voltage") }
             window.click("Search topics for the table")
             window.type("total current")
-            // The search is done beside the window's thread.
+            // The search runs off the window's thread.
             window.awaitNo("Statistics of Arm/Angle")
             window.click("Statistics of PDP/Total Current")
             window.awaitState("one more topic") { "PDP/Total Current" in it.statistics.state.topics }

@@ -13,7 +13,7 @@ import kotlin.math.abs
 
 @Tags("InCheck")
 class FindingsWindowSpec : FunSpec({
-    test("why a match browned out takes two clicks, and all that shows it is on the screen of a small laptop").config(enabledOrReasonIf = { needsDisplay }) {
+    test("two clicks show the causes of a brownout, all of them on the screen of a small laptop").config(enabledOrReasonIf = { needsDisplay }) {
         RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag"), width = 1366, height = 768).use { window ->
             window.awaitState("its findings") { viewer -> viewer.findings.state.list?.all?.any { it.rule == "Browned out" } == true }
             window.awaitGraphs()
@@ -31,7 +31,7 @@ class FindingsWindowSpec : FunSpec({
         }
     }
 
-    test("a match says by itself that it browned out, and a formula over it stays").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a brownout is reported without a click, and a formula over it stays").config(enabledOrReasonIf = { needsDisplay }) {
         val home = tempdir().toPath()
         val match = Path.of("../samples/qualification-42.bag")
         RealWindow(home, match).use { window ->
@@ -68,7 +68,7 @@ class FindingsWindowSpec : FunSpec({
         }
         RealWindow(home, match).use { window ->
             window.awaitState("the formula of last time") { it.current.recording?.signal("twice") != null }
-            // A log is open a moment before the layout of last time is laid over it.
+            // A log is open for a moment before its last layout is applied.
             window.awaitState("its graph") { viewer -> viewer.board.state.graphs.lastOrNull()?.lines?.singleOrNull() == "twice" }
             window.look { it.current.recording }.shouldNotBeNull().formulas.single().error shouldBe null
         }

@@ -15,7 +15,7 @@ import kotlin.math.abs
 class GraphWindowSpec : FunSpec({
     val plot = "Plot Arm/Angle"
 
-    /** The window with a match that is open. */
+    /** Opens the window with a match. */
     fun open() = RealWindow(tempdir().toPath(), Path.of("../samples/qualification-42.bag")).apply {
         awaitState("the match") { it.current.recording != null }
         awaitGraphs()
@@ -76,7 +76,7 @@ class GraphWindowSpec : FunSpec({
         }
     }
 
-    test("the keyboard does what the sheet says, but not while somebody types").config(enabledOrReasonIf = { needsDisplay }) {
+    test("the keyboard does what the sheet lists, but not while a person types").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
             val all = window.look { it.view.viewport.full }
             window.press(KeyEvent.VK_RIGHT)
@@ -132,7 +132,7 @@ class GraphWindowSpec : FunSpec({
         }
     }
 
-    test("a click on an event goes there, a search finds topics").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a click on an event goes there, and a search finds topics").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
             window.press(KeyEvent.VK_1, KeyEvent.VK_CONTROL)
             window.awaitState("the events") { it.panels.state.inspector == InspectorTab.EVENTS }
@@ -161,7 +161,7 @@ class GraphWindowSpec : FunSpec({
         }
     }
 
-    test("a topic is found and drawn by keys alone, moved, and taken back").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a topic is found and drawn by keys alone, moved, and the move is undone").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
             val before = window.look { it.board.state }
             window.press(KeyEvent.VK_F, KeyEvent.VK_CONTROL)

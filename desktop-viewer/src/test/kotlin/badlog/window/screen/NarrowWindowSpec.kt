@@ -53,12 +53,12 @@ class NarrowWindowSpec : FunSpec({
         }
     }
 
-    test("the smallest window that has lists beside the graphs leaves these room beside all that is open, and a drag makes a part wider").config(enabledOrReasonIf = { needsDisplay }) {
+    test("the smallest window with lists leaves room for the graphs beside all open parts, and a drag makes a part wider").config(enabledOrReasonIf = { needsDisplay }) {
         RealWindow(tempdir().toPath(), samples.resolve("qualification-42.bag"), width = 1120, height = 600).use { window ->
             window.awaitState("the match") { it.current.recording != null }
             window.press(KeyEvent.VK_5, KeyEvent.VK_CONTROL)
             window.awaitGraphs()
-            // Beside the axis at the right, which the first graph needs.
+            // Beside the axis on the right, which the first graph needs.
             window.awaitState("room for graphs") { viewer -> viewer.graphs.plots.state(viewer.board.state.graphs[0].id).size.width > 240 }
             window.picture("small-window")
             val before = window.look { it.settings.state.panes.details }

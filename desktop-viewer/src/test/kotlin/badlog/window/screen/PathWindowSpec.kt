@@ -19,7 +19,7 @@ import javax.imageio.ImageIO
 
 @Tags("InCheck")
 class PathWindowSpec : FunSpec({
-    test("a log with poses starts with its path on the picture of the field that lies beside it").config(
+    test("a log with poses starts with its path on the picture of the field beside it").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val folder = Files.createDirectory(tempdir().toPath().resolve("Mill Creek"))
@@ -35,7 +35,7 @@ class PathWindowSpec : FunSpec({
             window.awaitGraphs()
             window.look { it.view.send(PlaceAction.GoTo(DEPARTED)) }
             window.awaitGraphs()
-            // Nothing else in the window is like it.
+            // The window has nothing similar.
             window.awaitLook("the carpet of the field") { picture ->
                 (0 until picture.height).sumOf { y -> (0 until picture.width).count { x -> isGreen(Color(picture.getRGB(x, y))) } } > 10_000
             }
@@ -46,7 +46,7 @@ class PathWindowSpec : FunSpec({
 
 private fun isGreen(color: Color) = color.green > color.red + 12 && color.green > color.blue + 12
 
-/** A field of nobody's: a green carpet, a line and a goal for each alliance, rings where pieces would lie. */
+/** Returns an invented field: a green carpet, a line and a goal for each alliance, and rings in the places of pieces. */
 private fun drawnField(): BufferedImage {
     val picture = BufferedImage(LENGTH + 2 * EDGE, WIDTH + 2 * EDGE, BufferedImage.TYPE_INT_RGB)
     val pen = picture.createGraphics()
@@ -76,5 +76,5 @@ private const val EDGE = 30
 private const val LENGTH = (Field.LENGTH * METER).toInt()
 private const val WIDTH = (Field.WIDTH * METER).toInt()
 
-/** In s: the robot is beside its plan. */
+/** A time in s at which the robot is beside its plan. */
 private const val DEPARTED = 9.6

@@ -34,11 +34,11 @@ import kotlin.concurrent.thread
 import kotlin.math.roundToInt
 
 /**
- * The program as a person has it: a real window, on a screen, with a mouse and a keyboard. Found by what screen readers are
- * told, so a test says what it clicks.
+ * The program as a person has it: a real window on a screen, with a mouse and a keyboard. Elements are found by their texts for screen
+ * readers, so that a test names the element that it clicks.
  *
- * @param home where the user's settings and cache are.
- * @param opened the folder or file it is started on, null for none.
+ * @param home the folder of the user's settings and cache.
+ * @param opened the folder or file it is started on; null for none.
  */
 @OptIn(ExperimentalComposeUiApi::class, ComposeToolingApi::class)
 internal class RealWindow(
@@ -48,7 +48,7 @@ internal class RealWindow(
     height: Int = 860,
     robots: (String) -> List<RobotAddress> = { RobotAddress.of(it) },
 ) : AutoCloseable {
-    // Never asked to wait until all is quiet: something always moves.
+    // It never waits for a quiet window: something always moves.
     private val robot = Robot().apply { autoDelay = 15 }
 
     @Volatile private var shown: ComposeWindow? = null
@@ -58,7 +58,7 @@ internal class RealWindow(
     private val said = CopyOnWriteArrayList<String>()
 
     init {
-        // As if the window had been in the corner the last time: elsewhere, without a window manager, Java may mistake its place.
+        // The window starts in the corner: elsewhere, without a window manager, Java may mistake its place.
         val settings = home.resolve("settings.json")
         if (!Files.exists(settings)) SettingsFile(settings).write(Settings(window = WindowPlace(0, 0, width, height, false)), Settings())
         robot.mouseMove(FAR, FAR)
@@ -85,11 +85,11 @@ internal class RealWindow(
         await("the keyboard") { window.isFocused }
     }
 
-    /** The state of the window. To be read through [look]. */
+    /** The state of the window. Read it through [look]. */
     private val viewer: Viewer get() = checkNotNull(state)
     private val window: ComposeWindow get() = checkNotNull(shown)
 
-    /** What [question] finds in the state of the window, asked on its thread. */
+    /** Returns the answer of [question], which reads the state of the window on its thread. */
     fun <T> look(question: (Viewer) -> T): T {
         var answer: Result<T>? = null
         SwingUtilities.invokeAndWait { answer = runCatching { question(viewer) } }
@@ -99,26 +99,26 @@ internal class RealWindow(
     /** Waits until [isSo] holds of the state. */
     fun awaitState(what: String, isSo: (Viewer) -> Boolean) = await(what) { look(isSo) }
 
-    /** Waits until a log is open, and all [count] of its folder are known: what the rules find makes rows of the list higher, and moves the others. */
+    /** Waits until a log is open, and all [count] of its folder are known. Findings make rows of the list higher, and move the others. */
     fun awaitLogs(count: Int) = awaitState("what is known of $count logs") { viewer ->
         viewer.current.recording != null && viewer.library.state.run { entries.size == count && reading == null && entries.all { it.found != null } }
     }
 
-    /** Waits until it has said something that has [text] in it, and may have taken that away again. */
+    /** Waits until a notice has contained [text]; the notice may be gone again. */
     fun awaitSaid(text: String) = await("a notice “$text”") { said.any { text in it } }
 
-    /** Whether something is described by, or says, [text]. */
+    /** Returns whether an element has the description or text [text]. */
     fun shows(text: String): Boolean = placeOf(text) != null
 
-    /** Waits until something is described by, or says, [text]. */
+    /** Waits until an element has the description or text [text]. */
     fun awaitText(text: String) = await("“$text”") { shows(text) }
 
-    /** Waits until nothing is described by, or says, [text]. */
+    /** Waits until no element has the description or text [text]. */
     fun awaitNo(text: String) = await("no “$text”") { !shows(text) }
 
     /**
-     * Waits until what is described by, or says, [text] is there and has not moved for a while: a window is drawn bit by bit. Its thread is asked
-     * again and again, since the time alone says nothing about a thread that a busy machine has stopped.
+     * Waits until the element with the description or text [text] is there and has not moved for a while. A window is drawn bit by bit. Its
+     * thread is asked repeatedly, since time alone says nothing about a thread that a busy machine has stopped.
      */
     fun awaitRest(text: String) {
         var before: Rectangle? = null
@@ -131,7 +131,7 @@ internal class RealWindow(
         }
     }
 
-    /** Clicks [times] times what is described by, or says, [text]; again if a busy machine made pauses between the clicks. */
+    /** Clicks [times] times on the element with the description or text [text]; again if a busy machine paused between the clicks. */
     fun click(text: String, times: Int = 1) {
         awaitRest(text)
         point(text, 0.5, 0.5)
@@ -142,12 +142,12 @@ internal class RealWindow(
                 robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
             }
             if (times == 1 || System.nanoTime() - begin < DOUBLE_CLICK_MILLIS * 1_000_000) return
-            // The next click must not be the second of a double one.
+            // The next click must not be the second of a double click.
             Thread.sleep(DOUBLE_CLICK_MILLIS * 2)
         }
     }
 
-    /** Presses the mouse at ([fromX], [fromY]) and lets it go at ([toX], [toY]), in shares of what is described by [text]. */
+    /** Presses the mouse at ([fromX], [fromY]) and releases it at ([toX], [toY]), in shares of the element described by [text]. */
     fun drag(text: String, fromX: Double, fromY: Double, toX: Double, toY: Double, vararg held: Int) {
         awaitRest(text)
         val place = checkNotNull(placeOf(text)) { "There is no “$text” to drag over." }
@@ -161,8 +161,8 @@ internal class RealWindow(
     }
 
     /**
-     * Takes what is described by [text] to the middle of what is described by [target], until [isDone] holds: on a busy machine, a drop may come
-     * before the drag that it ends.
+     * Drags the element described by [text] to the middle of [target], until [isDone] holds. On a busy machine, a drop may come before the
+     * drag that it ends.
      */
     fun dragTo(text: String, target: String, isDone: (Viewer) -> Boolean) = await("“$text” on “$target”") {
         awaitRest(text)
@@ -184,7 +184,7 @@ internal class RealWindow(
                 (from.x + (to.centerX - from.x) * step / 20).roundToInt(),
                 (from.y + (to.centerY - from.y) * step / 20).roundToInt(),
             )
-            // A drag between programs is talked over with the screen; who lets go before that has begun drops nothing.
+            // Programs negotiate a drag through the screen; a release before that drops nothing.
             if (step == 5 || step == 20) robot.delay(HOLD_MILLIS)
         }
         robot.mouseMove(to.centerX.roundToInt() + 1, to.centerY.roundToInt() + 1)
@@ -192,13 +192,13 @@ internal class RealWindow(
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK)
     }
 
-    /** Points at the share ([x], [y]) of what is described by [text], without a click. */
+    /** Points at the share ([x], [y]) of the element described by [text], without a click. */
     fun point(text: String, x: Double, y: Double) {
         val place = checkNotNull(placeOf(text)) { "There is no “$text” to point at." }
         robot.mouseMove((place.x + place.width * x).roundToInt(), (place.y + place.height * y).roundToInt())
     }
 
-    /** Turns the wheel by [notches], towards the person when positive. */
+    /** Turns the wheel by [notches], towards the person if positive. */
     fun wheel(notches: Int, vararg held: Int) {
         for (key in held) robot.keyPress(key)
         robot.mouseWheel(notches)
@@ -213,17 +213,17 @@ internal class RealWindow(
         for (other in held) robot.keyRelease(other)
     }
 
-    /** Types the small letters, digits and signs of [text], as they are on an American keyboard, once a field takes them. */
+    /** Types the small letters, digits and signs of [text] on an American keyboard, once a field takes them. */
     fun type(text: String) {
         awaitState("a field to type into") { it.keyboard.isTyping }
         for (letter in text) press(KeyEvent.getExtendedKeyCodeForChar(letter.code))
     }
 
-    /** Presses Tab until what is described by [text] has the keyboard. */
+    /** Presses Tab until the element described by [text] has the keyboard focus. */
     fun tabTo(text: String) = await("the keyboard at “$text”") {
         val before = focused()
         press(KeyEvent.VK_TAB)
-        // Else a key that comes late would lead on from there.
+        // Otherwise a late key would move the focus on from there.
         for (i in 1..REST_LOOKS) if (focused() == before) Thread.sleep(POLL_MILLIS)
         isFocused(text)
     }
@@ -231,12 +231,12 @@ internal class RealWindow(
     /** Waits until every graph in sight is drawn. */
     fun awaitGraphs() = awaitState("the graphs") { it.graphs.plots.areReady(it.compared.drawn, it.view.viewport.visible) }
 
-    /** Waits until the window looks as [isSo] wants: what is drawn may still be on its way to the screen. */
+    /** Waits until [isSo] holds of the window's picture: a drawing may still be on its way to the screen. */
     fun awaitLook(what: String, isSo: (BufferedImage) -> Boolean) = await(what) { isSo(capture()) }
 
     /**
-     * Keeps a picture of the window under build/screenshots, and returns it. With the environment variable `BADLOG_WRITE_GUIDE` it is also written
-     * into docs, as the picture [guide] of the guides.
+     * Keeps a picture of the window under build/screenshots, and returns it. With the environment variable `BADLOG_WRITE_GUIDE`, it is also
+     * written into docs, as the picture [guide] of the guides.
      */
     fun picture(name: String, guide: String? = null): BufferedImage {
         Thread.sleep(if (guide == null || System.getenv("BADLOG_WRITE_GUIDE") == null) LOOK_MILLIS else PICTURE_MILLIS)
@@ -247,7 +247,7 @@ internal class RealWindow(
         return picture
     }
 
-    /** What the screen shows of the window now, with a mouse pointer where that is. */
+    /** Returns the current picture of the window on the screen, with a mouse pointer at its place. */
     fun captureWithPointer(): BufferedImage {
         Thread.sleep(PICTURE_MILLIS)
         val corner = window.locationOnScreen
@@ -257,7 +257,7 @@ internal class RealWindow(
 
     private fun capture(): BufferedImage = robot.createScreenCapture(Rectangle(window.locationOnScreen, window.size))
 
-    /** Asks the window to close, as its frame does, and waits until it has. */
+    /** Asks the window to close, like its frame, and waits until it has closed. */
     override fun close() {
         SwingUtilities.invokeLater { window.dispatchEvent(WindowEvent(window, WindowEvent.WINDOW_CLOSING)) }
         application.join(WAIT_MILLIS)
@@ -320,25 +320,25 @@ internal class RealWindow(
         const val WAIT_MILLIS = 180_000L
         const val POLL_MILLIS = 20L
 
-        /** So long a person holds what is dragged, before and after it is carried. */
+        /** The time for which a person holds a dragged element before and after moving it. */
         const val HOLD_MILLIS = 300
 
-        /** Beyond any window. */
+        /** A place beyond any window. */
         const val FAR = 5000
 
-        /** What has not moved between so many looks, one every [POLL_MILLIS], can be clicked. */
+        /** The number of looks, one every [POLL_MILLIS], after which an element that has not moved can be clicked. */
         const val REST_LOOKS = 8
 
-        /** So often one looks whether a drop was taken, before what was dragged is dragged again. */
+        /** The number of looks whether a drop was taken, before the drag is repeated. */
         const val DROP_LOOKS = 500
 
         /** Clicks within this time are a double click. */
         const val DOUBLE_CLICK_MILLIS = 300L
 
-        /** So long a picture may still be on its way to the screen, which one that is published waits for. */
+        /** The longest time that a picture is on its way to the screen, for published pictures. */
         const val PICTURE_MILLIS = 400L
 
-        /** So long it usually is. */
+        /** The usual time that a picture is on its way to the screen. */
         const val LOOK_MILLIS = 150L
     }
 }

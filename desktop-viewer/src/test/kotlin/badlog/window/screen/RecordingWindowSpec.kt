@@ -18,7 +18,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 class RecordingWindowSpec : FunSpec({
-    test("a robot that is running is recorded by two clicks, is seen at its newest moment, and a key marks that").config(enabledOrReasonIf = { needsDisplay }) {
+    test("two clicks record a running robot and show its newest moment, and a key marks that").config(enabledOrReasonIf = { needsDisplay }) {
         val match = LogView.of(readRecording(samples.resolve("qualification-42.bag"), LOG_FORMATS)).withSignals(RuleSet.BUILT_IN.signals, "qualification-42.bag")
         val folder = Files.createDirectories(tempdir().toPath().resolve("Mill Creek"))
         ReplayServer(match, ReplayOptions(0, speed = 4.0, isLooping = true)).use { server ->

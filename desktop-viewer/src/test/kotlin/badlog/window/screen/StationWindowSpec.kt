@@ -7,7 +7,7 @@ import io.kotest.engine.spec.tempdir
 
 @Tags("InCheck")
 class StationWindowSpec : FunSpec({
-    test("a line above the graphs offers the Driver Station's log of the match, and its topics are drawn on a click").config(
+    test("a line above the graphs offers the Driver Station's log of the match, and a click draws its topics").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val log = putPair(tempdir().toPath())

@@ -14,10 +14,10 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.math.abs
 
-/** What the moving picture of the window shows: a person with a mouse, from a folder of logs to why a match went wrong. */
+/** The moving picture of the window: a person with a mouse, from a folder of logs to the cause of a failed match. */
 @Tags("InCheck")
 class TourSpec : FunSpec({
-    test("from the table of logs a person comes to the brownout by one click, looks at it closely, and compares it with another match").config(
+    test("one click leads from the table of logs to the brownout, which is looked at closely and compared with another match").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val film = Film(Path.of("build/tour"))
@@ -25,7 +25,7 @@ class TourSpec : FunSpec({
         RealWindow(tempdir().toPath(), folder, WIDTH, HEIGHT).use { window ->
             fun show(millis: Int) = film.add(window, millis)
             window.awaitState("all logs, and one of them") { it.library.state.entries.size == 4 && it.current.recording != null }
-            // So many parts would be too small in a picture.
+            // Fewer parts, as they would be too small in a picture.
             window.click("Topics")
             window.press(KeyEvent.VK_T)
             window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
@@ -79,7 +79,7 @@ class TourSpec : FunSpec({
     }
 })
 
-/** Pictures of a window in [folder], one after the other; nothing else is there. Only the task `tour` has them taken, see build.gradle. */
+/** Pictures of a window in [folder], one after the other, and no other files. Only the task `tour` takes them, see build.gradle. */
 private class Film(private val folder: Path) {
     private val isTaken = System.getenv("BADLOG_TOUR") != null
     private var count = 0
@@ -91,7 +91,7 @@ private class Film(private val folder: Path) {
         }
     }
 
-    /** Takes what [window] shows now, to be shown for [millis] milliseconds. */
+    /** Adds the current picture of [window], to be shown for [millis] milliseconds. */
     fun add(window: RealWindow, millis: Int) {
         if (!isTaken) return
         val name = "%02d-%d.png".format(count++, millis)

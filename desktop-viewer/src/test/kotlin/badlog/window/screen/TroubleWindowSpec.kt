@@ -17,14 +17,14 @@ import java.nio.file.attribute.PosixFilePermissions
 
 @Tags("InCheck")
 class TroubleWindowSpec : FunSpec({
-    test("a window that is closed while it reads a large file is gone at once").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a window that reads a large file closes at once").config(enabledOrReasonIf = { needsDisplay }) {
         val file = largeBag(tempdir().toPath(), "large.bag")
         val window = RealWindow(tempdir().toPath(), file)
         window.awaitReading()
         window.close()
     }
 
-    test("a log that is opened while another is read takes its place").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a log that is opened while another one is read replaces it").config(enabledOrReasonIf = { needsDisplay }) {
         val folder = tempdir().toPath()
         val small = folder.put("small.bag", bag())
         RealWindow(tempdir().toPath(), largeBag(folder, "large.bag")).use { window ->
@@ -35,7 +35,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("a log whose file is deleted stays, and that is said").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a log stays open after its file is deleted, which is reported").config(enabledOrReasonIf = { needsDisplay }) {
         val file = tempdir().toPath().put("match.bag", bag())
         RealWindow(tempdir().toPath(), file).use { window ->
             window.awaitState("the log") { it.current.recording != null }
@@ -47,7 +47,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("a log that grows is followed, without a row that is half written").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a growing log is followed, without incomplete rows").config(enabledOrReasonIf = { needsDisplay }) {
         val file = tempdir().toPath().put("live.bag", bag(100))
         RealWindow(tempdir().toPath(), file).use { window ->
             window.awaitState("the log") { it.current.recording != null }
@@ -66,7 +66,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("whatever a log is like, it is shown").config(enabledOrReasonIf = { needsDisplay }) {
+    test("logs with extreme or missing values, names and topics are shown").config(enabledOrReasonIf = { needsDisplay }) {
         val folder = tempdir().toPath()
         val rows = (0 until 100).map { "${it * 0.1},${it % 7}" }
         val topics = listOf("Time|xaxis", "A/Voltage")
@@ -102,7 +102,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("damaged settings, a damaged cache and a place that no screen has are as none").config(
+    test("damaged settings, a damaged cache and a place on no screen are ignored").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val folder = tempdir().toPath()
@@ -123,7 +123,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("a folder that may not be read says so").config(enabledOrReasonIf = { needsOrdinaryUser() }) {
+    test("a folder without read permission says so").config(enabledOrReasonIf = { needsOrdinaryUser() }) {
         val folder = tempdir().toPath()
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("---------"))
         try {
@@ -137,10 +137,10 @@ class TroubleWindowSpec : FunSpec({
     }
 })
 
-/** Waits until it reads its file; a machine that stands still just then may only see that it was read. */
+/** Waits until the window reads its file; a machine that stands still just then may only see that it was read. */
 private fun RealWindow.awaitReading() = awaitState("the large file to be read") { it.tasks.all.isNotEmpty() || it.current.recording != null }
 
-/** A bag of 300,000 rows. */
+/** Returns a bag of 300,000 rows. */
 private fun largeBag(folder: Path, name: String): Path {
     val topics = List(12) { if (it == 0) "Time|xaxis" else "Topic $it" }
     val file = folder.put(name, bagOf(topics, emptyList()))
@@ -154,7 +154,7 @@ private fun largeBag(folder: Path, name: String): Path {
     return file
 }
 
-/** A bag of so many topics in folders of a hundred. */
+/** Returns a bag of [count] topics in folders of a hundred. */
 private fun manyTopics(count: Int): String = bagOf(
     topics = listOf("Time|xaxis") + (0 until count).map { "Folder ${it / 100}/Topic ${it % 100}" },
     rows = (0 until 20).map { row -> (0..count).joinToString(",") { "${row + it % 5}" } },

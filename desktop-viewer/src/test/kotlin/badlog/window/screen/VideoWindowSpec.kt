@@ -11,7 +11,7 @@ import java.nio.file.Path
 
 @Tags("InCheck")
 class VideoWindowSpec : FunSpec({
-    test("a video that is dropped stands beside the graphs, and keys step through its frames with the cursor").config(
+    test("a dropped video is shown beside the graphs, and keys step through its frames with the cursor").config(
         enabledOrReasonIf = { needsDisplay },
     ) {
         val video = CountedVideo.write(tempdir().toPath().resolve("match.mp4"))

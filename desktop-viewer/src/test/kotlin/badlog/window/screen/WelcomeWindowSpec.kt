@@ -8,7 +8,7 @@ import java.awt.event.KeyEvent
 
 @Tags("InCheck")
 class WelcomeWindowSpec : FunSpec({
-    test("the first start invites, and the keyboard alone opens the sample").config(enabledOrReasonIf = { needsDisplay }) {
+    test("the first start shows the welcome, and the keyboard alone opens the sample").config(enabledOrReasonIf = { needsDisplay }) {
         RealWindow(tempdir().toPath(), opened = null, width = 1366, height = 768).use { window ->
             window.awaitText("Welcome")
             window.picture("welcome", guide = "viewer-welcome")
@@ -26,7 +26,7 @@ class WelcomeWindowSpec : FunSpec({
         }
     }
 
-    test("the invitation fits a small window, and one as narrow as a phone").config(enabledOrReasonIf = { needsDisplay }) {
+    test("the welcome fits a small window, and one as narrow as a phone").config(enabledOrReasonIf = { needsDisplay }) {
         for ((width, height) in listOf(900 to 600, 420 to 800)) {
             RealWindow(tempdir().toPath(), opened = null, width, height).use { window ->
                 window.awaitText("Open the sample match")

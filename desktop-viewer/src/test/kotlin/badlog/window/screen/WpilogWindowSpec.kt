@@ -14,7 +14,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 class WpilogWindowSpec : FunSpec({
-    test("a log of 700 topics begins with closed folders and what can be looked through; one search and one click compare target and actual speed").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a log of 700 topics begins with closed folders and few graphs; one search and one click compare target and actual speed").config(enabledOrReasonIf = { needsDisplay }) {
         val file = Files.createDirectories(tempdir().toPath().resolve("Mill Creek")).resolve("FRC_20240316_104100.wpilog")
         Files.write(file, largeLog())
         val speeds = listOf("/Chassis/ActualFrontLeftModuleState/speed", "/Chassis/TargetFrontLeftModuleState/speed")
@@ -38,7 +38,7 @@ class WpilogWindowSpec : FunSpec({
         }
     }
 
-    test("a WPILOG is shown as a bag is, and followed while it grows").config(enabledOrReasonIf = { needsDisplay }) {
+    test("a WPILOG is shown like a bag, and followed while it grows").config(enabledOrReasonIf = { needsDisplay }) {
         val values = listOf(Value("Event Name", "OHCL"), Value("Match Number", "7"), Value("Match Type", "Qualification"))
         fun bytes(seconds: Int) = wpilogOf(
             listOf(

@@ -26,7 +26,7 @@ import java.nio.file.Files
 @OptIn(ExperimentalTestApi::class)
 @Tags("InCheck")
 class OwnFilesSpec : FunSpec({
-    /** Does what is kept for the next start in a window with [folders], and returns what that says. */
+    /** Stores everything for the next start in a window with [folders], and returns the window's notices. */
     fun saidWith(folders: UserFolders, steps: DesktopComposeUiTest.(Viewer) -> Unit = {}): List<String> {
         val viewer = Viewer(MainScope(), folders)
         try {
@@ -38,7 +38,7 @@ class OwnFilesSpec : FunSpec({
                 onNodeWithContentDescription("Theme: system").performClick()
                 steps(viewer)
                 viewer.board.change { withGraph(listOf("Drivetrain/Left Output")) }
-                // As a moment later, by itself.
+                // Saves like the window does by itself a moment later.
                 val saving = viewer.scope.launch { viewer.layouts.save() }
                 waitFor { saving.isCompleted }
             }
@@ -49,7 +49,7 @@ class OwnFilesSpec : FunSpec({
         }
     }
 
-    test("a home folder that cannot be written is one sentence and a window in which all works") {
+    test("a home folder that cannot be written is reported in one sentence, and the window works") {
         val home = Files.createFile(tempdir().toPath().resolve("home"))
         saidWith(UserFolders(home.resolve(".config/badlog"), home.resolve(".cache/badlog"))) { viewer ->
             viewer.settings.state.theme shouldBe Theme.DARK
@@ -62,7 +62,7 @@ class OwnFilesSpec : FunSpec({
         )
     }
 
-    test("what of it can be written is not mentioned") {
+    test("files that can be written are not mentioned") {
         val folder = tempdir().toPath()
         val cache = Files.createFile(folder.resolve("cache"))
         val settings = SettingsFile(folder.resolve("config/badlog").resolve(SettingsFile.NAME))
@@ -70,7 +70,7 @@ class OwnFilesSpec : FunSpec({
             listOf("What badlog knows of logs cannot be kept for the next start; rename the file $cache, which is in the place of a folder.")
     }
 
-    test("a file that cannot be replaced in a folder that can be written is said once, too") {
+    test("a file that cannot be replaced in a writable folder is reported once, too") {
         val home = tempdir().toPath()
         Files.createDirectories(home.resolve("${SettingsFile.NAME}/in the way"))
         val said = saidWith(UserFolders(home, home)) { viewer -> waitFor { viewer.notices.all.isNotEmpty() } }

@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 class PaneWidthsSpec : FunSpec({
     fun PaneWidths.sum() = logs + topics + details
 
-    test("a wide window has the parts as wide as they are wanted") {
+    test("a wide window has the stored widths of its parts") {
         PaneWidths().within(1358f, hasLogs = true, hasTopics = true, hasDetails = true) shouldBe PaneWidths()
         PaneWidths().within(1358f, hasLogs = true, hasTopics = false, hasDetails = false) shouldBe PaneWidths(280f, 0f, 0f)
     }
@@ -20,7 +20,7 @@ class PaneWidthsSpec : FunSpec({
         900f - two.sum() shouldBe (400f plusOrMinus 1f)
     }
 
-    test("a drag begins at what is seen, and a damaged width is as the least") {
+    test("a drag begins at the visible width, and a damaged width counts as the minimum") {
         val wanted = PaneWidths(600f, 600f, 600f)
         val seen = wanted.within(900f, hasLogs = true, hasTopics = true, hasDetails = false)
         wanted.draggedFrom(seen, PaneWidths(10f, 0f, 0f)) shouldBe PaneWidths(seen.logs + 10f, seen.topics, 600f)

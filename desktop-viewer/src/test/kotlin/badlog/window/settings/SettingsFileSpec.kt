@@ -18,7 +18,7 @@ class SettingsFileSpec : FunSpec({
 
     fun namesIn(folder: Path): List<String> = Files.list(folder).use { files -> files.map { "${it.fileName}" }.toList() }
 
-    test("what is kept is read again, and replaced as a whole") {
+    test("stored settings are read again, and replaced as a whole") {
         val folder = tempdir().toPath()
         val file = SettingsFile(folder.resolve("user/settings.json"))
         file.write(settings, Settings())
@@ -28,7 +28,7 @@ class SettingsFileSpec : FunSpec({
         namesIn(folder.resolve("user")) shouldContainExactlyInAnyOrder listOf("settings.json", ".badlog.lock")
     }
 
-    test("settings that are missing or damaged are as none; what a later version added is passed over") {
+    test("missing or damaged settings are the defaults; unknown keys of a later version are ignored") {
         val path = tempdir().toPath().resolve("settings.json")
         val file = SettingsFile(path)
         file.read() shouldBe Settings()
@@ -42,7 +42,7 @@ class SettingsFileSpec : FunSpec({
         file.read() shouldBe Settings(graphHeight = 90)
     }
 
-    test("of two windows each keeps what it changed, and no less of the other's") {
+    test("each of two windows keeps its own changes, and the other's") {
         val file = SettingsFile(tempdir().toPath().resolve("settings.json"))
         file.write(settings, Settings())
         file.write(settings.copy(theme = Theme.LIGHT).opened("/first"), settings)
@@ -50,7 +50,7 @@ class SettingsFileSpec : FunSpec({
         file.read() shouldBe settings.copy(theme = Theme.LIGHT, graphHeight = 120, recentFolders = listOf("/second", "/logs", "/first"))
     }
 
-    test("two windows that write at the same moment lose nothing of each other") {
+    test("two windows that write at the same moment keep each other's changes") {
         val file = SettingsFile(tempdir().toPath().resolve("settings.json"))
         val moment = CyclicBarrier(2)
 
@@ -65,7 +65,7 @@ class SettingsFileSpec : FunSpec({
         file.read() shouldBe settings.copy(graphHeight = 130, theme = Theme.entries[0])
     }
 
-    test("settings that cannot be written leave nothing behind") {
+    test("settings that cannot be written leave no files behind") {
         val folder = tempdir().toPath()
         Files.createDirectories(folder.resolve("settings.json/in the way"))
         shouldThrow<IOException> { SettingsFile(folder.resolve("settings.json")).write(settings, Settings()) }

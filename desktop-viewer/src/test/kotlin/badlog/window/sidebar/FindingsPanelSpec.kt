@@ -54,7 +54,7 @@ class FindingsPanelSpec : FunSpec({
 
     fun folderOf(vararg rules: String): Path = tempdir().toPath().also { writeRules(it, *rules) }
 
-    test("a click on a finding takes the cursor and the view there, and the keys go on from it") {
+    test("a click on a finding moves the cursor and the view there, and keys continue from it") {
         val recording = counted(folderOf(ruleText("Early", "A < 5", "error"), ruleText("Late", "A > 90"), ruleText("None", "X > 1")))
         val viewer = inspecting(recording)
         viewer.view.send(PlaceAction.Show(40.0, 50.0))
@@ -75,7 +75,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("a topic becomes a signal with one click, for all logs of the folder; one that cannot be it is refused with a reason") {
+    test("one click makes a topic a signal for all logs of the folder; an unsuitable topic is refused with a reason") {
         val folder = tempdir().toPath()
         val log = folder.resolve("a.bag")
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Power/My Volts","unit":"V","attrs":[]},{"name":"Arm","unit":"m","attrs":[]}],"values":[]}"""
@@ -101,7 +101,7 @@ class FindingsPanelSpec : FunSpec({
         findingsOf(OpenRecording.read(log).forRules, folder.resolve("other.bag"), folder).all.map { it.rule } shouldContain "Low battery"
     }
 
-    test("all of a finding that the keys go to is seen, and all that it says") {
+    test("a finding that keys go to is completely visible, with its whole text") {
         val text = "What a rule says may take many lines of a panel that is narrow. ".repeat(6)
         val viewer = inspecting(counted(folderOf(*Array(12) { ruleText("Rule $it", "A > ${it * 8} and A < ${it * 8 + 3}", text = text) })))
         runDesktopComposeUiTest(320, 700) {
@@ -121,7 +121,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("a search narrows findings and incidents, says how many it hides, and shows them again") {
+    test("a search narrows findings and incidents, counts the hidden ones, and can be cleared") {
         val viewer = inspecting(sample("qualification-42.bag"))
         val list = viewer.findings.state.list.shouldNotBeNull()
         runDesktopComposeUiTest(380, 900) {
@@ -138,7 +138,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("an incident’s name leads to what came first, and it is marked as long as a finding of it is open") {
+    test("an incident’s name leads to its first finding, and is marked while one of its findings is selected") {
         val viewer = inspecting(sample("qualification-42.bag"))
         val list = viewer.findings.state.list.shouldNotBeNull()
         val incident = list.incidents.first()
@@ -155,7 +155,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("what an incident says stands nowhere else, and what it leaves out is folded") {
+    test("the sentences of an incident appear only there, and its other findings are folded") {
         val viewer = inspecting(sample("qualification-42.bag"))
         val list = viewer.findings.state.list.shouldNotBeNull()
         val left = list.foundBy("").beside.within
@@ -168,13 +168,13 @@ class FindingsPanelSpec : FunSpec({
             onAllNodesWithText(left.first().text).assertCountEquals(0)
             onNodeWithText("${left.size} more findings, part of the incidents").performClick()
             for (finding in left) onAllNodesWithText(finding.text).assertCountEquals(1)
-            // Where a finding is the sentence of an incident, what else is known of it is there.
+            // If a finding is a sentence of an incident, its other details are there.
             onNodeWithContentDescription("Finding, error: Browned out").performClick()
             onNodeWithContentDescription("Next place").assertExists()
         }
     }
 
-    test("the key for the next finding opens the panel that says what to look at next, unless another one is read") {
+    test("the key for the next finding opens the panel of findings, unless another panel is open") {
         val viewer = viewerOf(sample("qualification-42.bag"))
         viewer.findings.change { knowing(findingsIn(viewer.current.recording.shouldNotBeNull())) }
         val next = viewer.commands.single { it.meaning == KeyAction.NEXT_FINDING.meaning }
@@ -186,7 +186,7 @@ class FindingsPanelSpec : FunSpec({
         viewer.panels.state.inspector shouldBe InspectorTab.EVENTS
     }
 
-    test("a wrong file of rules, and a log in which nothing was found, are reported") {
+    test("an invalid file of rules, and a log without findings, are reported") {
         val viewer = inspecting(counted(folderOf(ruleText("A", "A > 5", text = "A long text that no panel has room for, with a {plce} in it"))))
         val nothing = findingsIn(counted(folderOf(ruleText("Never", "A > 1000"))))
         runDesktopComposeUiTest(320, 600) {
@@ -199,7 +199,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    test("sixty findings are marked on the time axis, and the pointer on one shows its text") {
+    test("sixty findings are marked on the time axis, and pointing at one shows its text") {
         val severities = listOf("error", "warning", "note")
         val rules = List(60) { ruleText("Rule $it", "A > ${it + 10} and A < ${it + 13}", severities[it % 3]) }
         val viewer = inspecting(counted(folderOf(*rules.toTypedArray())))

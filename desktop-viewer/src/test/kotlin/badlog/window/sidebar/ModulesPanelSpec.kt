@@ -33,7 +33,7 @@ import kotlin.math.PI
 class ModulesPanelSpec : FunSpec({
     val home = tempdir().toPath()
 
-    /** Ten seconds of three modules; module 1 points 10° aside, and 15° from 3 s to 3.5 s. */
+    /** Returns ten seconds of three modules; module 1 points 10° aside, and 15° from 3 s to 3.5 s. */
     fun drive(hasTargets: Boolean): OpenRecording {
         val sides = if (hasTargets) listOf("Measured", "Setpoints") else listOf("Measured")
         val topics = sides.flatMap { side -> List(3) { "$side[$it]" } }.flatMap { listOf("$it/speed", "$it/angle/value") }
@@ -53,7 +53,7 @@ class ModulesPanelSpec : FunSpec({
         view.send(PlaceAction.Open(recording.span))
     }
 
-    test("the worst module is named, its largest error takes the cursor there, and the arrows have the modules' colors") {
+    test("the worst module is named, its largest error moves the cursor there, and the arrows have the modules' colors") {
         val viewer = viewerOf(drive(hasTargets = true))
         viewer.panels.change { inspecting(InspectorTab.MODULES) }
         runDesktopComposeUiTest(340, 800) {
@@ -67,11 +67,11 @@ class ModulesPanelSpec : FunSpec({
             ofModule shouldBeGreaterThan 50
             viewer.view.send(PlaceAction.Show(3.1, 3.4))
             waitFor { onAllNodesWithText("15.0° RMS").fetchSemanticsNodes().isNotEmpty() }
-            // A log that has grown has the numbers of before until its own are known.
+            // A log that has grown has its previous numbers until the new ones are known.
             runOnIdle { viewer.current.replace(drive(hasTargets = true)) }
             waitForIdle()
             (onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size > 0) shouldBe true
-            // Another log never has the numbers of the one before.
+            // Another log never has the previous log's numbers.
             runOnIdle { viewer.current.replace(drive(hasTargets = false)) }
             waitForIdle()
             onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0
@@ -79,7 +79,7 @@ class ModulesPanelSpec : FunSpec({
         }
     }
 
-    test("without targets there are arrows and no errors; without modules there is no button, and the panel says why") {
+    test("without targets, there are arrows and no errors; without modules, there is no button, and the panel says why") {
         val without = viewerOf(drive(hasTargets = false))
         without.panels.change { inspecting(InspectorTab.MODULES) }
         runDesktopComposeUiTest(420, 800) {

@@ -25,7 +25,7 @@ class StatisticsGridSpec : FunSpec({
 
     fun labels(choice: StatisticsChoice) = StatisticsGrid(rows, choice).rows.map { it.label }
 
-    test("a heading sorts, and once more the other way round; what has no figure stays last") {
+    test("a heading sorts, and a second click reverses it; rows without a value stay last") {
         labels(choice) shouldContainExactly listOf("b", "A", "none", "c")
         labels(choice.sortedBy(maximum)) shouldContainExactly listOf("A", "b", "c", "none")
         labels(choice.sortedBy(maximum).sortedBy(maximum)) shouldContainExactly listOf("c", "b", "A", "none")
@@ -33,7 +33,7 @@ class StatisticsGridSpec : FunSpec({
         labels(choice.sortedBy(DateColumn)) shouldContainExactly listOf("none", "A", "b", "c")
     }
 
-    test("the smallest and the largest of a column stand out, but not where all are the same") {
+    test("the smallest and the largest value of a column stand out, unless all are the same") {
         val grid = StatisticsGrid(rows, choice)
         rows.filter { grid.isLowest(maximum, it) }.map { it.label } shouldContainExactly listOf("A")
         rows.filter { grid.isHighest(maximum, it) }.map { it.label } shouldContainExactly listOf("c")
@@ -46,7 +46,7 @@ class StatisticsGridSpec : FunSpec({
         grid.columns.filterIsInstance<FigureColumn>().map(grid::nameOf).distinct() shouldContainExactly listOf("Left/Speed", "Right/Speed", "Angle")
     }
 
-    test("the CSV has exact figures, and quotes what must be quoted") {
+    test("the CSV has exact values, and quotes where necessary") {
         val odd = row("He said \"1,2\"\nand left", 1 / 3.0)
         StatisticsGrid(listOf(odd, rows[2]), StatisticsChoice(listOf("A"), setOf(Statistic.MAX))).toCsv() shouldBe
             "Log,Date,File,A max (V)\r\n" +
@@ -54,7 +54,7 @@ class StatisticsGridSpec : FunSpec({
             "none,2026-03-00,none.bag,\r\n"
     }
 
-    test("recordings that log a topic in different units each say theirs") {
+    test("recordings that log a topic in different units each show their own unit") {
         val mixed = StatisticsGrid(listOf(rows[0], row("mV", 900.0, unit = "mV")), StatisticsChoice(listOf("A"), setOf(Statistic.MAX)))
         mixed.unitOf(maximum) shouldBe null
         mixed.textOf(maximum, mixed.rows[1]) shouldBe "900 mV"
@@ -62,7 +62,7 @@ class StatisticsGridSpec : FunSpec({
         mixed.toCsv().lines()[2] shouldBe "mV,2026-03-01,mV.bag,900,mV"
     }
 
-    test("any text comes back from its cell") {
+    test("any text can be read from its cell again") {
         checkAll(Arb.string()) { text ->
             val cell = csvCell(text)
             val read = if (cell.startsWith('"')) cell.drop(1).dropLast(1).replace("\"\"", "\"") else cell
@@ -70,7 +70,7 @@ class StatisticsGridSpec : FunSpec({
         }
     }
 
-    test("a log that is drawn and in the folder has one row, with the folder's date and all its signals") {
+    test("a drawn log of the folder has one row, with the folder's date and all its signals") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A|delta", "Mode"), listOf("0,1,on", "1,4,on")), "open.bag")
         val inFolder = StatisticsRow("open", "2026-03-14 10:41", open.file, rows[0].statistics, rows[0].units)
         val source = statisticsSource(listOf(open), listOf(inFolder, rows[2], row("d", 7.0, topic = "Z")))

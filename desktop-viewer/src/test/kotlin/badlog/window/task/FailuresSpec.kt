@@ -16,7 +16,7 @@ import java.util.concurrent.CountDownLatch
 import kotlin.time.Duration.Companion.seconds
 
 class FailuresSpec : FunSpec({
-    test("what fails is said and kept, and ends nothing else") {
+    test("a failure is reported and stored, and ends no other work") {
         val notices = Notices()
         val log = FailureLog(tempdir().toPath().resolve("cache"))
         val scope = Failures(log, notices).guarded(MainScope())
@@ -26,7 +26,7 @@ class FailuresSpec : FunSpec({
         Files.readString(log.file) shouldContain "a defect"
     }
 
-    test("what cannot be kept is said all the same") {
+    test("a failure that cannot be stored is reported, too") {
         val notices = Notices()
         val file = tempdir().toPath().resolve("file")
         Files.writeString(file, "where a folder should be")
@@ -34,7 +34,7 @@ class FailuresSpec : FunSpec({
         eventually(60.seconds) { notices.all.single().isError shouldBe true }
     }
 
-    test("a task that is given up before it has begun leaves no trace") {
+    test("a task that is canceled before it has begun leaves no trace") {
         withContext(Dispatchers.Main) {
             val tasks = LongTasks(MainScope(), Notices())
             val job = tasks.run("Waiting", { CountDownLatch(1).await() }) {}

@@ -13,7 +13,7 @@ import java.util.Collections
 import java.util.concurrent.CountDownLatch
 
 class FileWritesSpec : FunSpec({
-    test("when the window is closed, what is on its way is written first, in its order") {
+    test("closing the window writes pending files first, in their order") {
         val writes = FileWrites()
         val written = Collections.synchronizedList(ArrayList<Int>())
         val isClosing = CountDownLatch(1)
@@ -32,7 +32,7 @@ class FileWritesSpec : FunSpec({
         written shouldContainExactly listOf(1, 2, 3, 4, 5, 6)
     }
 
-    test("a write that fails says so, and leaves the others alone") {
+    test("a failed write is reported, and does not affect the others") {
         val writes = FileWrites()
         shouldThrow<IOException> { writes.write { throw IOException("gone") } }
         listOf(writes.write { 1 }) shouldContainExactly listOf(1)

@@ -9,7 +9,7 @@ import java.io.IOException
 import java.util.concurrent.CountDownLatch
 
 class LongTasksSpec : FunSpec({
-    /** What the window says when a task called Opening ends by [failure]. */
+    /** Returns the window's notices when a task called Opening ends by [failure]. */
     suspend fun saidOf(failure: Throwable): List<String> {
         val notices = Notices()
         coroutineScope {
@@ -20,13 +20,13 @@ class LongTasksSpec : FunSpec({
         return notices.all.filter { it.isError }.map { it.text }
     }
 
-    test("what goes wrong is said in a sentence, and nothing else ends") {
+    test("a failed task is reported in a sentence, and ends no other task") {
         saidOf(IOException("The drive is gone; plug it in.")) shouldContainExactly listOf("The drive is gone; plug it in.")
         saidOf(OutOfMemoryError()) shouldContainExactly
             listOf("Opening needs more memory than is available; close other logs and try again.")
     }
 
-    test("a task that is given up is interrupted, and nothing is said") {
+    test("a canceled task is interrupted, and not reported") {
         val notices = Notices()
         coroutineScope {
             val tasks = LongTasks(this, notices)

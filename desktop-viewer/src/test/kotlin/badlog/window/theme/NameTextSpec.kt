@@ -26,7 +26,7 @@ class NameTextSpec : FunSpec({
     val name = "Drivetrain/Module 3/Azimuth encoder position of the absolute sensor"
     val style = TextStyle(fontSize = 13.sp)
 
-    /** Runs [check] with what measures letters on a screen. */
+    /** Runs [check] with a measurer of letters on a screen. */
     fun measuring(check: TextMeasurer.() -> Unit) = runDesktopComposeUiTest(100, 100) {
         lateinit var letters: TextMeasurer
         setContent { letters = rememberTextMeasurer() }
@@ -35,11 +35,11 @@ class NameTextSpec : FunSpec({
 
     fun TextMeasurer.shown(text: String, width: Int, cut: NameCut) = measureName(AnnotatedString(text), style, width, cut).layoutInput.text.text
 
-    test("a name that fits is whole") {
+    test("a name that fits is drawn whole") {
         measuring { NameCut.entries.forEach { shown(name, 5_000, it) shouldBe name } }
     }
 
-    test("what is too long loses its beginning, fits, and uses the room") {
+    test("a name that is too long loses its beginning, fits, and uses the room") {
         measuring {
             for (width in 30..400 step 7) {
                 val layout = measureName(AnnotatedString(name), style, width, NameCut.BEGINNING)
@@ -52,7 +52,7 @@ class NameTextSpec : FunSpec({
         }
     }
 
-    test("or its middle, and keeps both ends") {
+    test("a name cut in its middle keeps both ends") {
         measuring {
             for (width in 60..400 step 7) {
                 val layout = measureName(AnnotatedString(name), style, width, NameCut.MIDDLE)
@@ -66,7 +66,7 @@ class NameTextSpec : FunSpec({
         }
     }
 
-    test("derivatives, which all end the same, keep what they are of") {
+    test("derivatives, which all end the same, keep the name of their topic") {
         measuring {
             val (left, right) = listOf("Left", "Right").map { "[ $it Position Derivative ]" }
             shown(left, 120, NameCut.of(left)) shouldStartWith "[ Le"
@@ -75,7 +75,7 @@ class NameTextSpec : FunSpec({
         }
     }
 
-    test("an event keeps its last words whole, or as many letters as fit of the last one") {
+    test("an event keeps its last words whole, or as many letters of the last one as fit") {
         measuring {
             val event = "Millstone District Regional"
             val texts = (60..200).map { shown(event, it, NameCut.WORDS) }
@@ -97,11 +97,11 @@ class NameTextSpec : FunSpec({
         }
     }
 
-    test("without any room nothing fails") {
+    test("a name without any room does not fail") {
         measuring { for (width in 0..30) for (cut in NameCut.entries) shown(name, width, cut) shouldNotContain "Drivetrain" }
     }
 
-    test("screen readers have the whole name, which takes the room that is there") {
+    test("screen readers get the whole name, at the size of the available room") {
         runDesktopComposeUiTest(400, 100) {
             setContent { ViewerTheme(Theme.LIGHT) { NameText(name, Modifier.width(150.dp)) } }
             onNodeWithText(name).fetchSemanticsNode().size.width shouldBe 150

@@ -20,7 +20,7 @@ import io.kotest.matchers.shouldBe
 @OptIn(ExperimentalTestApi::class)
 class SearchFieldSpec : FunSpec({
     for (share in listOf(0.02f, 0.5f, 0.98f)) {
-        test("a click at $share of its width gives the field the keyboard") {
+        test("a click at $share of its width gives the field the keyboard focus") {
             var text by mutableStateOf("")
             runDesktopComposeUiTest(400, 100) {
                 setContent { ViewerTheme(Theme.LIGHT) { SearchField(text, "Search topics", Modifier.width(300.dp)) { text = it } } }

@@ -59,7 +59,7 @@ class TodoPaneSpec : FunSpec({
             setContent { ViewerScreen(viewer) }
             viewer.scope.launch { viewer.todo.run() }
             viewer.library.open(folder)
-            // What is on the list changes with each log that the rules have examined.
+            // The list changes with each log that the rules have examined.
             waitFor {
                 val state = viewer.library.state
                 val logs = state.ofRobots.filter { !it.isGray }
@@ -76,7 +76,7 @@ class TodoPaneSpec : FunSpec({
 
     fun open(viewer: Viewer) = viewer.todo.state.list.open.map { it.title }
 
-    test("an error is there by itself, is marked as done in a dialog, and its line is in the file") {
+    test("an error is listed by itself, marked as done in a dialog, and its line is in the file") {
         onFolder { viewer, folder ->
             val title = open(viewer).first()
             onNodeWithContentDescription("Mark as done: $title").performClick()
@@ -95,7 +95,7 @@ class TodoPaneSpec : FunSpec({
         }
     }
 
-    test("an own item is added and assigned; what another laptop writes appears; the checklist is ticked for one match") {
+    test("an own item is added and assigned, the item of another laptop appears, and the checklist is ticked for one match") {
         onFolder { viewer, folder ->
             onNodeWithContentDescription("New item").performClick()
             onNodeWithContentDescription("What is to be done").performTextInput("Check the radio")
@@ -122,7 +122,7 @@ class TodoPaneSpec : FunSpec({
         }
     }
 
-    test("somebody else’s name is for one change, and Enter on a button presses it") {
+    test("another person’s name counts for one change, and Enter on a button presses it") {
         onFolder { viewer, _ ->
             val (one, other) = viewer.todo.state.list.open.take(1) + viewer.todo.state.list.itemOrNew(OwnTask("Radio"))
             viewer.todo.ask(TodoSheet.Done(one))
@@ -140,7 +140,7 @@ class TodoPaneSpec : FunSpec({
         }
     }
 
-    test("the list is saved as a page, and is Markdown for the clipboard") {
+    test("the list is saved as a page, and copied as Markdown") {
         val page = tempdir().toPath().resolve("list.html")
         onFolder(page = page) { viewer, _ ->
             onNodeWithContentDescription("Save the list as a page").performClick()
@@ -150,14 +150,14 @@ class TodoPaneSpec : FunSpec({
         }
     }
 
-    test("the pit view shows what is open, and a click on it shows the list") {
+    test("the pit view shows the open items, and a click on it shows the list") {
         onFolder(MainView.PIT) { viewer, _ ->
             onNodeWithText("• ${open(viewer).first()}").performClick()
             viewer.panels.state.main shouldBe MainView.TODO
         }
     }
 
-    test("a note of the open log is put on the list") {
+    test("a note of the open log is added to the list") {
         onFolder(MainView.GRAPHS) { viewer, folder ->
             viewer.scope.launch { viewer.notes.run() }
             val log = folder.resolve("practice.bag")
@@ -171,7 +171,7 @@ class TodoPaneSpec : FunSpec({
         }
     }
 
-    test("a finding of the open log says what became of it, and is assigned below it") {
+    test("a finding of the open log shows its state on the list, and is assigned below it") {
         onFolder(MainView.GRAPHS) { viewer, _ ->
             viewer.scope.launch { viewer.findings.run() }
             val item = viewer.todo.state.list.open.first()

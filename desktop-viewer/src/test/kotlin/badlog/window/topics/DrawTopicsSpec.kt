@@ -9,7 +9,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class DrawTopicsSpec : FunSpec({
-    test("a click on a topic goes to its graph where that is out of sight, and only then takes it away") {
+    test("a click on a drawn topic scrolls to its graph if that is out of sight, and otherwise removes it") {
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage", "B"), listOf("0,1,2", "1,2,3"))))
         val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
         val board = Board(listOf(BoardGraph(1, "B", listOf("B")), BoardGraph(2, "A/Voltage", listOf("A/Voltage"))))
@@ -24,7 +24,7 @@ class DrawTopicsSpec : FunSpec({
         viewer.board.state.graphs.map { it.id } shouldBe listOf(1)
     }
 
-    test("topics that are added to a graph are clicked into it and out again, until that ends") {
+    test("clicks add topics to the graph in the line above or remove them, until that ends") {
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A/Voltage", "B"), listOf("0,1,2", "1,2,3"))))
         val signal = checkNotNull(viewer.current.recording?.signal("A/Voltage"))
         viewer.board.replace(Board(listOf(BoardGraph(7, "B", listOf("B")))))

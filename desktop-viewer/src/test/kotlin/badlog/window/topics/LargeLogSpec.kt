@@ -42,7 +42,7 @@ class LargeLogSpec : FunSpec({
         large.signals.size + large.empty.size shouldBe large.view.recording.topics.size
     }
 
-    test("target and actual speed of a swerve module are compared after one search and a click") {
+    test("one search and one click compare target and actual speed of a swerve module") {
         val viewer = viewerOf(large).apply { board.replace(large.standardGraphs) }
         runDesktopComposeUiTest(300, 700) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
@@ -59,7 +59,7 @@ class LargeLogSpec : FunSpec({
         }
     }
 
-    test("its graphs are drawn, with a note where one was written") {
+    test("the graphs of a large log are drawn, with a note at its place") {
         val viewer = viewerOf(large).apply {
             board.replace(large.standardGraphs)
             notes.change { StoredNotes(notebook = Notebook(listOf(Note(4.0, "hit by 254")))) }

@@ -45,7 +45,7 @@ class TopicPaneSpec : FunSpec({
         bagOf(listOf("Time|xaxis", "Arm/Angle", "Arm/Speed", "Drive/Left", "Log|log"), listOf("0,10,1,7,", "1,20,2,8,homed", "2,30,3,9,")),
     )
 
-    test("a click draws a topic, and one more takes it away") {
+    test("a click draws a topic, and a second one removes it") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
@@ -58,7 +58,7 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("several are selected with Ctrl, and drawn in one graph") {
+    test("several topics are selected with Ctrl, and drawn in one graph") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
@@ -76,7 +76,7 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("the values are those under the cursor, none before the log, or the last ones without a cursor") {
+    test("the values are those under the cursor: none before the log, and the last ones without a cursor") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
@@ -120,13 +120,13 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("a key right after typing counts for what was typed, even if the list still shows what was before") {
+    test("a key right after typing acts on the typed search, even if the list still shows the previous one") {
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Drive/Speed", "Elevator/Height"), listOf("0,1,2"))))
         val listed = CountDownLatch(1)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
             waitFor { onAllNodesWithText("Drive").fetchSemanticsNodes().isNotEmpty() }
-            // Every thread that could list the topics anew is busy.
+            // Every thread that could list the topics again is busy.
             val busy = CoroutineScope(Dispatchers.Default)
             repeat(100) { busy.launch { listed.await() } }
             try {

@@ -20,19 +20,19 @@ class TopicRowsSpec : FunSpec({
 
     val signals = signalsOf("arm/Wrist/Angle", "Mode", "Arm/Angle", "Drive/Left", "Arm/Wrist/Speed")
 
-    test("folders hold their topics, then their folders, regardless of case in their order") {
+    test("folders list their topics, then their folders, regardless of case") {
         text(topicRows(signals, "", emptySet())) shouldContainExactly listOf(
             "Mode", "Arm/ 2", "  Angle", "  Wrist/ 1", "    Speed", "arm/ 1", "  Wrist/ 1", "    Angle", "Drive/ 1", "  Left",
         )
     }
 
-    test("a closed folder hides what is in it, a search opens it") {
+    test("a closed folder hides its content, and a search opens it") {
         text(topicRows(signals, "", setOf("Arm", "arm"))) shouldContainExactly
             listOf("Mode", "Arm/ 2", "arm/ 1", "Drive/ 1", "  Left")
         text(topicRows(signals, "DRIVE le", setOf("Drive"))) shouldContainExactly listOf("Drive/ 1", "  Left")
     }
 
-    test("the folders of a large log begin closed, and stay as a person left them; those of a small one begin open") {
+    test("folders of a large log begin closed, and stay as a person left them; folders of a small log begin open") {
         val small = TopicList().listing(foldersOf(signals))
         small.folded shouldBe emptySet()
         val large = signalsOf(*Array(30) { "Module $it/Inner//Speed" }, "Arm/Angle")
@@ -44,7 +44,7 @@ class TopicRowsSpec : FunSpec({
         opened.listing(foldersOf(large)).folded shouldBe opened.folded
     }
 
-    test("a search for one topic over another offers the XY plot, where a graph of its own may be added") {
+    test("a search for one topic over another offers their XY plot, if it can have a graph of its own") {
         val numbers = recordingOf(bagOf(listOf("Time|xaxis", "Arm/Volts", "Arm/Amps", "Mode"), listOf("0,1,2,auto", "1,2,3,auto"))).signals
         text(topicRows(numbers, "volts over amps", emptySet(), offersXy = true)) shouldContainExactly listOf("Arm/Volts over Arm/Amps")
         text(topicRows(numbers, "arm over mode", emptySet(), offersXy = true)) shouldBe emptyList()
@@ -57,7 +57,7 @@ class TopicRowsSpec : FunSpec({
         topicRows(signals, "nothing", emptySet()) shouldBe emptyList()
     }
 
-    test("10,000 topics are all listed, each line by a key of its own") {
+    test("10,000 topics are all listed, each line with its own key") {
         val many = signalsOf(*Array(10_000) { "Folder ${it % 100}/Topic $it" })
         val rows = topicRows(many, "", emptySet())
         rows.size shouldBe 10_100
@@ -65,7 +65,7 @@ class TopicRowsSpec : FunSpec({
         rows.filterIsInstance<FolderRow>().map { it.title.lowercase() }.shouldBeSorted()
     }
 
-    test("a choice up to a row takes all between, in either direction") {
+    test("a selection up to a row takes all rows between, in either direction") {
         val rows = topicRows(signals, "", emptySet())
         val list = TopicList().toggled("Arm/Angle").selectedTo("arm/Wrist/Angle", rows)
         list.selected shouldContainExactly listOf("Arm/Angle", "Arm/Wrist/Speed", "arm/Wrist/Angle")
@@ -73,7 +73,7 @@ class TopicRowsSpec : FunSpec({
         TopicList().selectedTo("Mode", rows).selected shouldContainExactly listOf("Mode")
     }
 
-    test("a folder has its topics and those of the folders in it, not those of one whose name only begins alike") {
+    test("a folder has its own topics and its subfolders' topics, not the topics of a folder with a longer name") {
         val more = signalsOf("Arm/Angle", "Arm/Wrist/Speed", "Arm 2/Angle", "Mode", "/Drive//Left")
         topicsIn("Arm", more).map { it.name } shouldContainExactly listOf("Arm/Angle", "Arm/Wrist/Speed")
         topicsIn("Arm/Wrist", more).map { it.name } shouldContainExactly listOf("Arm/Wrist/Speed")

@@ -11,7 +11,7 @@ import org.bytedeco.javacv.Frame
 import java.nio.ByteBuffer
 import java.nio.file.Path
 
-/** A video whose pictures count its frames, as white squares for the ones of a binary number: the first at the left is worth 1. */
+/** A video with pictures that count its frames: white squares are the ones of a binary number, worth 1 at the left. */
 internal object CountedVideo {
     const val FRAMES_PER_SECOND = 30
     const val FRAMES = 300
@@ -19,10 +19,10 @@ internal object CountedVideo {
     private const val SQUARE = 24
     private const val HEIGHT = 136
 
-    /** Frames from one that stands for itself to the next. */
+    /** The number of frames from one independent frame to the next. */
     private const val GROUP = 75
 
-    /** Writes it to [file]: with frames that refer to later ones, as those of phones do; to be shown [turnedBy] degrees clockwise. */
+    /** Writes the video to [file], to be shown [turnedBy] degrees clockwise. Some frames refer to later ones, as in videos of phones. */
     fun write(file: Path, turnedBy: Int = 0): Path {
         av_log_set_level(AV_LOG_QUIET)
         FFmpegFrameRecorder(file.toFile(), DIGITS * SQUARE, HEIGHT).apply {
@@ -33,7 +33,7 @@ internal object CountedVideo {
             gopSize = GROUP
             maxBFrames = 2
             videoBitrate = 1_000_000
-            // As FFmpeg counts: to the left.
+            // FFmpeg counts to the left.
             if (turnedBy != 0) setDisplayRotation(-turnedBy.toDouble())
             start()
             for (number in 0 until FRAMES) record(frame(number))
@@ -54,10 +54,10 @@ internal object CountedVideo {
         }
     }
 
-    /** The number of the frame that [picture] shows. */
+    /** Returns the number of the frame that [picture] shows. */
     fun numberIn(picture: ImageBitmap): Int = numberIn(picture) { along, down -> along to down }
 
-    /** The same of a picture that stands on its short side since it was turned by a quarter, clockwise. */
+    /** Returns the number in a picture that was turned clockwise by a quarter and stands on its short side. */
     fun numberInTurned(picture: ImageBitmap): Int = numberIn(picture) { along, down -> picture.width - 1 - down to along }
 
     private fun numberIn(picture: ImageBitmap, place: (along: Int, down: Int) -> Pair<Int, Int>): Int {

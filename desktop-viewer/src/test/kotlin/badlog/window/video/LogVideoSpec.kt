@@ -21,7 +21,7 @@ import org.jetbrains.skia.Bitmap
 class LogVideoSpec : FunSpec({
     fun frame(seconds: Double, leads: Boolean) = ReadFrame(VideoFrame(seconds, Bitmap().apply { allocN32Pixels(2, 2) }), 60.0, leads)
 
-    test("a cursor that is moved while a step is still being read stays there, and the video goes there") {
+    test("a cursor moved while a step is being read stays there, and the video follows it") {
         val home = tempdir().toPath()
         val scope = CoroutineScope(Dispatchers.Unconfined + Job())
         val asked = ArrayList<String>()
@@ -60,7 +60,7 @@ class LogVideoSpec : FunSpec({
         asked shouldContainExactly listOf("1 further", "second 10.0")
         viewer.view.cursor shouldBe 20.0
         video.state.frame?.time shouldBe 10.0
-        // A step after that leads again, and so does a second one that was asked for before the first was read.
+        // A later step leads again, and so does a second step that was requested before the first one was read.
         video.step(1)
         video.step(1)
         answer(frame(10.0 + 1 / 30.0, leads = true))

@@ -18,7 +18,7 @@ import io.kotest.property.checkAll
 class PlaybackSpec : FunSpec({
     val playing = Playback(isPlaying = true)
 
-    test("the cursor never leaves what is played, and time never goes back but at the end of a loop") {
+    test("the cursor never leaves the played range, and goes back only at the end of a loop") {
         checkAll(Arb.numericDouble(-10.0, 20.0), Arb.numericDouble(0.0, 100.0), Arb.boolean()) { cursor, distance, loops ->
             val step = playing.copy(loops = loops).advanced(cursor, distance, Span(0.0, 10.0))
             (step.cursor in 0.0..10.0) shouldBe true
@@ -27,11 +27,11 @@ class PlaybackSpec : FunSpec({
         }
     }
 
-    test("a loop goes on from its beginning by what was too much") {
+    test("a loop continues from its beginning with the remaining distance") {
         playing.copy(loops = true).advanced(9.0, 3.0, Span(0.0, 10.0)).cursor shouldBe 2.0
     }
 
-    test("two steps are one of both lengths") {
+    test("two steps are the same as one of both lengths") {
         checkAll(Arb.numericDouble(0.0, 4.0), Arb.numericDouble(0.0, 4.0)) { one, other ->
             val range = Span(0.0, 10.0)
             val first = playing.advanced(1.0, one, range)
@@ -40,14 +40,14 @@ class PlaybackSpec : FunSpec({
         }
     }
 
-    test("speeds go up and down by steps and stop at their ends") {
+    test("speeds go up and down by steps, and stop at their ends") {
         playing.faster(1).speed shouldBe 2.0
         playing.faster(-1).speed shouldBe 0.5
         playing.faster(100).speed shouldBe 10.0
         playing.faster(-100).speed shouldBe 0.1
     }
 
-    test("the view follows the cursor when that leaves it, and the way back is not filled with it") {
+    test("the view follows a cursor that leaves it, without filling the history") {
         val viewer = viewerOf(recordingOf(bagOf(1001) { 0.0 }))
         viewer.view.send(PlaceAction.Show(0.0, 10.0))
         viewer.view.send(PlaceAction.MoveCursor(9.9))
@@ -59,7 +59,7 @@ class PlaybackSpec : FunSpec({
         viewer.view.viewport.isZoomed shouldBe false
     }
 
-    test("play at the end begins again") {
+    test("playback at the end starts over") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
         viewer.view.send(PlaceAction.MoveCursor(10.0))
         viewer.player.toggle()
@@ -67,7 +67,7 @@ class PlaybackSpec : FunSpec({
         viewer.player.state.isPlaying shouldBe true
     }
 
-    test("a selection is what is played") {
+    test("a selection is the played range") {
         val viewer = viewerOf(recordingOf(bagOf(101) { 0.0 }))
         viewer.view.send(PlaceAction.Select(Span(2.0, 2.1)))
         viewer.player.change { Playback(loops = true) }

@@ -25,7 +25,7 @@ class VideoFileSpec : FunSpec({
         time shouldBe (timeOf(number) plusOrMinus 1e-4)
     }
 
-    test("every frame is shown one after the other, each at its time, and back again") {
+    test("every frame is shown one after the other, each at its time, and backwards again") {
         VideoFile(video).use { file ->
             file.duration shouldBe (timeOf(CountedVideo.FRAMES) plusOrMinus 0.05)
             for (number in 0..last) {
@@ -39,7 +39,7 @@ class VideoFileSpec : FunSpec({
         }
     }
 
-    test("a moment shows the frame that lasts then, wherever the video was before") {
+    test("a seek shows the frame of that moment, wherever the video was before") {
         val random = Random(2026)
         VideoFile(video).use { file ->
             repeat(150) {
@@ -50,7 +50,7 @@ class VideoFileSpec : FunSpec({
         }
     }
 
-    test("a frame is found at the time at which it begins, rounded as alignments are") {
+    test("a frame is found at its start, rounded like alignments") {
         VideoFile(video).use { file ->
             for (number in listOf(1, 7, 76, 151, 100)) {
                 file.seek(Math.round(timeOf(number) * 10_000) / 10_000.0)
@@ -59,7 +59,7 @@ class VideoFileSpec : FunSpec({
         }
     }
 
-    test("before its start a video shows its first frame, beyond its end the last") {
+    test("a video shows its first frame before its start, and its last one beyond its end") {
         VideoFile(video).use { file ->
             file.seek(1000.0)
             file.shouldShow(last)
@@ -71,7 +71,7 @@ class VideoFileSpec : FunSpec({
         }
     }
 
-    test("of a file that was cut off, the frames that are there are shown") {
+    test("a file that was cut off shows the remaining frames") {
         val whole = Files.readAllBytes(CountedVideo.write(folder.resolve("whole.mkv")))
         val cut = Files.write(folder.resolve("cut.mkv"), whole.copyOf(whole.size / 2))
         VideoFile(cut).use { file ->
@@ -83,7 +83,7 @@ class VideoFileSpec : FunSpec({
         }
     }
 
-    test("a video that a phone has stored on its side is shown upright") {
+    test("a phone's video that is stored on its side is shown upright") {
         VideoFile(CountedVideo.write(folder.resolve("upright.mp4"), turnedBy = 90)).use { file ->
             file.seek(timeOf(203))
             file.picture().use { frame ->
@@ -93,11 +93,11 @@ class VideoFileSpec : FunSpec({
         }
     }
 
-    test("the HEVC of phones is among what is decoded") {
+    test("the HEVC videos of phones are decoded") {
         avcodec_find_decoder(AV_CODEC_ID_HEVC).name().string shouldBe "hevc"
     }
 
-    test("one sentence names a file that is not a video, or that is missing") {
+    test("one sentence reports a file that is missing, or not a video") {
         val noise = Files.write(folder.resolve("noise.mp4"), Random(1).nextBytes(100_000))
         val empty = Files.write(folder.resolve("empty.mov"), ByteArray(0))
         for (file in listOf(noise, empty)) {

@@ -55,10 +55,10 @@ class VideoPanelSpec : FunSpec({
         waitFor { viewer.video.state.frame != null }
     }
 
-    // On the window’s thread, which frees the picture when it shows others.
+    // On the window’s thread, which frees the picture when it shows another one.
     fun ComposeUiTest.shown(viewer: Viewer) = runOnUiThread { viewer.video.state.frame?.let { CountedVideo.numberIn(it.image) } }
 
-    test("once “Enabled here” is pressed, the cursor moves the video, and a step of the video moves the cursor") {
+    test("after “Enabled here”, the cursor moves the video, and a step of the video moves the cursor") {
         inWindow(video) { viewer ->
             open(viewer)
             runOnIdle { viewer.video.seek(2.0) }
@@ -102,7 +102,7 @@ class VideoPanelSpec : FunSpec({
         }
     }
 
-    test("without a link, video and cursor go their own ways; linked again, the frame belongs where the cursor is") {
+    test("without a link, video and cursor move independently; linking aligns the frame with the cursor") {
         inWindow(video) { viewer ->
             open(viewer)
             runOnIdle { viewer.view.send(PlaceAction.GoTo(20.0)) }
@@ -121,7 +121,7 @@ class VideoPanelSpec : FunSpec({
         }
     }
 
-    test("with its log a video comes again, where it lay; closed, it does not") {
+    test("a video reopens with its log at its place, unless it was closed") {
         inWindow(video) { viewer ->
             open(viewer)
             runOnIdle { viewer.video.alignEnabled() }
@@ -138,7 +138,7 @@ class VideoPanelSpec : FunSpec({
         }
     }
 
-    test("a file that is not a video says so in the panel, and a log without a time has no place for one") {
+    test("a file that is not a video is reported in the panel, and a log without a time accepts no video") {
         val broken = Files.writeString(home.resolve("broken.mp4"), "no video")
         inWindow(broken) { viewer ->
             onNodeWithContentDescription("Open a video").performClick()

@@ -5,8 +5,8 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import badlog.window.app.Viewer
 
 /**
- * Waits until [condition] holds, and what the window’s thread is doing then is done: it may have changed only a part of the state. Compose
- * waits a second by itself, which a busy machine exceeds.
+ * Waits until [condition] holds, and the window’s thread has finished its current work. That work may have changed only a part of the
+ * state. Compose's own wait ends after a second, which a busy machine exceeds.
  */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.waitFor(condition: () -> Boolean) {
@@ -14,6 +14,6 @@ internal fun ComposeUiTest.waitFor(condition: () -> Boolean) {
     runOnUiThread { }
 }
 
-/** Waits until [viewer] says something that has [text] in it. */
+/** Waits until a notice of [viewer] contains [text]. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.waitForNotice(viewer: Viewer, text: String) = waitFor { viewer.notices.all.any { text in it.text } }

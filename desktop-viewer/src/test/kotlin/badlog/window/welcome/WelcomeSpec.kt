@@ -46,7 +46,7 @@ class WelcomeSpec : FunSpec({
         }
     }
 
-    test("without any log one click shows a match, which is not a folder of the person’s") {
+    test("without a log, one click shows a sample match, and remembers no folder for it") {
         atFirstStart { viewer ->
             onNodeWithContentDescription("Open the sample match").performClick()
             waitFor { viewer.current.recording != null }
@@ -58,7 +58,7 @@ class WelcomeSpec : FunSpec({
         }
     }
 
-    test("closing the sample leads back to the invitation, also beside a folder without logs; a log of a folder stays open") {
+    test("closing the sample returns to the welcome, also beside a folder without logs; a log of a folder stays open") {
         val folder = tempdir().toPath()
         val chosen = ChosenFiles(folder)
         atFirstStart(chosen) { viewer ->
@@ -89,7 +89,7 @@ class WelcomeSpec : FunSpec({
         }
     }
 
-    test("the match that comes with the window is that of the samples, and is made whole again when it was damaged") {
+    test("the match that comes with the window equals the sample, and is repaired if it was damaged") {
         val cache = tempdir().toPath()
         val file = SampleLog.unpackInto(cache)
         fun unpacked() = GZIPInputStream(Files.newInputStream(file)).use { it.readAllBytes() }
@@ -99,7 +99,7 @@ class WelcomeSpec : FunSpec({
         unpacked().size.toLong() shouldBe Files.size(samples.resolve("qualification-42.bag"))
     }
 
-    test("a log that is opened there is shown with its folder") {
+    test("a log opened in the welcome is shown with its folder") {
         val log = samples.resolve("practice.bag").toAbsolutePath().normalize()
         atFirstStart(ChosenFiles(log)) { viewer ->
             onNodeWithContentDescription("Open one of your logs").performClick()
@@ -108,7 +108,7 @@ class WelcomeSpec : FunSpec({
         }
     }
 
-    test("logs are fetched into a folder, which is asked for first; then the robot’s number can be typed") {
+    test("fetching logs asks for their folder first; then the robot’s number can be typed") {
         val chosen = ChosenFiles(null)
         atFirstStart(chosen) { viewer ->
             onNodeWithContentDescription("Fetch logs from a robot").performClick()
@@ -134,7 +134,7 @@ class WelcomeSpec : FunSpec({
         }
     }
 
-    test("every line of a robot’s program is one of the program in its guide, which is compiled and run") {
+    test("every line of a robot’s program is in the program of its guide, which is compiled and run") {
         for (language in LoggingLanguage.entries) {
             val guide = Files.readAllLines(Path.of("../docs", language.guide)).map { it.trim() }
             for (line in language.lines.flatMap { (_, code) -> code.lines() }) guide shouldContain line.trim()

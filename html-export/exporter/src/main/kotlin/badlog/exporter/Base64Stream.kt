@@ -5,10 +5,10 @@ import java.util.Base64
 import java.util.zip.CRC32
 
 /**
- * Writes bytes to [out] as base64, however they are split into pieces: one or two bytes that do not fill a group of three wait for the
- * next piece, so that padding is only at the end of a line. Lines end only where [endLine] is called.
+ * Writes bytes to [out] as base64, regardless of how they are split into pieces. One or two bytes that do not fill a group of three wait
+ * for the next piece, so that padding is only at the end of a line. Lines end only where [endLine] is called.
  *
- * Also calculates the CRC-32 of the bytes of each line, by which the page finds out whether they were changed on the way.
+ * Also calculates the CRC-32 of the bytes of each line, by which the page detects changes.
  */
 internal class Base64Stream(private val out: OutputStream) {
     private val encoder = Base64.getEncoder()
@@ -18,7 +18,7 @@ internal class Base64Stream(private val out: OutputStream) {
     private val crc = CRC32()
     private val sums = ArrayList<Int>()
 
-    /** The CRC-32 of the bytes of each line that has ended. */
+    /** The CRC-32 of the bytes of each complete line. */
     val lineSums: List<Int> get() = sums
 
     /** Writes the bytes from [from] until [until] of [bytes]. Keeps no reference. */

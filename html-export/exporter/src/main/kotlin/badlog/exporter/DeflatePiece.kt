@@ -5,12 +5,11 @@ import java.util.concurrent.Future
 import java.util.zip.Deflater
 
 /**
- * One piece of a file on its way into a gzip stream. It is deflated independently of its neighbors, so that several
- * can be deflated in parallel. But it uses the bytes before it as a dictionary, and ends on a byte boundary, so that
- * the pieces in sequence are one deflate stream, except for its [END]. A piece without a dictionary begins a part of
- * the stream that can be inflated by itself.
+ * One piece of a file on its way into a gzip stream. It is deflated independently of its neighbors, so that several can be deflated in
+ * parallel. It uses the bytes before it as a dictionary and ends on a byte boundary, so that the pieces in sequence are one deflate stream,
+ * except for its [END]. A piece without a dictionary begins a part of the stream that can be inflated by itself.
  *
- * Created once and reused: its buffers are the memory that an export needs.
+ * Created once and reused, because its buffers are the memory that an export needs.
  */
 internal class DeflatePiece {
     private val deflater = Deflater(LEVEL, true)
@@ -36,7 +35,7 @@ internal class DeflatePiece {
     /** The work on this piece in other threads. */
     var work: List<Future<*>> = emptyList()
 
-    /** Reads the next bytes of [source], which follow those of [before]; null begins a new part. */
+    /** Reads the next bytes of [source], which follow the bytes of [before]; null begins a new part. */
     fun fill(source: InputStream, before: DeflatePiece?) {
         beginsPart = before == null
         dictionarySize = 0

@@ -8,8 +8,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A page without a log: whoever has it opens logs with it, in any browser, without installing anything. It runs the built-in rules, and
- * holds a sample.
+ * A page without a log, which opens logs in any browser without installation. It runs the built-in rules, and contains a sample.
  *
  * @param parts the program and the styles of the page.
  */
@@ -17,7 +16,7 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
     /**
      * Writes the page to [output], whose folder is created if necessary.
      *
-     * @param network what the page may ask.
+     * @param network the servers that the page may ask.
      * @throws ExportException if it cannot be written.
      */
     fun write(output: Path, network: PageNetwork = PageNetwork.NONE) {
@@ -45,7 +44,7 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
         /** The usual name of the page. */
         const val NAME: String = "badlog.html"
 
-        /** The usual name of the page for a web server on a robot. Called `index.html`, it would hide the list of logs that it asks for. */
+        /** The usual name of the page for a web server on a robot. As `index.html`, it would hide the list of logs that it requests. */
         const val SERVED_NAME: String = "logs.html"
 
         /** The usual name of the page for a web site. */

@@ -6,7 +6,7 @@ import java.util.concurrent.Executors
 import java.util.concurrent.Future
 import java.util.concurrent.TimeUnit
 
-/** The threads that work for one export: as many as there are cores to deflate, and one that parses. */
+/** The threads of one export: one per core to deflate, and one to parse. */
 internal class ExportThreads : AutoCloseable {
     private val deflaters = pool("badlog-deflate", CORES)
     private val parser = pool("badlog-parse", 1)
@@ -28,7 +28,7 @@ internal class ExportThreads : AutoCloseable {
     companion object {
         val CORES = Runtime.getRuntime().availableProcessors()
 
-        /** Waits for [work]; throws what it throws. */
+        /** Waits for [work] and rethrows its exceptions. */
         fun await(work: Future<*>) {
             try {
                 work.get()

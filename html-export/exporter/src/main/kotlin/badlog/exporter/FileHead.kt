@@ -8,19 +8,19 @@ import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * What the first bytes of a file show before the rest is read.
+ * The facts in the first bytes of a file, before the rest is read.
  *
  * @property isGzip whether the file is compressed.
- * @property refusal why the file is certainly not a recording, whatever follows; null if it may be one.
+ * @property refusal the reason why the file is certainly not a recording, whatever follows; null if it may be one.
  */
 internal class FileHead private constructor(val isGzip: Boolean, private val recording: Recording, val refusal: String?) {
     /** Whether it is text in lines. */
     val hasLines: Boolean get() = recording.format.hasRows
 
-    /** Returns the title of the match, as far as it is known from this beginning of the file called [name]; null if it is unknown. */
+    /** Returns the title of the match that this beginning of the file [name] identifies; null if it is unknown. */
     fun titleIn(name: String, signals: SignalVocabulary): String? = signals.matchOf(recording, name).title
 
-    /** Returns whether this beginning of the file identifies the match by itself, whatever the file is called. */
+    /** Returns whether this beginning of the file identifies the match without the file's name. */
     fun identifiesMatch(signals: SignalVocabulary): Boolean = titleIn(name = "", signals) != null
 
     companion object {
@@ -38,7 +38,7 @@ internal class FileHead private constructor(val isGzip: Boolean, private val rec
                 parser.accept(bytes)
             }
             val recording = parser.finish()
-            // Without rows, the parser rejected the bytes themselves. Text in rows may still have numbers further down.
+            // Without rows, the parser rejected the bytes themselves. Text in rows may still have numbers later.
             return FileHead(isGzip, recording, recording.refusal.takeIf { parser.rowCount == 0 })
         }
     }

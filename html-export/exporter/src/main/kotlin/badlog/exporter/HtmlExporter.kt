@@ -21,12 +21,11 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Turns recordings into HTML pages that need nothing else: each contains the file's exact bytes, and the program that
- * shows them. Works on all cores, in memory that does not grow with the file. Reusable for any number of exports, also
- * concurrently.
+ * Turns recordings into HTML pages that need nothing else. Each page contains the file's exact bytes, and the program that shows them.
+ * Works on all cores, in memory that does not grow with the file. Reusable for any number of exports, also concurrently.
  *
  * @param attachments files to put into every page beside the recording.
- * @param compared logs that every page draws over its own; a page's own log is not among them.
+ * @param compared logs that every page draws over its own; a page's own log is skipped.
  * @param parts the program and the styles of the pages.
  * @param maker makes one log of a file with several in it; null if there is no page of such a file.
  */
@@ -36,17 +35,17 @@ class HtmlExporter(
     private val parts: PageParts = PageParts.bundled(),
     private val maker: LogMaker? = null,
 ) {
-    /** The compared logs that were found to be logs. */
+    /** The compared logs that have been checked to be logs. */
     private val readable = ConcurrentHashMap.newKeySet<Path>()
 
     /**
-     * Makes the page [output] from the log [input]: a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
-     * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced
-     * only by a complete page; its folder is created if necessary.
+     * Makes the page [output] from the log [input]. That is a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
+     * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced only by
+     * a complete page; its folder is created if necessary.
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *
-     * @param additions what the page shows besides the recording and the notes in the file beside [input].
+     * @param additions the content of the page besides the recording and the notes in the files beside [input].
      * @throws ExportException if there is nothing to show, or a file cannot be read or written.
      * @throws InterruptedException if the thread was interrupted.
      */
@@ -69,7 +68,7 @@ class HtmlExporter(
         }
     }
 
-    /** The log in [input], whose content is that of [parts]. */
+    /** The log in [input], with the same content as the files [parts]. */
     private class ExportedLog(val input: Path, val log: Unpacked, val parts: List<Path>)
 
     private fun export(exported: ExportedLog, page: Path, additions: PageAdditions, progress: Progress): ExportReport {
@@ -85,7 +84,7 @@ class HtmlExporter(
         }
     }
 
-    /** Returns [first], the bytes of the first of [logParts], followed by those of the others. */
+    /** Returns [first], the bytes of the first of [logParts], followed by the bytes of the others. */
     private fun withOthers(first: InputStream, logParts: List<Path>): InputStream = logParts.drop(1).fold(first) { before, part ->
         SequenceInputStream(before, ReadGuard(part, reading(part) { Files.newInputStream(part) }))
     }
@@ -115,12 +114,12 @@ class HtmlExporter(
             val writer = PageWriter(file.out, parts)
             val signals = additions.rules.signals
             val heads = sequenceOf(head) + logParts.asSequence().drop(1).map(::headOf)
-            // A file's name may be that of another match, and only decides where no part of the log identifies the match.
+            // A file's name may belong to another match, so it decides only if no part of the log identifies the match.
             val identifying = heads.firstOrNull { it.identifiesMatch(signals) } ?: head
             writer.begin(identifying.titleIn(name, signals) ?: name, additions.video != null)
             writer.program(additions)
             val embedded = ExportThreads().use { threads ->
-                // Only a large file is worth several workers, and reading while the page is still being loaded.
+                // Only a large file is worth several workers, and reading while the page is still loading.
                 val lineBytes = total.takeIf { head.hasLines && !head.isGzip && it > MANY_BYTES }
                 val embedded = writer.recording(name, lineBytes) { out ->
                     val reported: (Long) -> Unit = { progress.advanced(it, total) }
@@ -149,7 +148,7 @@ class HtmlExporter(
         FileHead.of(reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } })
 
     private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
-        // A folder's pages compare with the same logs.
+        // All pages of a folder compare with the same logs.
         if (input !in readable) {
             val compared = readRecording(input, LOG_FORMATS, ReadOptions(keepSamples = false))
             compared.refusal?.let { throw ExportException.NotARecording(input, it) }

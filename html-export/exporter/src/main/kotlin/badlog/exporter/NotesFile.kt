@@ -20,20 +20,21 @@ import java.nio.file.Path
 import java.util.UUID
 
 /**
- * The files with the notes of one log, beside it. Each computer appends lines to its own, `q42.bag.notes-pit-3f2a.jsonl` for `q42.bag`, and all of
- * them are read, so that a synced folder or git has nothing to resolve. What older versions wrote in `q42.bag.notes.json` is the beginning.
+ * The files with the notes of one log, beside it. Each computer appends lines to its own file, such as `q42.bag.notes-pit-3f2a.jsonl` for
+ * `q42.bag`, and all files are read, so that a synced folder or git has no conflicts to resolve. Older versions wrote `q42.bag.notes.json`,
+ * whose notes come first.
  */
 object NotesFile {
-    /** Larger files are not notes of a log. */
+    /** The maximum size of a file with notes. */
     private const val MAX_BYTES = 16L shl 20
 
-    /** Returns the path of the notes of [log] that older versions wrote, whether or not they exist. */
+    /** Returns the path of the notes that older versions wrote for [log]; the file need not exist. */
     fun beginningOf(log: Path): Path = log.resolveSibling("${log.fileName}.notes.json")
 
     /** Returns the path to which this computer appends the notes of [log]. */
     fun of(log: Path): Path = log.resolveSibling("${log.fileName}.notes-$computerName.jsonl")
 
-    /** Returns the notes of [log]; none if it has no such file. A file that is damaged or cannot be read costs only its own notes. */
+    /** Returns the notes of [log]; none if it has no such file. Only the notes in damaged or unreadable files are missing. */
     fun read(log: Path): ReadNotes {
         val problems = ArrayList<String>()
         val beginning = try {
@@ -46,7 +47,7 @@ object NotesFile {
     }
 
     /**
-     * Stores [notes] as those of [log], with what others have changed since they were [read]. Returns what is stored.
+     * Stores [notes] as the notes of [log], merged with changes that others made since they were [read]. Returns the stored notes.
      *
      * @throws IOException with a sentence for the user, if it cannot be written.
      */
@@ -98,10 +99,10 @@ object NotesFile {
 }
 
 /**
- * The notes of a log, as its files have them.
+ * The notes of a log, as read from its files.
  *
- * @property history the notes, and what became of those that are removed.
- * @property problems what could not be read, each as a sentence.
+ * @property history the notes, and the changes to removed ones.
+ * @property problems the parts that could not be read, each as a sentence.
  */
 class ReadNotes(val history: NoteHistory, val problems: List<String>) {
     /** The notes, in the order of x. */

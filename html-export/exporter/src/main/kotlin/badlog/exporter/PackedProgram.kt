@@ -8,7 +8,10 @@ import java.util.zip.GZIPOutputStream
 /** Separates the style sheet from the program in the packed text; no style sheet may contain it. */
 internal const val SEPARATOR = '\u0000'
 
-/** Returns [text] in the form embedded in a page: a gzip stream in base64. [UNPACKING] turns a style sheet, [SEPARATOR] and a program back into a style sheet and a script. */
+/**
+ * Returns [text] in the form embedded in a page: a gzip stream in base64. [UNPACKING] turns a style sheet, [SEPARATOR] and a program back
+ * into a style sheet and a script.
+ */
 internal fun packed(text: String): ByteArray {
     val gzip = ByteArrayOutputStream()
     val tight = object : GZIPOutputStream(gzip) {
@@ -21,8 +24,8 @@ internal fun packed(text: String): ByteArray {
 }
 
 /**
- * The only script that a page has in plain text. The policy contains the hashes of program and style, so the browser accepts
- * what this unpacks only if it is exactly the text that the exporter packed.
+ * The only script that a page contains in plain text. The policy has the hashes of program and style, so the browser accepts the unpacked
+ * text only if it is exactly the text that the exporter packed.
  */
 internal val UNPACKING: String = """/* Unpacks the program of this page; the licenses of what it holds stand in it. */
 (() => {

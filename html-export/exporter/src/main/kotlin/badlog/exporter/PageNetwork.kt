@@ -1,18 +1,18 @@
 package badlog.exporter
 
 /**
- * What a page may ask of a network. Pages with a log, and files on a disk, may ask nothing.
+ * The servers that a page may ask. Pages with a log, and files on a disk, may ask none.
  *
  * @property policy the part of the page's policy that allows it.
- * @property word what the facts in the page call it, for the page's program; null for nothing.
+ * @property word the name in the page's facts, for the page's program; null for [NONE].
  */
 enum class PageNetwork(internal val policy: String, internal val word: String?) {
-    /** Nothing, ever. */
+    /** No server, ever. */
     NONE("", null),
 
-    /** Its own server, which is a robot's: the page lists its logs. */
+    /** The page's own server on a robot, whose logs the page lists. */
     ROBOT("connect-src 'self'; ", "robot"),
 
-    /** Its own server, and others by https: a link may name a log there, which the page asks for when its reader agrees. */
+    /** The page's own server, and others by https. A link may name a log there, which the page requests if its reader agrees. */
     WEB("connect-src 'self' https:; ", "web"),
 }

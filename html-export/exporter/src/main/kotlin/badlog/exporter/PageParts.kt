@@ -5,12 +5,11 @@ import java.util.Base64
 import java.util.zip.GZIPInputStream
 
 /**
- * The parts that all pages share: the program that reads and draws the recording, and its styles.
+ * The parts shared by all pages: the program that reads and draws the recording, and its styles.
  *
  * @param program the text of one classic script.
  * @param style the text of the program's style sheet; it is packed with the program.
- * @param waitingStyle the text of the style sheet for what a page shows before its program runs, or if it does not
- * run.
+ * @param waitingStyle the text of the style sheet that applies before the program runs, or if it does not run.
  * @throws IllegalArgumentException if one of them cannot be embedded in a page unchanged.
  */
 class PageParts private constructor(
@@ -34,8 +33,8 @@ class PageParts private constructor(
     internal val packedProgram: ByteArray = gzip?.let(Base64.getEncoder()::encode) ?: packed(style + SEPARATOR + program)
 
     /**
-     * Returns the Content-Security-Policy of a page with these parts: nothing from the network, and no other script or style. A video may
-     * be one that the reader opens or, if [hasVideo], one from the page's own location. [network] is what the page may ask.
+     * Returns the Content-Security-Policy of a page with these parts. It allows no other script or style, and only the servers of
+     * [network]. A video may be one that the reader opens or, if [hasVideo], one from the page's own location.
      */
     internal fun policy(hasVideo: Boolean, network: PageNetwork = PageNetwork.NONE): String {
         val scripts = "script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; "

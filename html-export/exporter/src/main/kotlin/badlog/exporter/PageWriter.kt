@@ -8,7 +8,10 @@ import java.io.OutputStream
 
 /** Writes a page from beginning to end. Call the functions in the order in which they are declared. */
 internal class PageWriter(private val out: OutputStream, private val parts: PageParts) {
-    /** Writes everything before the recording. Its policy depends on whether there is a video beside the page, and on what it may ask of a [network]. */
+    /**
+     * Writes everything before the recording. The policy depends on whether there is a video beside the page, and on the [network] that the
+     * page may use.
+     */
     fun begin(title: String, hasVideo: Boolean = false, network: PageNetwork = PageNetwork.NONE) {
         text(
             """
@@ -34,7 +37,7 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         )
     }
 
-    /** Writes what the page shows besides the recording, if anything, then the program, which runs while the rest is loaded. */
+    /** Writes the [additions], if there are any, then the program, which runs while the rest is loading. */
     fun program(additions: PageAdditions) {
         val json = additions.toJson()
         if (json != NO_ADDITIONS) {
@@ -50,8 +53,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     /**
      * Writes the recording from the file [name]; [embed] passes its gzip stream to the base64 stream.
      *
-     * @param lineBytes the length of the file, if each line of the base64, except the first and the last, holds some of its rows that
-     *   can be read before the others have arrived; otherwise null.
+     * @param lineBytes the length of the file if its rows can be read line by line while the page loads; otherwise null. Then each line of
+     * the base64, except the first and the last, contains some of the rows.
      */
     fun recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> EmbeddedFile): Embedded {
         val bytes = if (lineBytes == null) "" else " data-bytes=\"$lineBytes\""
@@ -62,22 +65,22 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     fun attachment(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("class=\"attachment\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** Writes a file of a log that the page compares with its own; [embed] as in [recording]. */
+    /** Writes a file of a compared log with its [name]; [embed] as in [recording]. */
     fun compared(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("class=\"compared\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** Writes the log from the file [name], which a page without a recording can show as an example; [embed] as in [recording]. */
+    /** Writes the log from the file [name] as the sample of a page without a recording; [embed] as in [recording]. */
     fun sample(name: String, embed: (Base64Stream) -> EmbeddedFile): Embedded =
         base64("id=\"sample\" data-name=\"${escapeHtml(name)}\"", embed)
 
-    /** Writes the end of a page without a recording, which may ask [network]. */
+    /** Writes the end of a page without a recording, which may use [network]. */
     fun end(network: PageNetwork) {
         val word = network.word?.let { ",\"network\":\"$it\"" }.orEmpty()
         val about = "{\"version\":${quotedJson(BADLOG_VERSION)}$word}"
         text("<script type=\"application/json\" id=\"about\">$about</script>\n</body>\n</html>\n")
     }
 
-    /** Writes the end, with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
+    /** Writes the end of a page with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
     fun end(name: String, embedded: Embedded, isGzip: Boolean, second: SecondPart? = null) {
         val file = embedded.file
         val cut = if (file.isCut) ",\"cut\":true" else ""

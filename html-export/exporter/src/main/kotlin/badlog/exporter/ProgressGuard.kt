@@ -2,7 +2,7 @@ package badlog.exporter
 
 import badlog.files.terminal.Progress
 
-/** Carries an exception thrown by a [Progress] past all code that would take it for a failure of a file. */
+/** Carries an exception of a [Progress] past all code that would report it as the failure of a file. */
 private class ProgressFailure(override val cause: Throwable) : RuntimeException(cause)
 
 /** Runs [work] with [progress]; rethrows exceptions of [progress] unchanged. */

@@ -6,9 +6,9 @@ import java.nio.ByteOrder
 import java.util.zip.CRC32
 
 /**
- * Embeds a file that is not compressed: deflates it piece by piece on all cores, into one gzip member. Each part that can be inflated
- * by itself is one line of the text, between a line with the member's header and one with its end. The calling thread reads and
- * writes. The number of pieces in progress is limited, which bounds the memory whatever the file's size.
+ * Embeds an uncompressed file: deflates it piece by piece on all cores, into one gzip member. Each part that can be inflated by itself is
+ * one line of the text, between a line with the member's header and a line with its end. The calling thread reads and writes. The number of
+ * pieces in progress is limited, which bounds the memory for files of any size.
  */
 internal class RawEmbedding(
     private val threads: ExportThreads,
@@ -74,13 +74,13 @@ internal class RawEmbedding(
     private companion object {
         const val TRAILER_SIZE = 8
 
-        /** The first piece is a separate part, since all others wait for the header in it. */
+        /** The number of pieces in a part. The first piece is a separate part, because all others wait for the header in it. */
         const val PIECES_OF_PART = 4
 
         /** Deflate, no name, no time, unknown system. */
         val HEADER = byteArrayOf(0x1F, 0x8B.toByte(), 8, 0, 0, 0, 0, 0, 0, -1)
 
-        /** The number of pieces besides those being deflated: read ahead, or waiting for their turn to be written. */
+        /** The number of pieces besides those being deflated: read ahead, or waiting to be written. */
         const val SPARE = 4
     }
 }

@@ -3,10 +3,9 @@ package badlog.exporter
 import java.nio.file.Path
 
 /**
- * Returns the name by which [page] refers to the file [video], relative to the folder of the page. The video must be in that folder or
- * below it.
+ * Returns the path of the file [video], relative to the folder of [page]. The video must be in that folder or below it.
  *
- * @throws ExportException if the video is missing, or is elsewhere, where the page is not allowed to find it.
+ * @throws ExportException if the video is missing, or is elsewhere, where the page's policy forbids it.
  */
 fun videoFor(page: Path, video: Path): String {
     checkReadable(video)

@@ -13,7 +13,7 @@ import java.util.Base64
 import java.util.zip.CRC32
 
 class Base64StreamSpec : FunSpec({
-    test("each line has the checksum of its own bytes, however they are split into pieces") {
+    test("each line has the checksum of its own bytes, regardless of how they are split into pieces") {
         checkAll(Arb.list(Arb.list(Arb.byteArray(Arb.int(0, 9), Arb.byte()), 0..5), 1..5)) { lines ->
             val stream = Base64Stream(ByteArrayOutputStream())
             lines.forEachIndexed { i, pieces ->
@@ -32,24 +32,24 @@ class Base64StreamSpec : FunSpec({
         return out.toString()
     }
 
-    test("nothing is an empty text") {
+    test("no bytes are encoded as an empty text") {
         encode(emptyList()) shouldBe ""
     }
 
-    test("any pieces are one text with padding at its end only") {
+    test("any pieces are encoded as one text with padding only at its end") {
         checkAll(Arb.list(Arb.byteArray(Arb.int(0..7), Arb.byte()), 0..20)) { pieces ->
             encode(pieces) shouldBe Base64.getEncoder().encodeToString(pieces.fold(ByteArray(0), ByteArray::plus))
         }
     }
 
-    test("pieces larger than its buffer, at every remainder of three") {
+    test("pieces larger than the buffer are encoded, at every remainder of three") {
         for (size in 49_150..49_156) {
             val piece = ByteArray(size) { it.toByte() }
             encode(listOf(piece, piece)) shouldBe Base64.getEncoder().encodeToString(piece + piece)
         }
     }
 
-    test("writes a part of an array") {
+    test("a part of an array is encoded") {
         val out = ByteArrayOutputStream()
         Base64Stream(out).apply {
             write("0123456789".encodeToByteArray(), 2, 5)

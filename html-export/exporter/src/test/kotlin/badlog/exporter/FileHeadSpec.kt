@@ -10,14 +10,14 @@ import io.kotest.matchers.string.shouldContain
 class FileHeadSpec : FunSpec({
     fun refusal(bytes: ByteArray) = FileHead.of(bytes).refusal
 
-    test("bytes that no text has, and a WPILOG of another version, are refused at once") {
+    test("bytes that are not text, and a WPILOG of another version, are refused at once") {
         val binary = byteArrayOf(1, 2, 3, 0, -1)
         for (bytes in listOf(binary, gzip(binary))) refusal(bytes).orEmpty() shouldContain "bytes that never occur in text"
         refusal("WPILOG\u0000\u0002\u0000\u0000\u0000\u0000".encodeToByteArray()).orEmpty() shouldContain "WPILOG of version 2"
         refusal("WPILOG\u0000\u0001\u0000\u0000\u0000\u0000".encodeToByteArray()).shouldBeNull()
     }
 
-    test("a text without numbers so far is not refused, for they may follow") {
+    test("a text without numbers so far is not refused, because numbers may follow") {
         val text = "Note\nready\n".encodeToByteArray()
         for (bytes in listOf(text, gzip(text))) refusal(bytes).shouldBeNull()
     }

@@ -12,5 +12,5 @@ internal const val BAG = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs
 /** The same bag after a loss of power in its last row. */
 internal val CUT_BAG = BAG.dropLast(9)
 
-/** The names of all files in the folder, hidden ones too. */
+/** Returns the names of all files in the folder, including hidden ones. */
 internal fun Path.names(): List<String> = listDirectoryEntries().map { it.name }.sorted()

@@ -44,7 +44,7 @@ class HtmlExporterSpec : FunSpec({
         check(ReadPage(folder / "page.html"), report)
     }
 
-    test("a bag is in its page byte for byte, under the name of its match") {
+    test("a page has the bytes of its bag, and the name of its match") {
         pageOf(BAG.encodeToByteArray()) { page, report ->
             page.inflated().decodeToString() shouldBe BAG
             page.title shouldBe "OHCL Match 42"
@@ -63,19 +63,19 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("a page without match values has the match in the file's name for a title, otherwise that name") {
+    test("the title of a page without match values is the match in the file's name, otherwise that name") {
         pageOf("a,b\n1,2\n".encodeToByteArray(), "Q42.csv") { page, _ -> page.title shouldBe "Qualification 42" }
         pageOf("a,b\n1,2\n".encodeToByteArray(), "practice run") { page, _ -> page.title shouldBe "practice run" }
     }
 
-    test("an empty file has a page, which says so") {
+    test("an empty file has a page, which reports that") {
         pageOf(ByteArray(0)) { page, report ->
             page.inflated().size shouldBe 0
             report.recording.isSalvaged shouldBe true
         }
     }
 
-    test("gzip is embedded as it is, and read") {
+    test("gzip is embedded unchanged, and read") {
         val gzip = gzip(BAG.encodeToByteArray())
         pageOf(gzip) { page, report ->
             page.recording shouldBe gzip
@@ -93,7 +93,7 @@ class HtmlExporterSpec : FunSpec({
         pageOf(gzip + gzip("0.0400,3.0000\n".encodeToByteArray())) { _, report -> report.recording.rowCount shouldBe 3 }
     }
 
-    test("a long text that turns into numbers further down is a recording, as for the parser") {
+    test("a long text with numbers further down is a recording, as for the parser") {
         val text = ("Note\n" + "ready\n".repeat(50_000) + "1.5\n".repeat(60_000)).encodeToByteArray()
         check(text.size - 4 * 60_000 > FileHead.BYTES)
         for (bytes in listOf(text, gzip(text))) {
@@ -104,7 +104,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("gzip that is cut says so, and keeps what can be inflated") {
+    test("cut gzip is reported, and its readable part is kept") {
         val rows = BAG + (2..5000).joinToString("") { "0.0$it,${it * 7919 % 1000}.0\n" }
         val gzip = gzip(rows.encodeToByteArray())
         pageOf(gzip.copyOf(gzip.size / 2)) { page, report ->
@@ -117,7 +117,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("names and values from outside cannot break out") {
+    test("hostile names and values cannot end their elements") {
         val evil = "</script><script>alert(1)</script><!--<img src=x onerror=alert(1)>\"'&amp;\u0001"
         val header = "{\"topics\":[],\"values\":[{\"name\":\"Event\",\"value\":${quotedJson("</title>$evil")}}]}\nA\n1\n"
         inFolder { folder ->
@@ -135,7 +135,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("a log of two files is in the page whole, with where the second begins, and is called by what that says") {
+    test("a log of two files is whole in the page, with the start of the second file, which determines the title") {
         inFolder { folder ->
             val log = folder / "2026_03_07 10_04_05 Sat.dslog"
             log.writeBytes(first)
@@ -150,7 +150,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("the second file of a log says what its page is called, even if the name of both says something else") {
+    test("the second file of a log determines the page's title, even if both files' names contradict it") {
         inFolder { folder ->
             val log = folder / "Q7.dslog"
             log.writeBytes(first)
@@ -175,7 +175,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("the page's folder is made") {
+    test("the page's folder is created") {
         inFolder { folder ->
             (folder / "a.bag").writeText(BAG)
             val page = folder / "new" / "deep" / "p.html"
@@ -184,7 +184,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    context("what fails leaves an older page as it was, and nothing else") {
+    context("a failed export leaves an older page unchanged, and no other file") {
         fun failing(bytes: ByteArray, run: (input: Path, page: Path) -> Unit) = inFolder { folder ->
             val page = folder / "p.html"
             page.writeText("older")
@@ -195,31 +195,31 @@ class HtmlExporterSpec : FunSpec({
         }
         val large = (BAG + "0.0400,3.0000\n".repeat(200_000)).encodeToByteArray()
 
-        test("nonsense") {
+        test("of a file of nonsense") {
             failing(byteArrayOf(1, 2, 3, 0, -1)) { input, page ->
                 shouldThrow<ExportException.NotARecording> { exporter.export(input, page) }
                     .message shouldContain "a.bag"
             }
         }
-        test("a text of one column, known only at its end") {
+        test("of a text of one column, recognized only at its end") {
             failing("just words\n".repeat(100_000).encodeToByteArray()) { input, page ->
                 shouldThrow<ExportException.NotARecording> { exporter.export(input, page) }
             }
         }
-        test("cancelled by its progress") {
+        test("canceled by its progress") {
             failing(large) { input, page ->
                 val stop = IllegalStateException("stop")
                 shouldThrow<IllegalStateException> { exporter.export(input, page) { _, _ -> throw stop } } shouldBe stop
             }
         }
-        test("cancelled by its progress with an exception that files have too") {
+        test("canceled by its progress with an exception that files also throw") {
             for (stop in listOf(IOException("stop"), ClosedByInterruptException())) {
                 failing(large) { input, page ->
                     shouldThrow<IOException> { exporter.export(input, page) { _, _ -> throw stop } } shouldBe stop
                 }
             }
         }
-        test("cancelled by an interrupt") {
+        test("canceled by an interrupt") {
             for (bytes in listOf(large, gzip(large))) {
                 failing(bytes) { input, page ->
                     shouldThrow<InterruptedException> {
@@ -229,7 +229,7 @@ class HtmlExporterSpec : FunSpec({
                 }
             }
         }
-        test("an attachment that is missing") {
+        test("with a missing attachment") {
             failing(large) { input, page ->
                 val missing = input.resolveSibling("nix.txt")
                 shouldThrow<ExportException.Unreadable> { HtmlExporter(listOf(missing), parts = parts).export(input, page) }
@@ -243,7 +243,7 @@ class HtmlExporterSpec : FunSpec({
         Thread.getAllStackTraces().keys.map { it.name.substringBeforeLast('-') } shouldNotContain "badlog-deflate"
     }
 
-    test("a page never overwrites what is read, and never a folder") {
+    test("a page never overwrites an input or a folder") {
         inFolder { folder ->
             val input = (folder / "a.html").apply { writeText(BAG) }
             shouldThrow<ExportException.Unwritable> { exporter.export(input, folder / "." / "a.html") }
@@ -254,7 +254,7 @@ class HtmlExporterSpec : FunSpec({
         }
     }
 
-    test("a missing input, or a folder, is named") {
+    test("a missing input, or a folder as input, is named in the error") {
         inFolder { folder ->
             shouldThrow<ExportException.Unreadable> { exporter.export(folder / "nix", folder / "p.html") }
                 .message shouldContain "There is no file or folder ${folder / "nix"}"

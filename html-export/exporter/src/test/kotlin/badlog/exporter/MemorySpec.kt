@@ -30,18 +30,18 @@ class MemorySpec : FunSpec({
             .waitFor()
     }
 
-    test("memory grows with a piece, never with the file") {
+    test("memory does not grow with the file") {
         exportIn("-Xmx24m", gzips = false) shouldBe 0
     }
 
-    test("nor for rules, which the page runs and not the exporter, though they look at every topic") {
+    test("memory does not grow with the rules, which the page runs and the exporter does not") {
         val rules = List(50) { number ->
             "[[rule]]\nname = \"$number\"\nseverity = \"note\"\neach = [\"*\"]\nwhen = \"topic > $number for 1 s\"\ntext = \"t\"\n"
         }
         exportIn("-Xmx24m", gzips = false, rules.joinToString("")) shouldBe 0
     }
 
-    test("nor with what a compressed file inflates to") {
+    test("memory does not grow with the inflated size of a compressed file") {
         exportIn("-Xmx24m", gzips = true) shouldBe 0
     }
 }) {

@@ -26,7 +26,7 @@ class NotesFileSpec : FunSpec({
     val log = tempdir().toPath().resolve("q42.bag")
     val notes = listOf(Note(1.0, "first \"hit\"\n‹second line›"), Note(93.7, "brownout"))
 
-    test("notes stand beside their log, are not a log themselves, and what is removed is another line") {
+    test("notes are beside their log, are not listed as a log, and a removal is another line") {
         Files.writeString(log, "Time,A\n0,1\n")
         NotesFile.read(log).notes shouldBe emptyList()
         NotesFile.update(log, notes, read = emptyList()).notes shouldBe notes
@@ -38,7 +38,7 @@ class NotesFileSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("what two windows write and remove is in the file, whichever of them writes last, and so is what another laptop wrote") {
+    test("the file has the changes of two windows, whichever writes last, and those of another laptop") {
         NotesFile.update(log, notes, read = emptyList())
         val first = NotesFile.update(log, listOf(notes[0], Note(5.0, "first window")), read = notes).notes
         first shouldBe listOf(notes[0], Note(5.0, "first window"))
@@ -51,7 +51,7 @@ class NotesFileSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("what an older badlog wrote is the beginning, and its file stays as it is") {
+    test("the notes of an older badlog come first, and its file stays unchanged") {
         val text = notes.toJson()
         Files.writeString(NotesFile.beginningOf(log), text)
         NotesFile.read(log).notes shouldBe notes
@@ -61,7 +61,7 @@ class NotesFileSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("a file that is damaged is reported, and hides no other; lines that cannot be read are counted") {
+    test("a damaged file is reported, and does not affect the others; unreadable lines are counted") {
         NotesFile.update(log, listOf(Note(5.0, "mine")), read = emptyList())
         Files.writeString(NotesFile.beginningOf(log), "{\"notes\":7}")
         val unreadable = Files.createFile(log.resolveSibling("q42.bag.notes-pit.jsonl"))
@@ -80,7 +80,7 @@ class NotesFileSpec : FunSpec({
         listOf(NotesFile.beginningOf(log), unreadable, damaged, NotesFile.of(log)).forEach(Files::delete)
     }
 
-    test("a note is changed by a laptop whose clock is years behind, and a new text comes before the removal of the old one") {
+    test("a laptop whose clock is years behind can change a note; the new text is written before the removal of the old one") {
         val ahead = NoteChange("1", "2099-03-07T14:05:12.345Z", "Ada", notes[0], isRemoved = false)
         Files.writeString(log.resolveSibling("q42.bag.notes-pit.jsonl"), ahead.toLine())
         NotesFile.update(log, listOf(Note(1.0, "no hit")), read = notes.take(1)).notes shouldBe listOf(Note(1.0, "no hit"))
@@ -90,7 +90,7 @@ class NotesFileSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("of two texts that two windows give to one note, the later one counts, also in a page, which does not say who wrote it") {
+    test("the later of two windows' texts for one note counts, also in a page, which does not have the authors") {
         NotesFile.update(log, notes, read = emptyList())
         NotesFile.update(log, listOf(Note(1.0, "first window"), notes[1]), read = notes)
         NotesFile.update(log, listOf(Note(1.0, "second window"), notes[1]), read = notes).notes shouldBe
@@ -102,7 +102,7 @@ class NotesFileSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("whatever happens to the file, there are notes in bounds, or a sentence") {
+    test("a damaged file has either notes at finite x, or a sentence") {
         val whole = notes.toJson()
         val random = Random(12)
         repeat(MUTANTS) {

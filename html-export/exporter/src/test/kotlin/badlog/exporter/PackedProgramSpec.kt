@@ -8,7 +8,7 @@ import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
 internal class PackedProgramSpec : FunSpec({
-    test("a packed text comes back, and nothing of it can end its element") {
+    test("a packed text unpacks to itself, and cannot end its element") {
         checkAll(Arb.string(0..300)) { text ->
             val packed = packed("a{}\u0000let ü = '</script>'$text").decodeToString()
             packed shouldMatch Regex("[A-Za-z0-9+/]*=*")

@@ -21,14 +21,14 @@ class PageWriterSpec : FunSpec({
         return out.toString()
     }
 
-    test("a title stands as it is between lines that it does not change") {
+    test("a title is written unchanged, and does not change the lines around it") {
         val (before, after) = begin("match").split("match")
         for (title in listOf("  a", "a\nb", "\n    a\n  b\n", "\n", "", "\$1")) {
             begin(title) shouldBe before + title + after
         }
     }
 
-    test("whatever a page shows besides its recording is in it, also when that is all there is") {
+    test("every kind of addition is in the page, even if it is the only one") {
         fun program(additions: PageAdditions): String {
             val out = ByteArrayOutputStream()
             PageWriter(out, PageParts("", "")).program(additions)
@@ -46,7 +46,7 @@ class PageWriterSpec : FunSpec({
         program(PageAdditions()) shouldNotContain "id=\"packed-additions\""
     }
 
-    test("a page begins as the command line knows pages to begin") {
+    test("a page begins with the text by which the command line recognizes pages") {
         begin("a\nb") shouldStartWith PAGE_START
         begin("a\nb") shouldContain "<title>a\nb</title>\n<style>"
     }

@@ -18,7 +18,7 @@ class RawEmbeddingSpec : FunSpec({
     val parsed = ByteArrayOutputStream()
     val progress = ArrayList<Long>()
 
-    // Java's own reader checks the sum and the length, and that nothing follows.
+    // Java's own reader checks the checksum and the length, and that nothing follows.
     fun embedAndInflate(bytes: ByteArray): ByteArray {
         parsed.reset()
         progress.clear()
@@ -38,7 +38,7 @@ class RawEmbeddingSpec : FunSpec({
         .flatMap { listOf(it - 1, it, it + 1) }.filter { it >= 0 }.distinct()
 
     for (size in around) {
-        test("$size bytes of text come back, and are parsed") {
+        test("$size bytes of text are embedded and parsed unchanged") {
             val text = ByteArray(size) { "12.345,"[it % 7].code.toByte() }
             embedAndInflate(text).contentEquals(text) shouldBe true
             parsed.toByteArray().contentEquals(text) shouldBe true
@@ -47,16 +47,16 @@ class RawEmbeddingSpec : FunSpec({
         }
     }
 
-    test("noise that cannot be made smaller comes back") {
+    test("incompressible noise is embedded unchanged") {
         val noise = Random(1).nextBytes(3 * DeflatePiece.SIZE + 17)
         embedAndInflate(noise).contentEquals(noise) shouldBe true
     }
 
-    test("any bytes come back") {
+    test("any bytes are embedded unchanged") {
         checkAll(100, Arb.byteArray(Arb.int(0..5000), Arb.byte())) { bytes -> embedAndInflate(bytes) shouldBe bytes }
     }
 
-    test("pieces know the text before them") {
+    test("a piece is smaller because it uses the previous text as a dictionary") {
         val noise = Random(2).nextBytes(20_000)
         val text = ByteArray(4 * DeflatePiece.SIZE) { noise[it % noise.size] }
         val piece = DeflatePiece()

@@ -10,7 +10,7 @@ import java.nio.file.Path
 import java.util.Base64
 import java.util.zip.GZIPInputStream
 
-/** Takes a page apart as a browser would: an element ends at the first thing that looks like its end. */
+/** Splits a page as a browser would: an element ends at the first text that looks like its end tag. */
 internal class ReadPage(file: Path) {
     val html: String = Files.readString(file)
     val title: String = between("<title>", "</title>")
@@ -21,13 +21,13 @@ internal class ReadPage(file: Path) {
     val about: JsonObject =
         Json.parseToJsonElement(between("<script type=\"application/json\" id=\"about\">", "</script>")).jsonObject
 
-    /** The bytes that the page embeds: a gzip stream. */
+    /** The embedded bytes of the recording, a gzip stream. */
     val recording: ByteArray = decode(between("id=\"recording\"", "</script>").substringAfter('>'))
 
     /** The attached files, by their escaped names. */
     val attachments: Map<String, ByteArray> = filesOf("attachment")
 
-    /** The files of the logs that the page compares with its own. */
+    /** The files of the compared logs. */
     val compared: Map<String, ByteArray> = filesOf("compared")
 
     private val parts = unpacked(packed)
@@ -36,7 +36,7 @@ internal class ReadPage(file: Path) {
 
     fun inflated(): ByteArray = inflate(recording)
 
-    /** How many start tags of [name] a browser meets outside of scripts and styles. */
+    /** Returns the number of start tags of [name] that a browser finds outside scripts and styles. */
     fun count(name: String): Int = Regex("<$name[ >]").findAll(html.replace(unpacking, "").replace(waitingStyle, "")).count()
 
     private fun between(start: String, end: String): String {
@@ -53,7 +53,7 @@ internal class ReadPage(file: Path) {
     private fun inflate(bytes: ByteArray) = GZIPInputStream(ByteArrayInputStream(bytes)).readAllBytes()
 }
 
-/** The bytes of [text], each line of which is base64 by itself. */
+/** Returns the bytes of [text]; each line of it is separate base64. */
 internal fun decodeLines(text: String): ByteArray {
     val bytes = ByteArrayOutputStream()
     for (line in text.split('\n')) bytes.write(Base64.getDecoder().decode(line))

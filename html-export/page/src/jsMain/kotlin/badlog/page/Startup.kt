@@ -33,7 +33,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** Starts the page: reads the recording in it and shows it, or says why it cannot be shown; without one, it lets a person open others. */
+/** Starts the page: reads its recording and shows it, or the reason why it cannot be shown. A page without a recording opens others. */
 internal class Startup {
     private val main = checkNotNull(document.getElementById("page")).unsafeCast<HTMLElement>()
     private val root = PageRoot(main)
@@ -45,15 +45,14 @@ internal class Startup {
 
     private fun rules() = AssignedSignals.over(findAdditions()?.rules ?: RuleSet.NONE)
 
-    /** Starts the page. */
     fun run() {
         setPageState("loading")
         root.guarded(::begin)
     }
 
-    /** Reads a large recording while it arrives, any other once the page has been loaded. */
+    /** Reads a large recording while it arrives, all others once the page has been loaded. */
     private fun begin() {
-        // Read before looking: what arrives later is looked for again.
+        // Read first, so that an element that arrives later is looked for again.
         val isLoaded = document.asDynamic().readyState != "loading"
         val element = document.getElementById("recording")
         val loading = element?.let { LoadingScreen(it.getAttribute("data-name").orEmpty()) }
@@ -62,7 +61,7 @@ internal class Startup {
             reading != null -> {
                 root.showAlone(checkNotNull(loading).element)
                 val additions = findAdditions()
-                // Anything wrong with the parts will show when the whole stream is read.
+                // Errors in the parts are reported when the whole stream is read.
                 reading.then({ read ->
                     show(ReadLog(read, isDamaged = false), additions, checkNotNull(About.find()), element)
                 }, { whenLoaded(::readWhole) }).catch(root::failUnexpectedly)
@@ -106,7 +105,7 @@ internal class Startup {
         root.fail("This page is not complete", "Its log was damaged in copying; export it again.", look)
     }
 
-    /** Shows what the page itself is about: its log, or how to open one. */
+    /** Shows the page's own log, or the start screen if it has none. */
     private fun goToStart() {
         if (document.getElementById("recording") != null) return window.location.reload()
         val sample = document.getElementById("sample")
@@ -136,7 +135,7 @@ internal class Startup {
     }
 
     private fun showOpened(log: OpenedLog, read: Recording, compared: List<File>, showsWorst: Boolean) {
-        // A link is about the log that is opened first, as whoever sent it said.
+        // A link belongs to the log that is opened first, as its sender intended.
         if (hasOpened || document.getElementById("recording") != null) forgetAddress()
         hasOpened = true
         logs.show(shownOf(log, read, compared), findAdditions()?.ofAnyLog(), showsWorst)
@@ -156,7 +155,7 @@ internal class Startup {
     }
 
     private companion object {
-        /** Milliseconds until the page is checked again for what has arrived. */
+        /** The milliseconds between two checks for newly arrived text. */
         const val PAUSE = 5
 
         const val DAMAGED = "Damaged in copying: anything shown may be wrong. No rules ran. Export it again."

@@ -14,7 +14,7 @@ import java.nio.file.Files
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 
-/** Logs that arrive in a folder into which the browser lets the page look again: what says so, and the view for pits. */
+/** Logs that arrive in a folder into which the page may look again: the announcement, and the view for pits. */
 @Tags("InCheck")
 internal class ArrivalSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-arrival") }
@@ -37,7 +37,7 @@ internal class ArrivalSpec : PageSpec({
         awaitState("ready")
     }
 
-    // Rows are made anew while logs are read.
+    // Rows are recreated while logs are read.
     fun OpenPage.openListed(file: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", file)
 
     fun OpenPage.news() = texts(".arrival p").singleOrNull().orEmpty()
@@ -46,7 +46,7 @@ internal class ArrivalSpec : PageSpec({
 
     fun OpenPage.isWithinScreen() = number("return document.documentElement.scrollWidth - innerWidth") <= 0
 
-    browserTest("a log that arrives beside one that is shown is announced with the worst in it, takes nothing away, and is shown on demand") {
+    browserTest("a log that arrives while another is shown is announced with its worst finding, and shown only on request") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             news() shouldBe ""
@@ -77,7 +77,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("what somebody puts off, or opens from the list, is not announced any more, and neither is a log of a folder that was left") {
+    browserTest("a log that was postponed, or opened from the list, is not announced again; neither is a log of a folder that was left") {
         onPage(page, state = "empty", script = watchedFolder(before)) {
             openFolder()
             script(putIntoFolder(after))
@@ -100,7 +100,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("no log is gone while one cannot be read that could be; a new one is announced over a check box, which lists only errors") {
+    browserTest("an unreadable file removes no logs from the list; a new log is announced without hiding the page or moving the focus") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             script(
@@ -116,7 +116,7 @@ internal class ArrivalSpec : PageSpec({
                     number("return document.querySelector('.arrival').offsetHeight")
             }
             focused() shouldBe "only-errors"
-            // The news is there before the list's next row.
+            // The announcement appears before the list's next row.
             await("the row of the new log") { texts("[data-column='FILE']").any { "qualification-42.bag" in it } }
             elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
             press("a")
@@ -124,7 +124,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("the pit view shows the last match in large letters, what to do next, batteries and the ones before, and goes on by itself") {
+    browserTest("the pit view shows the last match in large letters, the next step, batteries and earlier matches, and updates itself") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
             openFolder()
             press("i")
@@ -164,7 +164,7 @@ internal class ArrivalSpec : PageSpec({
         }
     }
 
-    browserTest("above the findings is how a match is unlike those before it in the folder; a click draws it over the last of them") {
+    browserTest("differences from earlier matches of the folder are above the findings, and a click draws the match over the last of them") {
         onPage(page, laptop, state = "empty", script = watchedFolder(UNLIKE_MATCHES)) {
             openFolder()
             openListed("Q7")

@@ -11,19 +11,19 @@ import java.util.Locale
 internal class AxisSpec : PageSpec({
     fun OpenPage.numbers(name: String) = drawnTexts(name).filter { it.text.toDoubleOrNull() != null }.distinct()
 
-    /** The numbers beside the frame of the graph [name], from top to bottom. */
+    /** Returns the numbers beside the frame of the graph [name], from top to bottom. */
     fun OpenPage.yTicks(name: String): List<DrawnText> {
         val edge = frameLeft(name)
         return numbers(name).filter { it.right <= edge }.sortedBy { it.y }
     }
 
-    /** The numbers below the frame, from left to right. */
+    /** Returns the numbers below the frame, from left to right. */
     fun OpenPage.xTicks(name: String): List<DrawnText> {
         val edge = frameLeft(name)
         return numbers(name).filter { it.right > edge }.sortedBy { it.left }
     }
 
-    /** Does [action], after which the page shows its log again, and waits for that. */
+    /** Runs [action] and waits until the page shows its log again. */
     fun OpenPage.showAgain(action: () -> Unit) {
         script("document.querySelector('.log-page').isOld = true")
         action()
@@ -31,7 +31,7 @@ internal class AxisSpec : PageSpec({
         awaitState("ready")
     }
 
-    browserTest("the numbers of y are as even as they stand, and those of a clock that counts from 1970 differ from one another") {
+    browserTest("the numbers of y have equal distances, and those of a clock that counts from 1970 differ from one another") {
         val rows = (0..500).joinToString("") { "%.3f,%.6f%n".format(Locale.ROOT, 1_710_585_667.0 + it * 0.02, it * 0.000_004) }
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A"}],"values":[]}"""
         onPage(TestPages.of("$header\nTime,A\n$rows"), script = NOTING_TEXTS) {
@@ -49,7 +49,7 @@ internal class AxisSpec : PageSpec({
         }
     }
 
-    browserTest("a table that names no x axis offers its column of the time, once, and remembers what was chosen") {
+    browserTest("a table without an x axis offers its time column once, and remembers the choice") {
         val csv = "A,timestamp\n" + (0..500).joinToString("") { "${it % 7},${100 + it / 10.0}\n" }
         onPage(TestPages.of(csv, "table.csv")) {
             visibleRange shouldBe 0.0..500.0

@@ -44,14 +44,14 @@ internal class BoardSpec : PageSpec({
         settle()
     }
 
-    /** Opens the menu of a graph of the board, and presses what is called [entry] there. */
+    /** Opens the menu of a graph of the board, and selects [entry]. */
     fun OpenPage.choose(graph: Int, entry: String) {
         elements("#board .graph-menu")[graph].click()
         settle()
         click("#board .menu button") { entry in it.text }
     }
 
-    /** Drags the title of a graph of the board to the share [down] of another one's height. */
+    /** Drags the title of a graph of the board to the share [down] of another graph's height. */
     fun OpenPage.dragTitle(from: Int, to: Int, down: Double) {
         val places = script(
             """
@@ -68,7 +68,7 @@ internal class BoardSpec : PageSpec({
         act { mouseTo(x, y).mouseDown().mouseTo(x + 6, y + 6).mouseTo(toX, toY).mouseUp() }
     }
 
-    browserTest("every graph can be added to one of the board") {
+    browserTest("every graph can be added to a graph of the board") {
         onPage(page) {
             fun add(name: String) {
                 script("arguments[0].querySelector('.add-to-graph').click()", graph(name).scrollTo().card)
@@ -85,7 +85,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("of two graphs with one title, the second has a number in heading, spoken name and menus, until the first goes") {
+    browserTest("the second of two graphs with one title has a number in heading, spoken name and menus, until the first is removed") {
         onPage(page) {
             script("location.hash = '#board=Volt,Amp;Volt;Speed'")
             settle()
@@ -100,7 +100,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("a search shows of the board what it finds, and how many graphs that are") {
+    browserTest("a search shows the matching graphs of the board, and their number") {
         onPage(page) {
             script("location.hash = '#board=Volt,Amp;Speed'")
             settle()
@@ -115,7 +115,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("graphs are pinned by a button and a key, stay when the page is opened again, and every step is undone") {
+    browserTest("graphs are pinned by a button and a key, are still there when the page is opened again, and every step can be undone") {
         onPage(page) {
             element("#board").text shouldContain "Pin graphs"
             pin("Volt")
@@ -139,7 +139,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("a title is dragged between graphs and onto one, which then draws both with an axis for each unit") {
+    browserTest("a title is dragged between graphs, or onto a graph, which then draws both with an axis for each unit") {
         onPage(page) {
             for (name in listOf("Volt", "Amp", "Speed")) pin(name)
             script("scrollTo(0, 0)")
@@ -150,7 +150,7 @@ internal class BoardSpec : PageSpec({
             titles() shouldBe listOf("Speed", "Amp")
             lines(0) shouldBe listOf("Speed", "Volt")
             texts("#board .board-graph .legend .unit").filter { it.isNotEmpty() } shouldContain "V, right"
-            // The legend says which unit is whose, so the title names none.
+            // The legend has the unit of each line, so the title has none.
             number("return document.querySelectorAll('#board .board-graph')[0].querySelectorAll('.graph-head > .unit').length") shouldBe 0.0
             keepScreenshot("board-axes")
             graph("Speed").pixelsOfLine(0) shouldBeGreaterThan 300
@@ -186,7 +186,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("any topic is added by its name; states have lanes below the numbers that they are with, and an XY plot is a new graph") {
+    browserTest("any topic is added by its name; states have lanes below their numbers, and an XY plot is a new graph") {
         onPage(page) {
             click("#add-topics")
             element("#topic-search").sendKeys("vol")
@@ -203,7 +203,7 @@ internal class BoardSpec : PageSpec({
             choose(0, "Add topics")
             element("#topic-search").sendKeys("volt over amp")
             texts(".topic-list button") shouldBe emptyList()
-            // The first empties the search.
+            // The first press empties the search.
             press(Keys.ESCAPE)
             press(Keys.ESCAPE)
             click("#add-topics")
@@ -216,7 +216,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("a hidden line and fixed limits of y are part of the board") {
+    browserTest("a hidden line and fixed limits of y are stored with the board") {
         onPage(page) {
             for (name in listOf("Volt", "Other")) pin(name)
             choose(1, "Add to “Volt”")
@@ -233,7 +233,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("the graphs of a formula follow it: changed it is drawn as it is now, removed it leaves the board") {
+    browserTest("the graphs of a formula are redrawn when it changes, and leave the board when it is removed") {
         onPage(page) {
             press("f")
             press("Sum [V] = Volt + Other", Keys.ENTER)
@@ -252,7 +252,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("the graphs of evidence move to the board by its pin, and Escape ends a drag") {
+    browserTest("a pin moves the graphs of evidence to the board, and Escape ends a drag") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
             click("#clear-board")
@@ -273,7 +273,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("graphs that share their limits of y show one unit alike") {
+    browserTest("graphs that share their y limits draw a unit on the same scale") {
         onPage(page) {
             for (name in listOf("Volt", "Other")) pin(name)
             val alone = graph("Volt").lineColumns().sum()
@@ -284,7 +284,7 @@ internal class BoardSpec : PageSpec({
         }
     }
 
-    browserTest("a graph of the page is dragged onto another one, and both are on the board") {
+    browserTest("a graph of the page that is dragged onto another one puts both on the board") {
         onPage(page) {
             val target = graph("Amp").frame
             val source = script(
@@ -312,7 +312,7 @@ internal class BoardSpec : PageSpec({
                 click(".incident .pin")
                 titles().size shouldBeGreaterThan before
                 keepScreenshot("board-pinned-${screen.width}")
-                // A notice about what was added is over the lower edge for some seconds.
+                // A notice covers the lower edge for some seconds.
                 script("document.getElementById('add-topics').scrollIntoView({ block: 'center' })")
                 click("#add-topics")
                 keepScreenshot("board-topics-${screen.width}")

@@ -12,7 +12,7 @@ import io.kotest.matchers.string.shouldContain
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Pages that were cut in copying, and browsers that cannot show them. Nobody is left with an empty window. */
+/** Pages that were cut in copying, and browsers that cannot show them. No reader gets an empty window. */
 @Tags("InCheck")
 internal class BrokenPageSpec : PageSpec({
     fun cut(page: Path, bytes: Int): Path {
@@ -21,19 +21,19 @@ internal class BrokenPageSpec : PageSpec({
         return Files.write(file, Files.readAllBytes(page).copyOf(bytes))
     }
 
-    browserTest("a browser without DecompressionStream learns which one can show the page") {
+    browserTest("a browser without DecompressionStream gets the names of browsers that can show the page") {
         onPage(TestPages.ofSample("practice.bag"), script = "delete window.DecompressionStream", state = "failed") {
             text shouldContain "This browser is too old"
             text shouldContain "Safari 16.4"
         }
     }
 
-    browserTest("a browser whose language is none shows the page, as WebKit in the language C") {
+    browserTest("a browser with the language “C”, such as WebKit, shows the page") {
         val script = "Object.defineProperty(navigator, 'language', { get: () => 'C', configurable: true })"
         onPage(TestPages.of(stepBag(graphs = 1)), script = script) { graph("Step 1").isDrawn shouldBe true }
     }
 
-    browserTest("a program that fails before it can show anything says why") {
+    browserTest("a program that fails before it can show anything gives the reason") {
         val page = TestPages.of(stepBag(graphs = 1))
         OpenPage.open(page, Screen.WIDE, "window.matchMedia = undefined").use {
             it.awaitState("failed")
@@ -42,7 +42,7 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    browserTest("a page cut inside its program says so") {
+    browserTest("a page cut inside its program reports that") {
         OpenPage.open(cut(TestPages.ofSample("practice.bag"), 100_000), Screen.WIDE, null).use {
             it.await("a word about the cut") { "the file is incomplete" in it.text }
         }
@@ -50,7 +50,7 @@ internal class BrokenPageSpec : PageSpec({
 
     for ((place, bytesOf) in mapOf<String, (Path) -> Long>("inside its log" to { Files.size(it) - 1000 }, "before its end" to { Files.size(it) - 100 })) {
         for (log in listOf((1..3000), (1..600_000)).map { rows -> rows.joinToString("") { "$it,2.5\n" } }) {
-            browserTest("a page of ${log.length} bytes cut $place says so") {
+            browserTest("a page of ${log.length} bytes cut $place reports that") {
                 val page = TestPages.of("a,b\n$log")
                 onPage(cut(page, bytesOf(page).toInt()), state = "failed") { text shouldContain "This page is not complete" }
             }
@@ -72,13 +72,13 @@ internal class BrokenPageSpec : PageSpec({
         "a missing half" to { it.take(it.length / 2) },
     )
     for ((damage, change) in damages) {
-        browserTest("a page whose program has $damage says so") {
+        browserTest("a page whose program has $damage reports that") {
             val page = changed(TestPages.of(stepBag(graphs = 1)), "id=\"packed\">", change)
             onPage(page, state = "failed") { text shouldContain "This page is not complete" }
         }
     }
 
-    // Any character of the log's own text, which begins behind its start tag.
+    // Any character of the log's own text, which begins after its start tag.
     fun changedLog(page: Path, place: (text: String) -> Int) = changed(page, "id=\"recording\"") { element ->
         val start = element.indexOf('>') + 1
         val at = start + place(element.substring(start))
@@ -93,7 +93,7 @@ internal class BrokenPageSpec : PageSpec({
         "a log that several workers read" to { TestPages.of(large.encodeToByteArray(), "large.csv", it) },
     )
     for ((log, pageWith) in logs) {
-        browserTest("one changed letter in the page of $log is reported, and what it still has is shown without rules") {
+        browserTest("one changed letter in the page of $log is reported, and the readable part is shown without rules") {
             val page = pageWith(PageAdditions(rules = RuleSet.BUILT_IN))
             onPage(page) { texts(".problem-text").filter { "Damaged" in it }.shouldBeEmpty() }
             onPage(changedLog(page) { it.length * 2 / 3 }, state = "failed") {
@@ -110,24 +110,24 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    browserTest("a letter of the log that is none is reported, whether or not the browser decodes base64 by itself") {
+    browserTest("a character of the log that is not base64 is reported, with and without the browser's own decoder") {
         val page = changed(TestPages.of(rows), "id=\"recording\"") { it.replaceRange(500, 501, "!") }
         for (script in listOf(null, "delete Uint8Array.fromBase64")) {
             onPage(page, script = script, state = "failed") { text shouldContain "damaged in copying" }
         }
     }
 
-    browserTest("one changed letter is reported by a browser that allows no worker, too") {
+    browserTest("one changed letter is also reported by a browser without workers") {
         val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
         onPage(changedLog(TestPages.of(rows)) { it.length / 2 }, script = script, state = "failed") { text shouldContain "damaged in copying" }
     }
 
-    browserTest("a page whose log has lost its last rows, and says so of their number, is reported") {
+    browserTest("a page whose log has lost its last rows is reported, even if its facts have the lower number") {
         val page = changed(TestPages.of(rows), "\"inflatedBytes\":") { it.replaceRange(0, 1, "1") }
         onPage(page, state = "failed") { text shouldContain "damaged in copying" }
     }
 
-    browserTest("an attached file is saved only if it is whole") {
+    browserTest("an attached file is saved only if it is undamaged") {
         val folder = Files.createTempDirectory("badlog-attached")
         val attached = Files.writeString(folder.resolve("notes.txt"), "left motor was hot\n".repeat(50))
         val log = Files.writeString(folder.resolve("test.bag"), rows)
@@ -144,7 +144,7 @@ internal class BrokenPageSpec : PageSpec({
         folder.toFile().deleteRecursively()
     }
 
-    browserTest("a page whose findings cannot be read shows the recording, and says so") {
+    browserTest("a page whose findings cannot be read shows the recording, and reports them") {
         val bag = stepBag(graphs = 1)
         val page = TestPages.of(bag, additions = PageAdditions(listOf("Twice = Step 1 * 2")))
         OpenPage.open(changed(page, "id=\"packed-additions\">") { it.dropLast(3) }, Screen.WIDE, null).use {
@@ -154,12 +154,12 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    browserTest("a browser that allows no worker shows the page all the same") {
+    browserTest("a browser without workers shows the page") {
         val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
         onPage(TestPages.ofSample("practice.bag"), script = script) { graph(graphNames.first()).isDrawn shouldBe true }
     }
 
-    browserTest("a browser that keeps nothing shows the page all the same") {
+    browserTest("a browser without storage shows the page") {
         val script = "Object.defineProperty(window, 'localStorage', {get() { throw new Error('forbidden') }})"
         onPage(TestPages.of(stepBag(graphs = 2)), script = script) {
             click("#theme")
@@ -167,7 +167,7 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    browserTest("a browser that does not decode base64 by itself shows the same values") {
+    browserTest("a browser without its own base64 decoder shows the same values") {
         onPage(TestPages.of(stepBag(graphs = 1)), script = "delete Uint8Array.fromBase64") {
             graph("Step 1").hover(0.9)
             graph("Step 1").value("Step 1") shouldBe "1"

@@ -17,7 +17,7 @@ import org.openqa.selenium.Keys
 internal class ComparedPathSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Pose Heading", "deg"), BagTopic("Current", "A"), BagTopic("Voltage", "V"))
 
-    /** A log that begins at [start], whose robot drives along the field for 10 s, [y] from its side, on a battery of so many [ohms]. */
+    /** Returns a log that begins at [start]. Its robot drives along the field for 10 s, [y] from its side, on a battery of [ohms]. */
     fun log(start: Double, y: Double, ohms: Double = 0.01) = bagOf(topics, rows = 101) { row, column ->
         when (column) {
             0 -> start + row / 10.0
@@ -33,7 +33,7 @@ internal class ComparedPathSpec : PageSpec({
 
     fun OpenPage.awaitLogs(count: Int) = await("$count logs") { number("return document.querySelectorAll('#compare:not([hidden]) .compared-log').length") == count.toDouble() }
 
-    /** Compares the page's log with [log], and waits until the path of both is drawn on the screen. */
+    /** Compares the page's log with [log], and waits until both paths are on the screen. */
     fun OpenPage.compareWith(log: ByteArray) {
         compare("other.bag" to log)
         awaitLogs(2)
@@ -44,12 +44,12 @@ internal class ComparedPathSpec : PageSpec({
 
     fun OpenPage.legend() = texts("#board .graph[data-name='Path'] .legend-name")
 
-    browserTest("a compared log has its path on the same field, its robot and its values at the cursor, until it goes") {
+    browserTest("a compared log has its path on the same field, its robot and its values at the cursor, until it is removed") {
         onPage(page) {
             for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
                 show(screen)
                 val name = legend().single()
-                // The red alliance's wall is of nearly the same color.
+                // The wall of the red alliance has nearly the same color.
                 val wall = pathPixels(1)
                 compareWith(log(100.0, 6.0))
                 legend() shouldContainExactly listOf(name, "$name (other.bag)")
@@ -57,7 +57,7 @@ internal class ComparedPathSpec : PageSpec({
                 hoverPath(0.5, 0.68)
                 val (own, other) = pathValues()
                 own shouldContain ", 2.00 m · 0°"
-                // Both began at the same x, so they drive beside each other.
+                // Both logs began at the same x, so the robots drive side by side.
                 other shouldBe own.replace(", 2.00 m", ", 6.00 m")
                 for (color in 0..1) pathPixels(color, layer = 1) shouldBeGreaterThan 60
                 keepScreenshot("compare-path-${screen.width}-${if (screen.isDark) "dark" else "light"}")
@@ -71,7 +71,7 @@ internal class ComparedPathSpec : PageSpec({
         }
     }
 
-    browserTest("a compared robot is where it was at its own moment, when its log is moved") {
+    browserTest("a compared robot moves along with its log's offset") {
         onPage(page) {
             compareWith(log(100.0, 6.0))
             hoverPath(0.5, 0.68)
@@ -81,14 +81,14 @@ internal class ComparedPathSpec : PageSpec({
             settle()
             pathValues()[0].substringBefore(',').toDouble() shouldBe before
             place(1) shouldBe before - 2
-            // Then the cursor is before its beginning.
+            // Then the cursor is before the beginning of that log.
             element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-80", Keys.ENTER)
             settle()
             pathValues()[1] shouldBe ""
         }
     }
 
-    browserTest("an XY plot has the samples and the result of each log, and its figure says which is which") {
+    browserTest("an XY plot has the samples and the result of each log, and its figure names each") {
         onPage(page, script = NOTING_TEXTS) {
             script("location.hash = '#board=Current,Voltage,p='")
             reload()
@@ -104,7 +104,7 @@ internal class ComparedPathSpec : PageSpec({
         }
     }
 
-    browserTest("a line that is hidden is hidden in all logs") {
+    browserTest("a hidden line is hidden in all logs") {
         onPage(page) {
             compareWith(log(100.0, 6.0))
             val drawn = pathPixels(1)

@@ -27,7 +27,7 @@ internal class DerivedGraphSpec : PageSpec({
 
     fun OpenPage.unitOf(title: String) = partOf(title, ".graph-unit")
 
-    browserTest("derivative, delta and integral are those worked out by hand, read at their own samples, and each has its unit") {
+    browserTest("derivative, delta and integral equal values calculated by hand, at their own samples and with their own units") {
         onPage(derived) {
             unitOf("[ Position Derivative ]") shouldBe "m/s"
             unitOf("[ Position Delta ]") shouldBe "m"
@@ -57,14 +57,14 @@ internal class DerivedGraphSpec : PageSpec({
         TestPages.of(bagOf(topics, 101) { row, column -> if (column == 0) row else 100 + row / 10.0 })
     }
 
-    /** The highest and the lowest place of the line, as shares of the frame from its top. */
+    /** Returns the highest and lowest position of the line, as shares of the frame from its top. */
     fun OpenPage.heights(name: String): Pair<Double, Double> {
         val rows = graph(name).picture.rowsOf(color("--line-0"))
         val drawn = rows.indices.filter { rows[it] > 0 }
         return drawn.first().toDouble() / rows.size to drawn.last().toDouble() / rows.size
     }
 
-    browserTest("zero puts 0 on the y axis, and nothing else does; area fills what is below the line") {
+    browserTest("zero only adds 0 to the y axis, and area fills the space below the line") {
         onPage(shapes) {
             val (plainTop, plainBottom) = heights("Plain")
             plainTop shouldBe (0.06 plusOrMinus 0.06)

@@ -17,14 +17,14 @@ internal class DownloadSpec : PageSpec({
 
     val whole by lazy { Files.readAllBytes(SAMPLES.resolve("qualification-42.bag")) }
 
-    browserTest("a bag comes back byte for byte, and its CSV is all but its first line") {
+    browserTest("a bag is saved byte for byte, and its CSV is everything after its first line") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             downloaded("download", "qualification-42.bag") shouldBe whole
             downloaded("download-csv", "qualification-42.bag.csv") shouldBe csvOf(whole)
         }
     }
 
-    browserTest("a gzip file comes back byte for byte, and its CSV inflated") {
+    browserTest("a gzip file is saved byte for byte, and its CSV is inflated") {
         val packed = gzip(whole)
         onPage(TestPages.of(packed, "whole.bag.gz")) {
             downloaded("download", "whole.bag.gz") shouldBe packed
@@ -32,7 +32,7 @@ internal class DownloadSpec : PageSpec({
         }
     }
 
-    browserTest("a gzip file of several members comes back whole, with the rows of all of them") {
+    browserTest("a gzip file of several members is saved whole, and its CSV has the rows of all members") {
         val (one, other) = whole.copyOf(200_000) to whole.copyOfRange(200_000, whole.size)
         val packed = gzip(one) + gzip(other)
         onPage(TestPages.of(packed, "members.bag.gz")) {
@@ -42,7 +42,7 @@ internal class DownloadSpec : PageSpec({
     }
 
     listOf<Pair<String, (ByteArray) -> ByteArray>>("" to { it }, ".gz" to ::gzip).forEach { (ending, packed) ->
-        browserTest("both files of a Driver Station's log come back byte for byte, and a table of it: .dslog$ending and .dsevents$ending") {
+        browserTest("both files of a Driver Station log are saved byte for byte, and a table of it: .dslog$ending and .dsevents$ending") {
             val (log, events) = packed(STATION_LOG.bytes) to packed(STATION_EVENTS.bytes)
             onPage(TestPages.ofPair("station.dslog$ending" to log, "station.dsevents$ending" to events)) {
                 texts("#download").single() shouldBe ".dslog"
@@ -57,7 +57,7 @@ internal class DownloadSpec : PageSpec({
         }
     }
 
-    browserTest("of a plain CSV file, both are the file itself") {
+    browserTest("both downloads of a plain CSV file are the file itself") {
         val csv = Files.readAllBytes(SAMPLES.resolve("elevator-bench.csv"))
         onPage(TestPages.ofSample("elevator-bench.csv")) {
             downloaded("download", "elevator-bench.csv") shouldBe csv
@@ -65,7 +65,7 @@ internal class DownloadSpec : PageSpec({
         }
     }
 
-    browserTest("bytes that are not text come back as they were") {
+    browserTest("bytes that are not text are saved unchanged") {
         val odd = byteArrayOf(-1, -2, 0, 13, 10, -61)
         val bytes = "Time,A\n0,1\n1,".encodeToByteArray() + odd + "\n2,3\n".encodeToByteArray()
         onPage(TestPages.of(bytes, "bytes.bag")) { downloaded("download", "bytes.bag") shouldBe bytes }

@@ -1,9 +1,9 @@
 package badlog.page
 
-/** A text that a page drew on a canvas, with where it stands in CSS pixels of that canvas. */
+/** A text that a page drew on a canvas, with its position in CSS pixels of that canvas. */
 internal data class DrawnText(val text: String, val left: Double, val right: Double, val y: Double)
 
-/** Notes the texts that stand on each canvas of a page; to be run before the page's own script. */
+/** A script that records the texts on each canvas of a page; run it before the page's own script. */
 internal const val NOTING_TEXTS: String = """
     const draw = CanvasRenderingContext2D.prototype.fillText;
     CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
@@ -26,7 +26,7 @@ internal const val NOTING_TEXTS: String = """
     };
 """
 
-/** The texts that were drawn on the canvas of the graph [name], of a page with [NOTING_TEXTS]. */
+/** Returns the texts drawn on the canvas of the graph [name], on a page with [NOTING_TEXTS]. */
 internal fun OpenPage.drawnTexts(name: String): List<DrawnText> {
     val texts = script("return arguments[0].querySelector('canvas').texts ?? []", graph(name).card) as List<*>
     return texts.map { text ->
@@ -35,7 +35,7 @@ internal fun OpenPage.drawnTexts(name: String): List<DrawnText> {
     }
 }
 
-/** The left edge of the frame of the graph [name] in its canvas. */
+/** Returns the left edge of the frame of the graph [name] in its canvas. */
 internal fun OpenPage.frameLeft(name: String): Double = number(
     "const [card] = arguments; return card.querySelector('.plot-frame').getBoundingClientRect().x - " +
         "card.querySelector('canvas').getBoundingClientRect().x",

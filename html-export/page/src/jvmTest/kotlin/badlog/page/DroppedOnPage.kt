@@ -16,7 +16,7 @@ internal fun OpenPage.drop(vararg files: Pair<String, ByteArray>) {
     )
 }
 
-/** Presses the button [label] of the question that the page asks. */
+/** Presses the button [label] of the page's question. */
 internal fun OpenPage.choose(label: String) {
     await("the choice $label") { label in texts(".notice button") }
     click(".notice button") { it.text == label }

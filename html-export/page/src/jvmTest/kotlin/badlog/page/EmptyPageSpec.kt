@@ -33,7 +33,7 @@ internal class EmptyPageSpec : PageSpec({
         awaitState("ready")
     }
 
-    /** Opens the page, and waits until a person can choose. */
+    /** Opens the page, and waits until it accepts files. */
     fun onEmptyPage(test: OpenPage.() -> Unit) = onPage(page, state = "empty", test = test)
 
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 11) { row, column -> if (column == 0) row / 10.0 else 12.0 }
@@ -47,7 +47,7 @@ internal class EmptyPageSpec : PageSpec({
         page.readText().contains("connect-src") shouldBe false
     }
 
-    browserTest("it says what it opens, and opens the sample in it with its findings") {
+    browserTest("it names the logs that it opens, and opens its sample with findings") {
         val dark = Screen.WIDE.copy(isDark = true)
         onEmptyPage {
             for (screen in listOf(Screen.WIDE, Screen.PHONE, dark)) {
@@ -64,7 +64,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("a dropped log is opened, its bytes can be saved, and the way back leads to the next one") {
+    browserTest("a dropped log is opened, its bytes can be saved, and after the back button another one can be opened") {
         onEmptyPage {
             drop("first.bag" to bag)
             awaitLog("first.bag")
@@ -80,7 +80,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("on a page with a log, a dropped one is compared or opened instead") {
+    browserTest("on a page with a log, a dropped log is compared, or opened instead") {
         onPage(TestPages.of(bag, "own.bag")) {
             drop("other.bag" to bag)
             choose("Open instead")
@@ -88,13 +88,13 @@ internal class EmptyPageSpec : PageSpec({
             drop("own.bag" to bag)
             choose("Compare with this log")
             await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
-            // That loads the page again, so that there is nothing to settle.
+            // This loads the page again, so there is nothing to settle.
             element("#go-back").click()
             awaitLog("own.bag")
         }
     }
 
-    browserTest("a copy of the page holds the opened log, byte for byte, with the board and the notes") {
+    browserTest("a copy of the page has the opened log, byte for byte, with the board and the notes") {
         val cases = listOf("plain.bag" to bag, "packed.bag.gz" to gzip(bag), "cut.bag.gz" to gzip(bag).let { it.copyOf(it.size * 2 / 3) })
         onEmptyPage {
             for ((name, bytes) in cases) {
@@ -134,7 +134,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("the log in another page is taken out, whatever it is called, and nothing of a damaged or foreign page is shown") {
+    browserTest("the log in another page is opened whatever its name, and nothing of a damaged or foreign page is shown") {
         val name = "Mödül 1.bag"
         val whole = TestPages.of(bag, name).readBytes()
         val at = whole.decodeToString(throwOnInvalidSequence = false).let { text -> text.indexOf("id=\"recording\"") + 200 }
@@ -157,7 +157,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("a copy of the page holds the logs that are compared, dropped or not, but none that was taken away") {
+    browserTest("a copy of the page has the compared logs, dropped or not, but none that was removed") {
         val own = TestPages.ofSamples("wrong-turn.bag", listOf("elevator-bench.csv"))
         var copy = ByteArray(0)
         onPage(own) {
@@ -182,7 +182,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("of two compared logs of one name, a copy holds the one that is shown, and a page's own that nobody removed") {
+    browserTest("a copy has the shown one of two compared logs with one name, and the page's own other log") {
         val own = TestPages.ofSamples("wrong-turn.bag", listOf("practice.bag", "elevator-bench.csv"))
         var copy = ByteArray(0)
         onPage(own) {
@@ -199,7 +199,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("a log of a kind that pages cannot read is refused with what to do instead, and a file that is not a log with a sentence") {
+    browserTest("an unsupported kind of log is refused with the next step, and a file that is not a log with a sentence") {
         onEmptyPage {
             for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
                 drop(name to byteArrayOf(1, 2, 3))
@@ -217,7 +217,7 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("the log of REV's devices is read as the other programs read it") {
+    browserTest("a log of REV's devices is read as by the other programs") {
         val spark = longArrayOf(-16221, 1638, 1092, 35)
         val bits = (spark[0] and 0xFFFF) or (spark[1] shl 16) or (spark[2] shl 28) or (spark[3] shl 40)
         val record = ByteBuffer.allocate(20 + 16).order(ByteOrder.LITTLE_ENDIAN)

@@ -23,7 +23,7 @@ internal class EventSpec : PageSpec({
         )
     }
 
-    /** How many pixels around a place of the graph have the color of events. */
+    /** Returns the number of pixels with the color of events, around a place of the graph. */
     fun OpenPage.eventPixels(across: Double): Int {
         val columns = graph("Angle").picture.columnsOf(color("--event"))
         val middle = (columns.size * across).toInt()
@@ -36,20 +36,20 @@ internal class EventSpec : PageSpec({
             texts(".event td.event-text") shouldBe listOf("autonomous", "brownout")
             graph("Angle").hover(0.9)
             texts(".event-readout").single() shouldBe "8.000  brownout"
-            // Less than a mark's width before the second one, which has not happened yet.
+            // Less than a mark's width before the second event, which has not happened yet.
             graph("Angle").hover(0.797)
             texts(".event-readout").single() shouldBe "1.500  autonomous"
         }
     }
 
-    browserTest("a log of events without any says so, instead of an empty table") {
+    browserTest("an empty event log says so, instead of showing an empty table") {
         onPage(TestPages.of(bagOf(topics, 101) { row, column -> if (column == 2) null else row / 10.0 })) {
             texts(".events p") shouldBe listOf("No events.")
             elements(".events table").count { it.isDisplayed } shouldBe 0
         }
     }
 
-    browserTest("each event is marked on the graph at its time, and nothing else is") {
+    browserTest("each event is marked on the graph at its time, and there are no other marks") {
         onPage(page) {
             eventPixels(0.15) shouldBeGreaterThan 5
             eventPixels(0.8) shouldBeGreaterThan 5
@@ -60,7 +60,7 @@ internal class EventSpec : PageSpec({
         }
     }
 
-    browserTest("a click on an event moves the cursor there, and the view where it was out of sight; it can be zoomed to") {
+    browserTest("a click on an event moves the cursor there, and the view if necessary; a button zooms to it") {
         onPage(page) {
             graph("Angle").drag(0.0, 0.4)
             elements(".event")[1].click()
@@ -80,7 +80,7 @@ internal class EventSpec : PageSpec({
         }
     }
 
-    browserTest("the way to the event log is at the top, and shows how many events there are") {
+    browserTest("the link to the event log is at the top, and has the number of events") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             texts(".events-link .count").single().toInt() shouldBe elements(".event").size
             click("#collapse-all")

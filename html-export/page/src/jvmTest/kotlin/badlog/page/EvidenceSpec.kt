@@ -18,14 +18,14 @@ import org.openqa.selenium.By
 import org.openqa.selenium.Keys
 import kotlin.math.abs
 
-/** From a finding to its reason: what shows it is on one screen. */
+/** From a finding to its reason: all evidence is on one screen. */
 @Tags("InCheck")
 internal class EvidenceSpec : PageSpec({
     fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
 
     fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
 
-    /** The names of the graphs of which all is on the screen, below the bar, and of their lines. */
+    /** Returns the names of the graphs that are fully on the screen below the bar, with their lines. */
     fun OpenPage.inSight(): String = script(
         """
         const top = document.querySelector('.zoom-bar').getBoundingClientRect().bottom
@@ -36,13 +36,13 @@ internal class EvidenceSpec : PageSpec({
         """.trimIndent(),
     ) as String
 
-    /** Of how many graphs not all is on the screen, below the bar. */
+    /** Returns the number of graphs that are not fully on the screen below the bar. */
     fun OpenPage.outOfSight() = elements("#evidence .graph").size - inSight().lines().count { it.isNotEmpty() }
 
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
 
     for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
-        browserTest("why Qualification 42 browned out takes one click, ${screen.width}×${screen.height}") {
+        browserTest("the reason for the brownout in Qualification 42 is one click away, ${screen.width}×${screen.height}") {
             onPage(match, screen) {
                 awaitRules()
                 elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
@@ -59,7 +59,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("a link to a finding gives its row the keyboard's focus when the rules have found it, unless a person has gone on") {
+    browserTest("a link to a finding focuses its row once the rules have found it, unless the reader has moved the focus") {
         val focused = "const e = document.activeElement; return (e.closest('.incident, .finding')?.className ?? '') + '|' + " +
             "(e.closest('p, .finding')?.textContent ?? e.id)"
         onPage(match) {
@@ -74,11 +74,11 @@ internal class EvidenceSpec : PageSpec({
             reload()
             script(focused) as String shouldContain "browned out"
             script(focused) as String shouldStartWith "incident|"
-            // The evidence is on the screen: the focus scrolls nothing.
+            // The evidence is on the screen, so focusing it scrolls nothing.
             await("the evidence in sight") { outOfSight() == 0 }
             press(Keys.ENTER)
             cursor() shouldBe (93.7 plusOrMinus 0.1)
-            // Somebody who began a search while the rules ran goes on with it.
+            // A reader who began a search while the rules ran can continue it.
             val begun = "document.addEventListener('DOMContentLoaded', () => " +
                 "new MutationObserver(() => document.querySelector('#search')?.focus()).observe(document.documentElement, {attributes: true, attributeFilter: ['data-state']}))"
             runFirst(begun)
@@ -103,7 +103,7 @@ internal class EvidenceSpec : PageSpec({
         """.trimIndent(),
     ).rules
 
-    // Low at 5, 15, 25, … s, each time by another voltage.
+    // Low at 5, 15, 25, … s, each time with a different voltage.
     val bag by lazy {
         bagOf(listOf(TIME, BagTopic("Voltage", "V"), BagTopic("Other", "A")), 4001) { row, column ->
             val time = row / 10.0
@@ -115,7 +115,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("of findings that begin together, a link and N name the one that is meant, also in a copied link") {
+    browserTest("a link and N select the right one of two findings that begin together, and its address names it") {
         val both = listOf(
             finding("First", Severity.ERROR, "first of two", 3.0),
             finding("Second", Severity.WARNING, "second of two", 3.0),
@@ -128,7 +128,7 @@ internal class EvidenceSpec : PageSpec({
             sentence() shouldBe "first of two"
             script("location.hash = '#t=3&finding=Second'")
             await("the sentence of the other") { sentence() == "second of two" }
-            // The bar above is a frame later.
+            // The bar above is updated a frame later.
             settle()
             address() shouldBe "#t=3&finding=Second"
             texts(".event-readout").single() shouldContain "second of two"
@@ -143,7 +143,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("each place is stepped to and named with its own figures, not with those of a worse one nearby") {
+    browserTest("each place of a finding has its own text and numbers, not those of a worse place nearby") {
         onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
             awaitRules()
             elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
@@ -161,7 +161,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("N opens an incident as a whole, with more one press away; it can be closed, and a link to its time opens it again") {
+    browserTest("N opens a whole incident, with more graphs one click away; it can be closed, and a link to its time opens it again") {
         onPage(match) {
             awaitRules()
             press("n")
@@ -187,7 +187,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("what nothing in the log shows has its sentence, and hurts nothing") {
+    browserTest("a finding without topics in the log has its sentence and no graphs") {
         val findings = listOf(finding("Hook", Severity.ERROR, "as it said", 3.0, further = listOf(Span(8.0, 9.0))))
         onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = findings))) {
             press("n")

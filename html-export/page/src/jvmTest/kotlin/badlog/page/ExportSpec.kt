@@ -45,7 +45,7 @@ internal class ExportSpec : PageSpec({
 
     fun textOf(table: CsvTable) = table.header + table.text(0, table.rowCount)
 
-    browserTest("a drawing of the board says which match it is, the values at the cursor and what was found, and a picture has its lines") {
+    browserTest("a drawing of the board has the match, the values at the cursor and the findings, and a picture has its lines") {
         onPage(match, Screen(1280, 900, isDark = true)) {
             toBrownout()
             val drawing = xml(exported("Board as a drawing (SVG)", "qualification-42 Board.svg"))
@@ -67,7 +67,7 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("a drawing names what it shows even if that is written in signs of its own") {
+    browserTest("a drawing has the names of its graphs, also with special characters") {
         val odd = BagTopic("<script>&amp;\u0001 \uD83E\uDD16", "V")
         onPage(TestPages.of(bagOf(listOf(TIME, odd), 9) { row, _ -> row })) {
             script("document.querySelector('.pin').click()")
@@ -76,7 +76,7 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("a path is drawn in files, too, with the robot where it was at the cursor") {
+    browserTest("saved files also contain a path, with the robot at the cursor") {
         onPage(TestPages.ofSample("wrong-turn.bag")) {
             script("location.hash = '#t=8.2'")
             settle()
@@ -98,7 +98,7 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("the visible range comes as CSV, the same that the window writes, and the board only with its own topics") {
+    browserTest("the visible range is saved as the same CSV as in the window, and the board as CSV with only its own topics") {
         val bag = stepBag(graphs = 3)
         onPage(TestPages.of(bag, "steps.bag")) {
             script("location.hash = '#x=2:6&t=4'")
@@ -114,14 +114,14 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("a WPILOG comes as CSV, too") {
+    browserTest("a WPILOG is also saved as CSV") {
         onPage(TestPages.of(wpilog(), "run.wpilog")) {
             saved("run.wpilog.csv") { click("#download-csv") }.decodeToString() shouldBe
                 textOf(CsvTable.ofAll(LogView.of(read(wpilog(), "run.wpilog"))))
         }
     }
 
-    browserTest("the CSV of a damaged log is the repaired one: what badlog makes of it, cell by cell; its file comes back byte for byte") {
+    browserTest("the CSV of a damaged log has the repaired cells, and its file is saved byte for byte") {
         for (name in listOf("practice.bag", "qualification-57.bag.gz")) {
             val damaged = readRecording(SAMPLES.resolve(name), LOG_FORMATS)
             damaged.problems.size shouldBeGreaterThan 0
@@ -143,13 +143,13 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("a table that takes long is made while the page goes on; it says how far it is, and is cancelled by closing that") {
-        // Every look at the clock takes 50 ms, as a row of a log of many thousand topics may.
+    browserTest("a slow table is made while the page stays responsive; it shows its progress, and closing that cancels it") {
+        // Each read of the clock takes 50 ms, as a row of a log of many thousand topics may.
         val slow = "{ let late = 0; const now = Date.now.bind(Date); Date.now = () => now() + (window.isSlow ? late += 50 : late) }"
         val bag = bagOf(listOf(TIME, BagTopic("A", "V")), 200) { row, column -> if (column == 0) row / 50.0 else row }
         onPage(TestPages.of(bag, "large.bag"), script = slow) {
             fun said() = texts(".notice p").single()
-            // The page itself cancels, since the table may be done before a test can.
+            // The page itself cancels, because the table may be done before a test can.
             script(
                 """
                 window.isSlow = true
@@ -166,13 +166,13 @@ internal class ExportSpec : PageSpec({
             await("a first part") { script("return window.share ?? null") != null }
             settle()
             said() shouldBe ""
-            // What was cancelled comes no more: the next file with this name is a whole one.
+            // The canceled file does not appear later: the next file with this name is complete.
             exported("Visible range as a table (CSV)", "large range.csv").decodeToString().trimEnd().lines().size shouldBe 201
             said() shouldBe ""
         }
     }
 
-    browserTest("an empty range gives no file, but a sentence") {
+    browserTest("an empty range is reported, and no file is saved") {
         val bag = bagOf(listOf(TIME, BagTopic("A", "V")), 3) { row, column -> if (column == 0) row * row else row }
         onPage(TestPages.of(bag)) {
             script("location.hash = '#x=2:3&t=2.5'")

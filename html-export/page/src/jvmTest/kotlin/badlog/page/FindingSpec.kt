@@ -62,7 +62,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("a finding takes the cursor and the view to its time, and is zoomed to with its end") {
+    browserTest("a click on a finding moves cursor and view to its time, and the view includes its end") {
         onPage(page) {
             graph("Angle").drag(0.0, 0.4)
             elements(".finding .event-go")[0].click()
@@ -79,7 +79,7 @@ internal class FindingSpec : PageSpec({
     }
 
     for (isDark in listOf(false, true)) {
-        browserTest("each is marked at the foot of a graph, where no event is, ${if (isDark) "dark" else "light"}") {
+        browserTest("each finding is marked at the foot of a graph, away from the events, ${if (isDark) "dark" else "light"}") {
             onPage(page, Screen.WIDE.copy(isDark = isDark)) {
                 val picture = graph("Angle").picture
                 fun pixels(shade: String, across: Double): Int {
@@ -98,7 +98,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("pointing at a mark, or into a band, shows what was found there, also in the bar") {
+    browserTest("the pointer on a mark, or in a band, shows the finding there, also in the bar") {
         onPage(page) {
             graph("Angle").hover(0.8)
             graph("Angle").label shouldBe "error · Brownout: the voltage fell"
@@ -111,14 +111,14 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("N goes to the next finding, Shift+N to the one before, and both stop at the last one") {
+    browserTest("N goes to the next finding, Shift+N to the previous one, and both stop at the last one") {
         onPage(page) {
             val times = listOf(1, 1, 1, 1, -1, -1, -1).map {
                 if (it > 0) press("n") else pressShift("n")
                 cursor()
             }
             times shouldBe listOf(2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0)
-            // All of it, to point between two of them.
+            // The whole range, to point between two findings.
             press("0")
             graph("Angle").hover(0.4)
             press("n")
@@ -126,7 +126,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("what was found several times is listed once, marked everywhere, and gone through moment by moment") {
+    browserTest("a finding with several places is listed once, marked at each place, and N goes through the places") {
         val further = listOf(Span(4.0, 4.5), Span(9.0, 9.0))
         val twin = finding("Twin", Severity.NOTE, "at the same time", 9.0, NEVER)
         onPage(pageWith(listOf(finding("Brownout", Severity.ERROR, "three times", 1.0, 1.2, further), twin))) {
@@ -144,7 +144,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("of many the worst are shown, the others when asked for") {
+    browserTest("the worst of many findings are shown at first, the others on request") {
         onPage(pageWith(List(60) { finding("R", if (it == 59) Severity.ERROR else Severity.NOTE, "$it", it / 10.0, NEVER) })) {
             elements(".finding").size shouldBe 5
             texts(".finding .severity").first() shouldBe "error"
@@ -157,7 +157,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("without findings there is no list, and the keys for them do nothing; without events there is no way to them") {
+    browserTest("without findings there is no list, and their keys do nothing; without events there is no link to them") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             element("#findings").isDisplayed shouldBe false
             element(".events-link").isDisplayed shouldBe false
@@ -167,7 +167,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("one beyond the recording leads to its end, and hurts nothing") {
+    browserTest("a finding outside the recording leads to its nearest end") {
         onPage(pageWith(listOf(-1e300, 1e300).map { finding("R", Severity.ERROR, "far", it, 1e301) })) {
             press("n")
             cursor() shouldBe 0.0

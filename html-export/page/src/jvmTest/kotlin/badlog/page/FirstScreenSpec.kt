@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.By
 
-/** What is seen without scrolling: what was found, and a graph that shows it. */
+/** The screen before any scrolling: the findings, and a graph that shows one. */
 @Tags("InCheck")
 internal class FirstScreenSpec : PageSpec({
     val laptop = Screen(1366, 768)
@@ -32,11 +32,11 @@ internal class FirstScreenSpec : PageSpec({
         number("return document.querySelector('.graph.card').getBoundingClientRect().top") shouldBeLessThan 700.0
     }
 
-    browserTest("a phone begins the path of a practice on its first screen") {
+    browserTest("the first screen of a phone includes the top of a practice's path") {
         onPage(ruled("wrong-turn.bag"), Screen.PHONE) { checkFirstGraph() }
     }
 
-    browserTest("a phone shows the worst incident and begins a graph; it shows the other incidents when asked, or when a key goes to one") {
+    browserTest("the first screen of a phone has the worst incident and the top of a graph; other incidents appear on request or by a key") {
         onPage(ruled("qualification-42.bag"), Screen.PHONE) {
             await("incidents") { incidents().size == 1 }
             checkFirstGraph()
@@ -51,13 +51,13 @@ internal class FirstScreenSpec : PageSpec({
             press("nn")
             incidents().last().text shouldContain "the loop stood still"
             incidents().last().getDomAttribute("aria-current") shouldBe "true"
-            // Nobody tabs to a list without rows.
+            // A list without rows is not in the tab order.
             element(".findings-list").getDomAttribute("tabindex") shouldBe null
             elements(".finding").count { it.isDisplayed } shouldBe 0
         }
     }
 
-    browserTest("a phone begins a graph of a damaged log, and shows what the file lost when asked") {
+    browserTest("the first screen of a phone has the top of a damaged log's graph, and lists its losses on request") {
         onPage(ruled("practice.bag"), Screen.PHONE) {
             checkFirstGraph()
             val toggle = element(".problems-toggle")

@@ -26,7 +26,7 @@ internal class FolderSpec : PageSpec({
 
     fun OpenPage.toggle(folder: String) = click(".folder[data-name='$folder'] .folder-toggle")
 
-    /** Every canvas on the page is as wide as the card it stands in leaves room for. */
+    /** Checks that every canvas on the page fills the width of its card. */
     fun OpenPage.checkWidths() {
         for (name in graphNames) {
             val card = graph(name).scrollTo().card
@@ -38,7 +38,7 @@ internal class FolderSpec : PageSpec({
         }
     }
 
-    browserTest("a closed folder stays closed over a reload, the others open") {
+    browserTest("a closed folder stays closed after a reload, and the others stay open") {
         onPage(page) {
             toggle("Drivetrain")
             graphNames.filter { it.startsWith("Drivetrain") } shouldBe emptyList()
@@ -51,10 +51,10 @@ internal class FolderSpec : PageSpec({
         }
     }
 
-    browserTest("a folder that another tab closes or opens stays so when this one closes its own") {
+    browserTest("a folder that another tab closed or opened stays so when this tab closes its own") {
         onPage(page) {
             toggle("Arm")
-            // As another tab does that opens one and closes one.
+            // Like another tab that opens one folder and closes one.
             val key = "const key = Object.keys(localStorage).find(k => k.startsWith('badlog:closed:')); "
             script(key + "localStorage[key] = 'Elevator'")
             toggle("Drivetrain")
@@ -62,7 +62,7 @@ internal class FolderSpec : PageSpec({
         }
     }
 
-    browserTest("all folders close and open at once, and the list of folders leads to one, which opens") {
+    browserTest("all folders close and open at once, and the list of folders opens one and leads to it") {
         onPage(page) {
             click("#collapse-all")
             graphNames shouldBe emptyList()
@@ -77,7 +77,7 @@ internal class FolderSpec : PageSpec({
         }
     }
 
-    browserTest("a folder opened after a zoom and at another width is drawn as wide as it should be, and zoomed") {
+    browserTest("a folder opened after a zoom and at another width is drawn at that width, zoomed") {
         onPage(page) {
             toggle("Elevator")
             graph("Arm/Step 1").scrollTo().drag(0.2, 0.6)
@@ -88,7 +88,7 @@ internal class FolderSpec : PageSpec({
         }
     }
 
-    browserTest("a window made narrower, then wider, also while the page loads, leaves no graph at the wrong width") {
+    browserTest("a window made narrower, then wider, also during loading, leaves no graph at the wrong width") {
         onPage(page) {
             for (width in listOf(700, 1600, 420, 1280)) {
                 show(Screen.WIDE.copy(width = width))

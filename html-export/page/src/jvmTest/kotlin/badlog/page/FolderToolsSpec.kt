@@ -13,7 +13,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 
-/** What a page does with the logs of a folder besides opening them. */
+/** The page's actions on the logs of a folder besides opening them. */
 @Tags("InCheck")
 internal class FolderToolsSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-folder") }
@@ -49,7 +49,7 @@ internal class FolderToolsSpec : PageSpec({
 
     fun OpenPage.check(name: String) = click("[aria-label='Compare $name']")
 
-    browserTest("logs are grouped by event, each with the number of its logs, if there are several events") {
+    browserTest("logs are grouped by event with the number of logs, if there are several events") {
         onPage(page, state = "empty") {
             choose(season())
             click("#sort-FILE")
@@ -61,7 +61,7 @@ internal class FolderToolsSpec : PageSpec({
         }
     }
 
-    browserTest("statistics of the checked logs stand beside each other, topic by topic, and are searched") {
+    browserTest("statistics of the checked logs are side by side, topic by topic, and can be searched") {
         onPage(page, state = "empty") {
             choose(season())
             element(".log-statistics").isDisplayed shouldBe false
@@ -86,7 +86,7 @@ internal class FolderToolsSpec : PageSpec({
 
     val counting = "window.started = 0; const Original = Worker; window.Worker = function (...all) { window.started++; return new Original(...all) }"
 
-    browserTest("what was learned of a folder is known when the page is opened again, without reading the logs") {
+    browserTest("the results for a folder are known when the page is opened again, without reading the logs") {
         val folder = season()
         onPage(page, state = "empty", script = counting) {
             choose(folder)
@@ -107,28 +107,28 @@ internal class FolderToolsSpec : PageSpec({
         }
     }
 
-    browserTest("a browser that keeps nothing reads the logs each time") {
+    browserTest("a browser without storage reads the logs each time") {
         onPage(page, state = "empty", script = "Object.defineProperty(window, 'indexedDB', {get() { throw new Error('forbidden') }})") {
             choose(season())
             texts("[data-column='FILE']").size shouldBe 4
         }
     }
 
-    browserTest("a folder that the browser lets the page look into again shows new logs, those that grew, and none that is gone") {
+    browserTest("a folder into which the page may look again shows new and grown logs, and no removed ones") {
         onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
             click("#open-folder")
             await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
             texts(".page-head h1") shouldContainExactly listOf("pit")
             script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
             await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
-            // It is read when it has stopped growing, so not at the first look.
+            // A log is read once it has stopped growing, so not at the first look.
             await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
             script(putIntoFolder(mapOf("two.bag" to log(12))))
             await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }
         }
     }
 
-    browserTest("a person who closes the folder dialog without choosing is where they were") {
+    browserTest("closing the folder dialog without a choice changes nothing") {
         val picker = "window.showDirectoryPicker = async () => { throw new DOMException('', 'AbortError') }"
         onPage(page, state = "empty", script = picker) {
             click("#open-folder")

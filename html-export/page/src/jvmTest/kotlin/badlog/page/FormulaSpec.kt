@@ -15,10 +15,10 @@ internal class FormulaSpec : PageSpec({
     val topics = listOf(TIME, BagTopic("Power/Voltage", "V"), BagTopic("Power/Current"), BagTopic("9 lives"))
     val bag = bagOf(topics, 101) { row, column -> if (column == 0) row / 10.0 else row * column }
 
-    /** Waits until the formula called [name] is calculated: a slow machine does that in several slices. */
+    /** Waits until the formula [name] is calculated, which takes several slices on a slow machine. */
     fun OpenPage.awaitGraph(name: String) = await("the graph of $name") { name in graphNames }
 
-    browserTest("the formulas of a page are graphs in their folders, may build on each other, and a wrong one is shown with its mistake") {
+    browserTest("the formulas of a page are graphs in their folders, may use each other, and a wrong one is shown with its mistake") {
         val definitions = listOf("Power/Product [VA] = Voltage * Current", "Bad = Voltge * 2", "Half = Product / 2")
         onPage(TestPages.of(bag, additions = PageAdditions(definitions))) {
             graphNames shouldContain "Half"
@@ -34,7 +34,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("a person adds a formula, sees its graph at once and after a reload, not counted as a topic of the log, and removes it") {
+    browserTest("a new formula has a graph at once and after a reload, does not count as a topic of the log, and can be removed") {
         onPage(TestPages.of(bag)) {
             press("f")
             press("Power/Sum [x] = Voltage + Current")
@@ -70,7 +70,7 @@ internal class FormulaSpec : PageSpec({
         awaitGraph(definition.substringBefore(" ="))
     }
 
-    browserTest("a formula is changed, and what is calculated from it with it, but neither removed nor renamed while another needs it") {
+    browserTest("a change of a formula updates those that use it, and a formula in use can be neither removed nor renamed") {
         onPage(TestPages.of(bag)) {
             addFormula("Sum = Voltage + Current")
             addFormula("Twice = Sum * 2")
@@ -99,7 +99,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("a mistake is shown while one types, and Enter does not take it; names are offered, in quotes where these are needed") {
+    browserTest("a mistake is shown while it is typed, and Enter does not accept it; names are suggested, with quotes if necessary") {
         onPage(TestPages.of(bag)) {
             click("#add-formula")
             press("Right = Voltage + ")
@@ -124,7 +124,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("what was found by a search is shown again when a formula is added, and a formula is found like a topic") {
+    browserTest("adding a formula ends the search, and a search matches formulas like topics") {
         onPage(TestPages.of(bag)) {
             press("/")
             press("current", Keys.TAB)
@@ -137,7 +137,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    /** Every look at the clock takes 200 ms, and timers wait until they are released, as for a log of many million samples. */
+    /** Each read of the clock takes 200 ms, as for a log of many million samples. Timers wait until they are released. */
     val slow = """
         (() => {
             const now = performance.now.bind(performance), set = window.setTimeout
@@ -151,7 +151,7 @@ internal class FormulaSpec : PageSpec({
     val five = (1..5).joinToString(";") { "F$it+~003d+Voltage~002a$it" }
     val isAllThere = listOf("F1", "F2", "F3", "F4", "F5")
 
-    browserTest("the formulas of a link are calculated in slices; a long calculation says how far it is, and closing that cancels it") {
+    browserTest("the formulas of a link are calculated in slices; a long calculation shows its progress, and closing that cancels it") {
         onPage(TestPages.of(bag), script = slow) {
             script("window.isSlow = true; location.hash = '#f=$five&t=3'")
             await("a slice") { number("return held.length") > 0 }
@@ -160,7 +160,7 @@ internal class FormulaSpec : PageSpec({
             graphNames shouldNotContain "F1"
             script("document.querySelector('.notice button').click(); release(99); window.isSlow = false")
             graphNames shouldNotContain "F1"
-            // The page goes on, also with the same formulas.
+            // The page continues, also with the same formulas.
             addFormula("F1 = Voltage * 1")
             graphNames shouldContain "F1"
             script("location.hash = '#f=$five&t=4'")
@@ -170,14 +170,14 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("a page that opens with formulas, its own, those of its reader and those of a link, draws when they are calculated") {
+    browserTest("a page is drawn once its own, its reader's and a link's formulas are calculated") {
         onPage(TestPages.of(bag, additions = PageAdditions(listOf("Half = Voltage / 2"))), script = slow) {
             addFormula("Quarter = Half / 2")
             script("location.hash = '#f=$five'")
             await("the formulas") { graphNames.containsAll(isAllThere) }
             reload()
             graphNames.filter { it in isAllThere + listOf("Half", "Quarter") } shouldBe listOf("Half", "Quarter") + isAllThere
-            // Those of the link are not the reader's own until he changes something.
+            // The link's formulas become the reader's own only when the reader changes something.
             script("history.replaceState(null, '', location.pathname)")
             reload()
             graphNames shouldContain "Quarter"
@@ -185,7 +185,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("whoever adds a formula while others are calculated has all of them") {
+    browserTest("a formula added during a calculation does not lose the others") {
         onPage(TestPages.of(bag), script = slow) {
             script("window.isSlow = true; location.hash = '#f=$five'")
             await("a slice") { number("return held.length") > 0 }

@@ -5,18 +5,18 @@ import java.io.InputStream
 import javax.imageio.ImageIO
 import kotlin.math.abs
 
-/** What a graph has drawn inside its frame, pixel by pixel. */
+/** The drawing inside a graph's frame, pixel by pixel. */
 internal class FramePicture private constructor(private val image: BufferedImage) {
     val width: Int get() = image.width
     val height: Int get() = image.height
 
-    /** For each pixel column, how many of its pixels have the [color]. */
+    /** Returns for each pixel column the number of its pixels with the [color]. */
     fun columnsOf(color: Int): List<Int> = List(width) { x -> (0 until height).count { y -> isLike(x, y, color) } }
 
-    /** For each pixel row, from the top, how many of its pixels have the [color]. */
+    /** Returns for each pixel row, from the top, the number of its pixels with the [color]. */
     fun rowsOf(color: Int): List<Int> = List(height) { y -> (0 until width).count { x -> isLike(x, y, color) } }
 
-    /** How opaque the picture is at the shares [across] and [down] of its size: from 0, nothing drawn, to 255. */
+    /** Returns the opacity at the shares [across] and [down] of the picture's size: from 0, nothing drawn, to 255. */
     fun opacityAt(across: Double, down: Double): Int = image.getRGB((width * across).toInt(), (height * down).toInt()) ushr 24
 
     private fun isLike(x: Int, y: Int, color: Int): Boolean {
@@ -26,13 +26,13 @@ internal class FramePicture private constructor(private val image: BufferedImage
     }
 
     companion object {
-        // Fainter pixels are the edges of what was drawn.
+        // Fainter pixels are the edges of drawn shapes.
         private const val MIN_ALPHA = 60
 
-        // So near in each of red, green and blue, a color is the same one.
+        // The maximum difference in red, green and blue between equal colors.
         private const val NEAR = 40
 
-        /** The part of the picture [png] that begins at ([left], [top]) and has the size [width] times [height]. */
+        /** Returns the part of the picture [png] that begins at ([left], [top]) and has the size [width] times [height]. */
         fun of(png: InputStream, left: Int, top: Int, width: Int, height: Int): FramePicture {
             val whole = ImageIO.read(png)
             val visibleWidth = minOf(width, whole.width - left)

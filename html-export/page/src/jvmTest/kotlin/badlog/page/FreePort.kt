@@ -4,7 +4,7 @@ import java.net.BindException
 import java.net.ServerSocket
 import kotlin.random.Random
 
-/** Returns a free port, of those that systems give to nobody who asks for just any: it is free still when a server takes it later. */
+/** Returns a free port outside the range from which systems assign ports. So it is still free when a server takes it later. */
 internal fun freePort(): Int = generateSequence { Random.nextInt(20_000, 32_000) }.first(::isFree)
 
 private fun isFree(port: Int): Boolean = try {

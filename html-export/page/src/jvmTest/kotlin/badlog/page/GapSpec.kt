@@ -22,12 +22,12 @@ internal class GapSpec : PageSpec({
         )
     }
 
-    /** The share of the frame's columns between [from] and [to] in which the line is drawn. */
+    /** Returns the number of the frame's pixel columns with the line, between the shares [from] and [to] of its width. */
     fun OpenPage.drawnBetween(name: String, from: Double, to: Double): Int = graph(name).scrollTo().lineColumns().let { columns ->
         columns.subList((columns.size * from).toInt(), (columns.size * to).toInt()).count { it > 0 }
     }
 
-    browserTest("a gap in a line, also in one that is mostly gap, is empty, and has no value at the cursor") {
+    browserTest("a gap in a line is empty and has no value at the cursor, also in a line that is mostly gap") {
         onPage(page) {
             drawnBetween("Half", 0.1, 0.3) shouldBeGreaterThan 100
             drawnBetween("Half", 0.42, 0.58) shouldBe 0

@@ -4,10 +4,10 @@ import org.openqa.selenium.Keys
 import org.openqa.selenium.WebElement
 import java.util.Base64
 
-/** The graph of the whole [name]. */
+/** Returns the graph whose full name is [name]. */
 internal fun OpenPage.graph(name: String): GraphOnPage = GraphOnPage(this, name)
 
-/** One graph of an open page, as a person sees and touches it. */
+/** One graph of an open page, as a reader sees and operates it. */
 internal class GraphOnPage(private val page: OpenPage, private val name: String) {
     /** Its card. */
     val card: WebElement
@@ -28,7 +28,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
             card,
         ) as Boolean
 
-    /** Brings it into the middle of the screen. */
+    /** Scrolls it to the middle of the screen. */
     fun scrollTo(): GraphOnPage {
         page.script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", card)
         page.await("the graph $name to be drawn") { isDrawn }
@@ -36,7 +36,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
         return this
     }
 
-    /** Where its frame is on the screen. */
+    /** The position of its frame on the screen. */
     val frame: Box
         get() {
             val numbers = page.script(
@@ -50,14 +50,14 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
 
     /** A rectangle in CSS pixels. */
     data class Box(val x: Double, val y: Double, val width: Double, val height: Double) {
-        /** The pixel at the share [across] of the width and [down] of the height. */
+        /** Returns the pixel at the share [across] of the width and [down] of the height. */
         fun at(across: Double, down: Double = 0.5): Pair<Int, Int> = (x + width * across).toInt() to (y + height * down).toInt()
     }
 
     /** Moves the mouse to the share [across] of the frame's width. */
     fun hover(across: Double) {
         val (x, y) = frame.at(across)
-        // From beside it, so that the browser notices a move even where the mouse is there already.
+        // From beside it, so that the browser notices a move even if the mouse is already there.
         page.act { mouseTo(x, y + 3).mouseTo(x, y) }
     }
 
@@ -92,10 +92,10 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
         page.doubleClick(x, y)
     }
 
-    /** What its legend says of [line] at the cursor. */
+    /** Returns the legend's text for [line] at the cursor. */
     fun value(line: String): String = page.script("return arguments[0].querySelector('.value').textContent", legend(line)) as String
 
-    /** What it says of the finding at the cursor. */
+    /** The text of the finding at the cursor. */
     val label: String
         get() = page.script("return arguments[0].querySelector('.finding-label:not([hidden])')?.textContent ?? ''", card) as String
 
@@ -106,7 +106,7 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
         line,
     ) as WebElement
 
-    /** What it has drawn inside its frame: read from the canvas itself, not from what the page says. */
+    /** The drawing inside its frame, read from the canvas itself, not from the page's texts. */
     val picture: FramePicture
         get() {
             val drawn = page.script(
@@ -124,15 +124,15 @@ internal class GraphOnPage(private val page: OpenPage, private val name: String)
             return FramePicture.of(png.inputStream(), left, top, width, height)
         }
 
-    /** Its whole canvas as text, to be compared with another one. */
+    /** The whole canvas as text, to compare it with another canvas. */
     val canvas: String get() = page.script("return arguments[0].querySelector('canvas').toDataURL()", card) as String
 
-    /** For each pixel column of the frame, how many of its pixels have the color of line [index]. */
+    /** Returns for each pixel column of the frame the number of its pixels with the color of line [index]. */
     fun lineColumns(index: Int = 0): List<Int> = picture.columnsOf(page.color("--line-$index"))
 
-    /** How many pixels of the canvas have the color of line [index]. */
+    /** Returns the number of pixels of the canvas with the color of line [index]. */
     fun pixelsOfLine(index: Int): Int = lineColumns(index).sum()
 
-    /** Where on x line [index] rises or falls the most, as a share of the frame's width. */
+    /** Returns the x at which line [index] rises or falls the most, as a share of the frame's width. */
     fun steepest(index: Int = 0): Double = lineColumns(index).let { (it.indexOf(it.max()) + 0.5) / it.size }
 }

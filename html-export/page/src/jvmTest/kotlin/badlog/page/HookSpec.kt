@@ -32,7 +32,7 @@ internal class HookSpec : PageSpec({
     )
     val failed = HookPart("slow.R", error = "it took longer than 30 s")
 
-    browserTest("a hook's section says where it comes from, with values, lines and pictures; its findings, and why one failed, are there") {
+    browserTest("a hook's section names the hook and has its values, lines and pictures; its findings are listed, and failed hooks have a reason") {
         val page = TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook, failed)))
         onPage(page, script = "window.alarms = 0; window.alert = () => { window.alarms++ }") {
             texts(".hook .folder-name") shouldBe listOf("From the hook tools/analyze.py")
@@ -52,7 +52,7 @@ internal class HookSpec : PageSpec({
         }
     }
 
-    browserTest("a calculated line goes straight from sample to sample, and the cursor's steps stay those of the log") {
+    browserTest("a calculated line is straight between samples, and the cursor still steps by the log's samples") {
         onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook)))) {
             graph("Fit").scrollTo()
             val columns = graph("Fit").lineColumns()

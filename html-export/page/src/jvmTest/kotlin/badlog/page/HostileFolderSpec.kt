@@ -14,7 +14,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.div
 import kotlin.io.path.writeBytes
 
-/** Folders and files that are not as they should be. */
+/** Folders and files with unexpected content or behavior. */
 @Tags("InCheck")
 internal class HostileFolderSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-hostile") }
@@ -34,7 +34,7 @@ internal class HostileFolderSpec : PageSpec({
 
     browserTest("a folder of 3,000 files is listed at once and can be searched while its logs are read") {
         val many = folder("many") { folder -> repeat(3_000) { Files.write(folder / "practice-$it.bag", bag) } }
-        // Workers get nothing to do until they are released.
+        // Workers receive nothing until they are released.
         val waiting = """
             window.held = [];
             window.Worker = class extends Worker {
@@ -48,7 +48,7 @@ internal class HostileFolderSpec : PageSpec({
             element("#search").sendKeys("practice-2999")
             await("the one") { texts("[data-column='FILE']") == listOf("practice-2999.bag") }
             script("for (const work of held) work(); held = null")
-            // Rows are made anew while logs are read.
+            // Rows are recreated while logs are read.
             script("document.querySelector(\"[data-column='FILE'] button\").click()")
             awaitState("ready")
             click("#go-back")
@@ -56,7 +56,7 @@ internal class HostileFolderSpec : PageSpec({
         }
     }
 
-    browserTest("logs of a folder that vanishes are said to be unreadable, and the page goes on") {
+    browserTest("logs of a folder that disappears are reported as unreadable, and the page continues") {
         val gone = folder("gone") { folder -> repeat(40) { Files.write(folder / "$it.bag", bag) } }
         onPage(page, state = "empty", script = "window.Worker = class { constructor() { throw new Error() } }") {
             choose(gone)
@@ -71,14 +71,14 @@ internal class HostileFolderSpec : PageSpec({
         }
     }
 
-    browserTest("a log that shrinks after it was chosen is said to be unreadable") {
+    browserTest("a log that shrinks after it was chosen is reported as unreadable") {
         val file = (temporary / "shrinks.bag").also { it.writeBytes(bag) }
         onPage(page, state = "empty") {
             element("input[type=file]").sendKeys("$file")
             awaitState("ready")
             click("#go-back")
             awaitState("empty")
-            // The dialog gives the page the file as it is; it becomes shorter before it is read.
+            // The dialog gives the page the current file, which becomes shorter before it is read.
             script(
                 "window.Worker = class { constructor() { throw new Error() } }; window.waits = true; const read = Blob.prototype.arrayBuffer;" +
                     "Blob.prototype.arrayBuffer = async function () { while (window.waits) await new Promise(d => setTimeout(d)); return read.call(this) }",

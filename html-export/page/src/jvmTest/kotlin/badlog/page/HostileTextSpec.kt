@@ -13,7 +13,7 @@ import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
-/** Texts that try to become markup, script or the end of something. */
+/** Texts that try to become markup or script, or to end a script. */
 private val HOSTILE = listOf(
     "</script><img src=x onerror=alert(1)>",
     "<!--",
@@ -33,7 +33,7 @@ private val HOSTILE = listOf(
 
 @Tags("InCheck")
 internal class HostileTextSpec : PageSpec({
-    // Counts calls where a dialog would only stop the test.
+    // Counts the calls, because a dialog would stop the test.
     val alarm = "window.alarms = 0; window.alert = () => { window.alarms++ };"
 
     fun OpenPage.checkTame() {
@@ -46,7 +46,7 @@ internal class HostileTextSpec : PageSpec({
     }
 
     browserTest("hostile names, units and attributes of topics stay text") {
-        // A slash would make a folder of what stands before it: those are tested by their base names.
+        // A slash would make a folder of the text before it, so the graphs are found by their base names.
         val topics = listOf(TIME) + HOSTILE.map { BagTopic(it, it, listOf(it)) }
         onPage(TestPages.of(bagOf(topics, 50) { row, column -> row * column }), script = alarm) {
             checkTame()
@@ -136,7 +136,7 @@ internal class HostileTextSpec : PageSpec({
         }
     }
 
-    browserTest("hostile formulas stay text where they are reported as wrong, and where they are not") {
+    browserTest("hostile formulas stay text, whether they are reported as wrong or not") {
         val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
         val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
         onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
@@ -160,7 +160,7 @@ internal class HostileTextSpec : PageSpec({
         }
     }
 
-    browserTest("a hostile header that is not a bag's stays text where it is reported") {
+    browserTest("a hostile header that is not a bag's stays text in the report") {
         onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
             checkTame()
         }

@@ -1,6 +1,6 @@
 package badlog.page
 
-/** Waits until the browser has on its disk what the page has learned of logs so far: it keeps things in the order in which it gets them. */
+/** Waits until the browser has stored the page's results so far. It stores them in the order in which it receives them. */
 internal fun OpenPage.awaitKept() {
     driver.executeAsyncScript(
         """

@@ -32,7 +32,7 @@ internal class KeyboardSpec : PageSpec({
         TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings = findings, hooks = listOf(hook)))
     }
 
-    browserTest("Tab reaches everything that can be pressed, and where it is can be seen") {
+    browserTest("Tab reaches everything that can be pressed, and its place is visible") {
         onPage(pageWithAll) {
             val unseen = ArrayList<String>()
             var steps = 0
@@ -61,7 +61,7 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("the first press of Tab offers the way to the graphs, and every button and field has a name for those who do not see it") {
+    browserTest("the first Tab offers the link to the graphs, and every button and field has an accessible name") {
         onPage(pageWithAll) {
             script(
                 "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
@@ -103,7 +103,7 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("a question mark opens the help, which holds the focus, and Escape closes it") {
+    browserTest("a question mark opens the help, which keeps the focus, and Escape closes it") {
         onPage(page) {
             press("?")
             element("#help").isDisplayed shouldBe true
@@ -119,7 +119,7 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("each Escape takes back one thing: the search, the evidence, the second cursor, the pin, the cursor") {
+    browserTest("each Escape ends one thing: the search, the evidence, the second cursor, the pin, the cursor") {
         onPage(pageWithAll) {
             press("n")
             act { sendKeys("b").sendKeys(Keys.ARROW_RIGHT) }
@@ -140,7 +140,7 @@ internal class KeyboardSpec : PageSpec({
         }
     }
 
-    browserTest("a folder, the problems and an event answer to Enter and Space") {
+    browserTest("a folder, the problems and an event react to Enter and Space") {
         onPage(page) {
             fun focus(selector: String) = script("document.querySelector(arguments[0]).focus()", selector)
             focus(".folder[data-name='Arm'] .folder-toggle")

@@ -30,7 +30,7 @@ internal class LargeLogSpec : PageSpec({
     /** The names of the graphs in the folders, below the board. */
     fun OpenPage.namesInFolders(): List<String> = elements(".content .graph").filter { it.isDisplayed }.mapNotNull { it.getDomAttribute("data-name") }
 
-    browserTest("a log of more than 700 topics begins with at most 60 graphs, on a page to scroll through, with a tree of folders") {
+    browserTest("a log of more than 700 topics begins with at most 60 graphs, on a page that scrolls, with a tree of folders") {
         onPage(page, Screen(1366, 768)) {
             val topics = texts(".facts .fact").first { it.endsWith("topics") }.filter { it in '0'..'9' }.toInt()
             topics shouldBeGreaterThan 700
@@ -48,7 +48,7 @@ internal class LargeLogSpec : PageSpec({
         }
     }
 
-    browserTest("what is only listed, constant or empty is found; a click draws what has samples, and its pin adds it to the board") {
+    browserTest("a search matches listed, constant and empty topics; a click draws a topic with samples, and its pin adds it to the board") {
         onPage(page) {
             fun pinOf(row: String) = "$row .pin"
             val before = elements("#board .graph").size

@@ -5,12 +5,12 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
-/** Boards that a reader keeps under names, and between which a key switches. */
+/** Boards that a reader stores under names, and between which a key switches. */
 @Tags("InCheck")
 internal class LayoutSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 
-    /** Puts the graph called [title] alone on the board, and keeps that as [name]. */
+    /** Puts the graph [title] alone on the board, and stores the board as [name]. */
     fun OpenPage.keep(title: String, name: String) {
         if (titles().isNotEmpty()) click("#clear-board")
         graph(title).scrollTo().hover(0.5)
@@ -21,7 +21,7 @@ internal class LayoutSpec : PageSpec({
         settle()
     }
 
-    browserTest("boards are kept by name, a key goes through them, and the page opened again still has them") {
+    browserTest("boards are stored by name, a key steps through them, and they are still there when the page is opened again") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             press("g")
             text shouldContain "No layout is kept yet; keep the board as one with the button “Layouts” above it"
@@ -44,7 +44,7 @@ internal class LayoutSpec : PageSpec({
         }
     }
 
-    browserTest("the dialog goes to a kept board, and forgets one; it keeps none without a name") {
+    browserTest("the dialog shows a stored board, removes one, and stores none without a name") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             click("#layouts")
             press("  ", Keys.ENTER)

@@ -25,7 +25,7 @@ internal class LegendSpec : PageSpec({
         )
     }
 
-    browserTest("a click on a line's name takes exactly its pixels away, another brings them back, and the keyboard does the same") {
+    browserTest("a click on a line's name removes exactly its pixels, another restores them, and the keyboard does the same") {
         onPage(page) {
             val graph = graph("Arm/Both").scrollTo()
             val shown = graph.canvas
@@ -47,7 +47,7 @@ internal class LegendSpec : PageSpec({
         }
     }
 
-    browserTest("a screen reader hears a line's name and its value at the cursor, also where the title shows the name already") {
+    browserTest("screen readers get a line's name and its value at the cursor, even if the title already has the name") {
         onPage(page) {
             graph("Step 1").scrollTo().hover(0.9)
             graph("Step 1").legend("Step 1").accessibleName shouldBe "Step 1 1"
@@ -56,7 +56,7 @@ internal class LegendSpec : PageSpec({
         }
     }
 
-    browserTest("a hidden line stays hidden through a zoom and when its graph was out of sight; without any line, the graph is empty") {
+    browserTest("a hidden line stays hidden after a zoom and after scrolling; a graph without lines is empty") {
         onPage(page) {
             val graph = graph("Arm/Both").scrollTo()
             graph.legend("Low").click()
@@ -75,7 +75,7 @@ internal class LegendSpec : PageSpec({
         }
     }
 
-    browserTest("a name without room loses its beginning in legend and statistics, and a slash there stays in front") {
+    browserTest("a long name loses its beginning in legend and statistics, and a slash there stays in front") {
         val names = listOf("one", "two").map { "/Arm ${"of many letters ".repeat(30)}$it" }
         val topics = listOf(TIME) + names.map { BagTopic(it, "V", listOf("hide", "join:Both")) }
         onPage(TestPages.of(bagOf(topics, 11) { row, _ -> row })) {

@@ -22,7 +22,7 @@ import kotlin.io.path.writeText
 /** A log that is followed while a robot writes it. */
 @Tags("InCheck")
 internal class LiveSpec : RunningLogSpec({
-    browserTest("a log that is being written is followed at its newest moment until somebody goes elsewhere in it, and live again") {
+    browserTest("a growing log is followed at its newest moment until the reader goes elsewhere in it; Live follows it again") {
         onRunningLog("follow", screen = Screen.PHONE) { robot ->
             visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
             element("#live").click()
@@ -32,7 +32,7 @@ internal class LiveSpec : RunningLogSpec({
             graph("Count").value("Count") shouldBe "749"
             keepScreenshot("live-phone")
             isLive() shouldBe true
-            // Neither a touch, nor the pointer over a graph, nor the values that stay open go elsewhere.
+            // A touch, the pointer over a graph, and the open list of values do not go elsewhere in the log.
             for (type in listOf("pointerdown", "pointerup")) script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('$type', {bubbles: true}))")
             graph("Count").scrollTo().hover(0.5)
             script("scrollTo(0, 0)")
@@ -54,12 +54,12 @@ internal class LiveSpec : RunningLogSpec({
             element("#live").click()
             await("21 s") { visibleRange.endInclusive > 20.9 }
             awaitReady()
-            // As far in as before.
+            // The zoom is the same as before.
             visibleRange.start shouldBeGreaterThan 5.0
         }
     }
 
-    browserTest("whoever follows a log before its rules have run is not taken to the worst that they find") {
+    browserTest("a reader who follows a log before its rules have run is not taken to the worst finding") {
         val robot = WritingRobot(logs("worst") / "running.bag").apply { write(500) }
         robot.volts = 6.1
         robot.write(100)
@@ -82,7 +82,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("a press of the other button of a mouse, or one that ends outside of the window, does not hold up what is new") {
+    browserTest("another mouse button, or a press that ends outside the window, does not delay new rows") {
         onFollowedLog("menu") { robot ->
             fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
             pressed(button = 2)
@@ -101,9 +101,9 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("who begins a formula, or unfolds what the next page would not show unfolded, is not interrupted by a log that grows") {
+    browserTest("a growing log does not interrupt a reader who begins a formula or opens the help") {
         onRunningLog("begun") { robot ->
-            // What was written meanwhile makes the page anew, with other buttons.
+            // Rows written meanwhile recreate the page, with other buttons.
             fun follow() {
                 element("#live").click()
                 await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
@@ -128,8 +128,8 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("a row that arrives in parts is shown when it is whole, so that 12.4 is never read as 1") {
-        // In a table, whose x axis is the number of the row, a last row needs no end of its line.
+    browserTest("a row that arrives in parts is shown once it is complete, so that 12.4 is never read as 1") {
+        // In a table whose x axis is the row number, the last row needs no line end.
         val file = logs("parts") / "running.csv"
         file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
         onLogIn(file.parent) {
@@ -148,7 +148,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("a log that is not text is followed wherever its parts end") {
+    browserTest("a binary log is followed wherever its parts end") {
         val file = logs("binary") / "running.dslog"
         val bytes = TestDslog().records(750).bytes
         val written = TestDslog().records(500).bytes.size
@@ -162,7 +162,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("Live is stopped by a click that is as slow as a person's, while the log grows") {
+    browserTest("a slow click on Live stops it while the log grows") {
         onFollowedLog("click") { robot ->
             awaitReady()
             val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
@@ -176,7 +176,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("what the rules find in a log that is followed is shown when it happens, and the board stays") {
+    browserTest("findings in a followed log appear as they happen, and the board stays") {
         onRunningLog("rules") { robot ->
             (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
             script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
@@ -197,7 +197,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("where a server sends logs whole, they are asked for as seldom as their size allows, and followed all the same") {
+    browserTest("a log is followed although its server only sends whole logs, which are requested as rarely as their size demands") {
         val robot = WritingRobot(logs("whole") / "running.bag").apply { write(500) }
         EmptyPage().write(robot.file.parent / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
         WpilibServer(robot.file.parent).use { server ->
@@ -214,10 +214,10 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("an enabled robot is followed on; the end of following is said where it was asked for: the robot is on the field") {
+    browserTest("following continues while the robot is enabled, and ends on the field with the reason on the button") {
         val options = LogServerOptions()
         onFollowedLog("end", options, says = listOf("ERR_")) { robot ->
-            // An enabled robot's log is sent if it was written in the last ten seconds.
+            // The log of an enabled robot is sent if it was written in the last ten seconds.
             robot.write(1)
             options.isEnabled = BooleanSupplier { true }
             robot.write(249)
@@ -229,7 +229,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("Live that fell too far behind an enabled robot says so, and goes on at the newest moment once the robot is disabled") {
+    browserTest("Live reports when it is too far behind an enabled robot, and continues at the newest moment once the robot is disabled") {
         val options = LogServerOptions()
         onRunningLog("behind", options) { robot ->
             options.isEnabled = BooleanSupplier { true }
@@ -239,14 +239,14 @@ internal class LiveSpec : RunningLogSpec({
             isLive() shouldBe false
             options.isEnabled = BooleanSupplier { false }
             element("#live").click()
-            // What was wrong is not said any more.
+            // The earlier problem is no longer shown.
             texts("#live") shouldBe listOf("Live")
             await("110 s") { visibleRange.endInclusive > 109.9 }
             isLive() shouldBe true
         }
     }
 
-    browserTest("a gap in the Wi-Fi of a second is waited for") {
+    browserTest("following survives a gap of a second in the Wi-Fi") {
         onFollowedLog("gap") { robot ->
             val lost = "Promise.reject(new TypeError('Failed to fetch'))"
             script("const real = fetch; let left = 3; window.fetch = (...asked) => left-- > 0 ? $lost : real(...asked)")
@@ -256,7 +256,7 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("following waits for a place while others download, as long as that takes some seconds") {
+    browserTest("following waits some seconds for a place while others download") {
         val robot = WritingRobot(logs("busy") / "running.bag").apply { write(500) }
         (robot.file.parent / "long.bag").writeBytes(ByteArray(20_000_000))
         withRobot(robot.file.parent) { address ->
@@ -265,7 +265,7 @@ internal class LiveSpec : RunningLogSpec({
                 openRunning()
                 element("#live").click()
                 val others = ArrayList<InputStream>()
-                // The page's own questions need places, too.
+                // The page's own requests need places, too.
                 await("two downloads") {
                     runCatching { others += URI("${address}logs/long.bag").toURL().openStream().apply { read() } }
                     others.size == 2

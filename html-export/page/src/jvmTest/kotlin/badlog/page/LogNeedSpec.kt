@@ -22,7 +22,7 @@ internal class LogNeedSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-need") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
 
-    // 24 MB of rows, two topics of which are signals.
+    // 24 MB of rows, in which two topics are signals.
     val bag by lazy {
         val topics = listOf(TIME, BagTopic("System/Battery Voltage", "V"), BagTopic("System/Enabled")) + List(37) { BagTopic("Arm/Joint $it", "deg") }
         (temporary / "large.bag").also {
@@ -46,13 +46,13 @@ internal class LogNeedSpec : PageSpec({
 
     afterSpec { temporary.toFile().deleteRecursively() }
 
-    /** A device that says that it has [gigabytes] of memory. */
+    /** Returns a script that makes the device report [gigabytes] of memory. */
     fun device(gigabytes: String) = "Object.defineProperty(Navigator.prototype, 'deviceMemory', {get: () => $gigabytes})"
 
     fun OpenPage.choose(file: Path) = element("input[type=file]").sendKeys("$file")
 
     for ((name, file) in listOf("bag" to { bag }, "WPILOG" to { wpilog })) {
-        browserTest("before a $name that is too large for the device, the page asks, and offers the topics that rules look at") {
+        browserTest("before a $name that is too large for the device, the page asks, and offers only the topics that rules use") {
             onPage(page, state = "empty", script = device("0.25")) {
                 choose(file())
                 awaitState("failed")

@@ -12,7 +12,7 @@ import kotlin.math.PI
 /** The panel with the modules of a swerve drive. */
 @Tags("InCheck")
 internal class ModulesPanelSpec : PageSpec({
-    /** Ten seconds of four modules, the second of which points 10° aside, and 15° from 3 s to 3.5 s. */
+    /** Ten seconds of four modules. The second module points 10° aside, and 15° from 3 s to 3.5 s. */
     val page by lazy {
         val names = listOf("Measured", "Setpoints").flatMap { side -> List(4) { "$side[$it]" } }
         val topics = listOf(TIME) + names.flatMap { listOf(BagTopic("$it/speed", "m/s"), BagTopic("$it/angle/value", "rad")) }
@@ -31,7 +31,7 @@ internal class ModulesPanelSpec : PageSpec({
 
     fun OpenPage.picture() = script("return document.querySelector('#modules canvas').toDataURL()") as String
 
-    browserTest("W opens the modules: the worst one is named, its largest error is one click away, and the picture follows the cursor") {
+    browserTest("W opens the modules with the worst module and a link to its largest error, and the picture follows the cursor") {
         onPage(page) {
             press("w")
             await("the errors") { texts(".module-error").size == 4 }
@@ -48,7 +48,7 @@ internal class ModulesPanelSpec : PageSpec({
         }
     }
 
-    browserTest("the errors are those of the visible range; values at the cursor take the place of the modules") {
+    browserTest("the errors are those in the visible range, and the values at the cursor replace the modules") {
         onPage(page) {
             click("#modules-button")
             graph("Measured[0]/speed").drag(0.25, 0.4)
@@ -62,7 +62,7 @@ internal class ModulesPanelSpec : PageSpec({
         }
     }
 
-    browserTest("moving the cursor leaves the list alone, a picture that gets another size is drawn again, and links open the modules") {
+    browserTest("moving the cursor does not change the list, a resized picture is redrawn, and links open the modules") {
         onPage(page) {
             script("location.hash = '#open=modules'")
             await("the errors") { texts(".module-error").size == 4 }
@@ -82,7 +82,7 @@ internal class ModulesPanelSpec : PageSpec({
         }
     }
 
-    browserTest("a log without modules has no button for them, and W says why") {
+    browserTest("a log without modules has no button for them, and W gives the reason") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             element("#modules-button").isDisplayed shouldBe false
             press("w")

@@ -9,21 +9,21 @@ import java.time.Duration
 /** The mouse of all tests. Selenium's own moves take a quarter of a second each. */
 private val MOUSE = PointerInput(PointerInput.Kind.MOUSE, "mouse")
 
-/** Moves the mouse to a place of the window. */
+/** Moves the mouse to a position in the window. */
 internal fun Actions.mouseTo(x: Int, y: Int): Actions = tick(MOUSE.createPointerMove(Duration.ofMillis(10), Origin.viewport(), x, y))
 
 /** Presses the mouse's main button, and holds it. */
 internal fun Actions.mouseDown(): Actions = tick(MOUSE.createPointerDown(MouseButton.LEFT.asArg()))
 
-/** Lets the mouse's main button go. */
+/** Releases the mouse's main button. */
 internal fun Actions.mouseUp(): Actions = tick(MOUSE.createPointerUp(MouseButton.LEFT.asArg()))
 
-/** Double-clicks at a place of the window. */
+/** Double-clicks at a position in the window. */
 internal fun OpenPage.doubleClick(x: Int, y: Int) = clicks(listOf(x to y, x to y), pause = 0.1)
 
 /**
- * Clicks at [places] of the window, [pause] seconds after what was done before and after one another, by the events' own clock: how long a
- * busy machine takes for each does not matter.
+ * Clicks at [places] of the window, with [pause] seconds before each click. The times are those of the events, so a slow machine does not
+ * matter.
  */
 internal fun OpenPage.clicks(places: List<Pair<Int, Int>>, pause: Double) {
     act { mouseTo(places.first().first, places.first().second) }
@@ -39,7 +39,7 @@ internal fun OpenPage.clicks(places: List<Pair<Int, Int>>, pause: Double) {
     settle()
 }
 
-/** Taps with a finger at [places] of the window, likewise. */
+/** Taps with a finger at [places] of the window, timed as in [clicks]. */
 internal fun OpenPage.taps(places: List<Pair<Int, Int>>, pause: Double) {
     val begin = now()
     places.forEachIndexed { index, (x, y) ->
@@ -53,5 +53,5 @@ internal fun OpenPage.taps(places: List<Pair<Int, Int>>, pause: Double) {
     settle()
 }
 
-/** The time by the browser's own clock, in seconds. */
+/** Returns the time of the browser's clock, in seconds. */
 private fun OpenPage.now() = number("return performance.timeOrigin + performance.now()") / 1000

@@ -18,7 +18,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.UUID
 
-/** What people wrote in the window, on an exported page. */
+/** Notes written in the window, on an exported page. */
 @Tags("InCheck")
 internal class NotesSpec : PageSpec({
     fun pageOf(folder: Path, prepare: (log: Path) -> Unit): Path {
@@ -27,7 +27,7 @@ internal class NotesSpec : PageSpec({
         return folder.resolve("match.html").also { HtmlExporter().export(log, it) }
     }
 
-    browserTest("notes beside a log are listed and lead to their moments; a key marks the cursor's, without a dialog, and says where") {
+    browserTest("notes beside a log are listed with links to their moments; a key marks the cursor's moment without a dialog, and reports it") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline")), read = emptyList()) }
         onPage(page) {
             texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "second\nline")
@@ -59,7 +59,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("damaged notes are a problem that the page lists, and nothing else changes") {
+    browserTest("damaged notes are listed as a problem, and nothing else changes") {
         onPage(pageOf(tempdir().toPath()) { Files.writeString(NotesFile.beginningOf(it), "{") }) {
             element("#notes").isDisplayed shouldBe false
             text shouldContain "notes in match.bag.notes.json are damaged"
@@ -74,7 +74,7 @@ internal class NotesSpec : PageSpec({
         settle()
     }
 
-    browserTest("a note is written at the cursor, changed and removed, and the page opens with it again") {
+    browserTest("a note is written at the cursor, changed and removed, and is still there when the page is opened again") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             element("#notes").isDisplayed shouldBe false
             graph("Step 1").click(0.3)
@@ -98,7 +98,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    /** Remembers [text] for the log in the browser, under [key], as another tab does. */
+    /** Stores [text] for the log in the browser, under [key], as another tab does. */
     fun OpenPage.remember(key: String, text: String) {
         script(
             "const key = 'badlog:' + arguments[0] + ':match.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
@@ -108,7 +108,7 @@ internal class NotesSpec : PageSpec({
         )
     }
 
-    browserTest("what two tabs write and remove is in the notes of both, whichever of them writes last") {
+    browserTest("the changes of two tabs are merged in both, whichever tab writes last") {
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "first"), Note(2.0, "second")), read = emptyList()) }
         onPage(page) {
             val beginning = NoteHistory.of(listOf(Note(1.0, "first"), Note(2.0, "second")), emptyList())
@@ -118,7 +118,7 @@ internal class NotesSpec : PageSpec({
             graph("Step 1").click(0.5)
             write("of this tab")
             texts("#notes .note-text") shouldBe listOf("second there", "of this tab", "of the other tab")
-            // Although the clock of the other tab is ahead.
+            // It works although the clock of the other tab is ahead.
             elements("#notes .note-tools button")[0].click()
             press(" and here", Keys.ENTER)
             settle()
@@ -128,7 +128,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("notes that pages of an older badlog remember are still there, can be changed, and are not doubled by a copy") {
+    browserTest("notes stored by pages of an older badlog are still there, and can be changed and removed") {
         val beside = listOf(Note(1.0, "first"), Note(2.0, "second"), Note(4.0, "hit"))
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, beside, read = emptyList()) }
         onPage(page) {
@@ -146,7 +146,7 @@ internal class NotesSpec : PageSpec({
         }
     }
 
-    browserTest("a note is once in a page and its copy in one browser: as it was changed last, or not at all if it was removed last") {
+    browserTest("a page and its copy in one browser show each note once, with its last change, and no removed note") {
         val page = TestPages.of(stepBag(graphs = 1))
         val copy = tempdir().toPath().resolve("copy.html")
 
@@ -179,13 +179,13 @@ internal class NotesSpec : PageSpec({
             go(page, "first changed in the copy", "fourth")
             rewrite(0, " and back")
             go(copy, "first changed in the copy and back", "fourth")
-            // Another browser knows only what the copy was made with.
+            // Another browser knows only the notes in the copy.
             script("localStorage.clear()")
             go(copy, "first", "second", "third")
         }
     }
 
-    browserTest("a copy of the page has the notes, the board and the log's very bytes, and needs nothing of the browser that made it") {
+    browserTest("a copy of the page has the notes, the board and the log's exact bytes, and needs no storage of the original's browser") {
         val copy = tempdir().toPath().resolve("copy.html")
         onPage(TestPages.of(stepBag(graphs = 2))) {
             graph("Step 2").click(0.3)
@@ -197,7 +197,7 @@ internal class NotesSpec : PageSpec({
             texts("#notes .note-text") shouldBe listOf("hit </script> by 254")
             texts(".board .graph-title") shouldBe listOf("Step 2")
             saved("test.bag") { click("#download") } shouldBe stepBag(graphs = 2)
-            // A copy of a copy is the same page once more.
+            // A copy of a copy is the same page.
             val again = exported("A copy of this page, with your notes and board", "test.html")
             again shouldBe Files.readAllBytes(copy)
         }

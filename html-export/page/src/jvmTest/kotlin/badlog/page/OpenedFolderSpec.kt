@@ -55,7 +55,7 @@ internal class OpenedFolderSpec : PageSpec({
         awaitState("ready")
     }
 
-    browserTest("the logs of a folder and those in it are listed as in the window: match, battery, findings; other files are not") {
+    browserTest("a folder and its subfolders are listed as in the window, with match, battery and findings, but without other files") {
         onFolder(samples()) {
             texts(".page-head h1") shouldContainExactly listOf("event")
             column("FILE").size shouldBe 5
@@ -103,7 +103,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("a finding in the list opens its log at the worst incident; the next log, and the list, are a click away") {
+    browserTest("a finding in the list opens its log at the worst incident; the next log and the list are a click away") {
         onFolder(samples()) {
             awaitAll()
             click("#sort-NUMBER")
@@ -124,7 +124,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("the way back leads to the row that was left, with everything that the list had; keys in a dialog leave no log") {
+    browserTest("the back button leads to the row of the log; keys in a dialog do not switch logs") {
         onFolder(samples()) {
             awaitAll()
             click("[data-column='FILE'] button") { it.text == "practice.bag" }
@@ -139,14 +139,14 @@ internal class OpenedFolderSpec : PageSpec({
             script("return document.activeElement.textContent") shouldBe "practice.bag"
             elements("#theme").size shouldBe 1
             script("return document.documentElement.dataset.rules ?? null") shouldBe null
-            // The folder's own name finds nothing.
+            // The folder's own name matches nothing.
             element("#search").sendKeys("event practice")
             settle()
             text shouldContain "No log matches “"
         }
     }
 
-    browserTest("logs of the same name in different folders are compared with each other; what systems hide is not listed") {
+    browserTest("logs of the same name in different folders can be compared, and hidden files are not listed") {
         val days = folder("days") { folder ->
             for ((day, volts) in listOf("day1" to 11, "day2" to 12, "day3" to 13)) {
                 val log = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else volts + row % 2 }
@@ -165,7 +165,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("where a log cannot be shown, another one can be dropped, and the list is not forgotten") {
+    browserTest("after a file that cannot be shown, another one can be dropped, and the list is still there") {
         onFolder(samples()) {
             awaitAll()
             drop("pit.zip" to byteArrayOf(1, 2, 3))
@@ -183,7 +183,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("a finding of a table without an x axis is shown over its time, over which it was found") {
+    browserTest("a finding in a table without an x axis opens over the time column, in which it was found") {
         val tables = folder("tables") { folder ->
             val rows = (0..1500).joinToString("\n") { i -> "${i / 50.0},${if (i in 500..700) 6.2 else 12.4},1" }
             (folder / "a.csv").writeText("Time,Battery Voltage,Enabled\n$rows\n")
@@ -199,7 +199,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("a dropped folder is listed with the folders in it, of which a browser reads a part at a time; names may repeat") {
+    browserTest("a dropped folder is listed with its subfolders, although browsers list it in parts; names may repeat") {
         onPage(page, state = "empty") {
             script(
                 """
@@ -229,7 +229,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("what cannot be read is listed with the reason, and hostile names stay text") {
+    browserTest("unreadable files are listed with the reason, and hostile names stay text") {
         val gone = folder("hostile") { folder ->
             (folder / "<img src=x onerror=alert(1)>.bag").writeBytes(bag)
             (folder / "damaged.bag").writeText("{\"topics\":[")
@@ -250,7 +250,7 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("a log that is gone when it is opened is said to be so, and the way back leads to the list") {
+    browserTest("a log that was deleted before it is opened is reported, and the back button leads to the list") {
         val shrinking = folder("shrinking") { folder ->
             (folder / "a.bag").writeBytes(bag)
             (folder / "b.bag").writeBytes(bag)
@@ -266,11 +266,11 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("of very many logs, the table makes some hundreds of rows, and more when asked") {
+    browserTest("a table of very many logs has 300 rows at first, and more on request") {
         val many = folder("many") { folder -> for (i in 1..350) (folder / "FRC_20260314_100000_TEST_Q$i.bag").writeText("{\"topics\":[],\"values\":[]}\n\n") }
         onFolder(many) {
             elements(".log-table tbody tr").size shouldBe 300
-            // By a script: while logs are read, the table changes under a pointer.
+            // Clicked by a script, because the table changes under a pointer while logs are read.
             script("document.querySelector('.log-table .more').click()")
             elements(".log-table tbody tr").size shouldBe 350
             column("NUMBER").first { it.isNotEmpty() }.length shouldBeGreaterThan 0

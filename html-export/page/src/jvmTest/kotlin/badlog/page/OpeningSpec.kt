@@ -17,7 +17,7 @@ internal class OpeningSpec : PageSpec({
         "elevator-bench.csv" to "elevator-bench.csv",
     )
     for ((sample, title) in titles) {
-        browserTest("$sample opens quietly, is called “$title”, and draws the graphs on the screen") {
+        browserTest("$sample opens without messages, has the title “$title”, and draws the graphs on the screen") {
             onPage(TestPages.ofSample(sample)) {
                 driver.title shouldBe title
                 texts("h1") shouldBe listOf(title)
@@ -39,7 +39,7 @@ internal class OpeningSpec : PageSpec({
         }
     }
 
-    browserTest("values stand in their folders, which are in order regardless of case, the top level first; Info holds the header") {
+    browserTest("values are in their folders, sorted regardless of case, the top level first; Info has the header") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             texts(".folder[data-name=''] .values dd") shouldContain "2024-03-16T10:41:07"
             texts(".folder[data-name='System'] .values dt") shouldContain "Brownout Voltage"

@@ -12,7 +12,7 @@ import java.nio.file.Path
 import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 
-/** What carries a board from one page to another: a link, and a layout file. */
+/** The two ways to bring a board from one page to another: a link, and a layout file. */
 @Tags("InCheck")
 internal class PageLinkSpec : PageSpec({
     val bag by lazy {
@@ -26,7 +26,7 @@ internal class PageLinkSpec : PageSpec({
 
     fun OpenPage.notice() = texts(".notice p").single()
 
-    /** Drops a file with this [name] and [text], and waits until the page [says] what came of it. */
+    /** Drops a file with this [name] and [text], and waits until the page shows the sentence [says]. */
     fun OpenPage.drop(name: String, text: String, says: String) {
         script(
             """
@@ -41,7 +41,7 @@ internal class PageLinkSpec : PageSpec({
         settle()
     }
 
-    browserTest("the first graphs that a link draws are those it asks for") {
+    browserTest("the first graphs drawn after a link are those in it") {
         onPage(page) {
             val whatIsDrawn = """
                 const mark = performance.mark
@@ -57,7 +57,7 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a copied link carries moment, range, board and formulas, and shows them where it is opened") {
+    browserTest("a copied link contains moment, range, board and formulas, and shows them on another page") {
         var link = ""
         onPage(page) {
             press("f")
@@ -79,7 +79,7 @@ internal class PageLinkSpec : PageSpec({
         onPage(page) {
             titles() shouldBe emptyList()
             script("location.hash = arguments[0]", link)
-            // Formulas may take several slices, and what follows in the link waits for them.
+            // Formulas may take several slices, and the rest of the link waits for them.
             await("the board of the link") { titles() == listOf("Current", "Power") }
             await("its moment") { texts(".cursor-readout").single() == "4.0000 s" }
             visibleRange.start shouldBe (link.substringAfter("x=").substringBefore(':').toDouble() plusOrMinus 0.001)
@@ -91,7 +91,7 @@ internal class PageLinkSpec : PageSpec({
             titles() shouldBe emptyList()
             reload()
             titles() shouldBe emptyList()
-            // What uses them may be the reader's own by now.
+            // Formulas that use them may be the reader's own by now.
             script(remembered) as String shouldContain "Power [W] = Voltage * Current"
         }
         onPage(page) {
@@ -103,7 +103,7 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a link shows what its writer saw: the second cursor, the search, the values and the statistics; of an untouched page it is empty") {
+    browserTest("a link contains the second cursor, the search, the values and the statistics, and is empty for an untouched page") {
         fun OpenPage.copied(): String {
             script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}, configurable: true})")
             click("#copy-link")
@@ -134,7 +134,7 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a damaged link says so, and hurts nothing; one of another log says what is not here") {
+    browserTest("a damaged link is reported without further effect; a link of another log lists the missing topics") {
         onPage(page) {
             script("location.hash = '#t=3&board=~12'")
             await("the notice") { notice().isNotEmpty() }
@@ -147,7 +147,7 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a formula of a link whose name is in use is left out, and the page says so") {
+    browserTest("a formula of a link is skipped with a notice if its name is in use") {
         onPage(page) {
             press("f")
             press("Power [W] = Voltage * Current", Keys.ENTER)
@@ -161,7 +161,7 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a layout is saved, and dropped on the page is used") {
+    browserTest("a layout is saved, and applied when it is dropped on the page") {
         var layout = ""
         onPage(page) {
             script("arguments[0].querySelector('.pin').click()", graph("Current").card)
@@ -180,7 +180,7 @@ internal class PageLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a page begins with the layout that it was exported with, until its reader has a board of his own") {
+    browserTest("a page begins with its exported layout, until the reader has another board") {
         val layout = """{"badlog-layout":1,"graphs":[{"title":"Power","lines":["Power","Current"]}],"formulas":["Power [W] = Voltage * Current"]}"""
         onPage(TestPages.of(bag, additions = PageAdditions(layout = layout))) {
             titles() shouldBe listOf("Power")

@@ -4,22 +4,22 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import java.nio.file.Path
 
-/** Tests of exported pages in a real browser; each skips, saying why, where there is none. */
+/** Tests of exported pages in a real browser; each is skipped with a reason if there is none. */
 internal abstract class PageSpec(body: PageSpec.() -> Unit) : FunSpec() {
     init {
         body()
     }
 
-    /** A test in the browser. */
+    /** Adds a test that needs the browser. */
     fun browserTest(name: String, test: suspend () -> Unit) {
         test(name).config(enabledOrReasonIf = { Chromium.enabled }) { test() }
     }
 
     /**
-     * Opens [page] on a [screen] of its own, waits until it shows what it can, and does [test]. Whatever is tested, a
-     * page writes nothing to the console and asks nothing of the network.
+     * Opens [page] on its own [screen], waits for its state, and runs [test]. Every page must write nothing to the console and request
+     * nothing from the network.
      *
-     * @param script runs in the page before its own script does.
+     * @param script runs in the page before its own script.
      */
     fun onPage(
         page: Path,
@@ -39,8 +39,8 @@ internal abstract class PageSpec(body: PageSpec.() -> Unit) : FunSpec() {
     }
 
     /**
-     * Opens the page at [address], which a server has, waits for its [state], and does [test]. Whatever is tested, it asks no other server, and
-     * writes nothing to the console but what [says] names: browsers report answers that are refusals.
+     * Opens the page at [address] on a server, waits for its [state], and runs [test]. It must request nothing from other servers, and
+     * write nothing to the console except messages with the text [says], because browsers report refusals.
      */
     fun onServedPage(
         address: String,

@@ -8,7 +8,9 @@ import java.nio.file.Files
 
 private const val ROWS = 120_000
 
-/** Some megabytes, so that the page carries several parts; rows end anywhere in them, and texts hold commas, quotes and newlines. */
+/**
+ * A log of some megabytes, so that the page has several parts. Parts end anywhere in rows, and texts contain commas, quotes and newlines.
+ */
 private val HEADER = """
     {"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Angle","unit":"deg","attrs":["differentiate"]},
     {"name":"Current","unit":"A"},{"name":"State"},{"name":"Enabled"},{"name":"Log","attrs":["log"]}]}
@@ -35,7 +37,7 @@ private val DAMAGED = HEADER + (0 until ROWS).joinToString("") {
     }
 }.dropLast(7)
 
-/** Pages of logs that several workers read at a time. */
+/** Pages of logs that several workers read at the same time. */
 @Tags("InCheck")
 internal class PartsSpec : PageSpec({
     fun cores(count: Int) = "Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => $count })"
@@ -54,7 +56,7 @@ internal class PartsSpec : PageSpec({
     }
 
     for ((name, log) in mapOf("whole" to CLEAN, "damaged" to DAMAGED)) {
-        browserTest("a $name log that several workers read shows what it shows when one reads it") {
+        browserTest("several workers read a $name log with the same result as one") {
             val page = TestPages.of(log)
             var expected = emptyList<Any?>()
             onPage(page, script = cores(1)) {
@@ -70,7 +72,7 @@ internal class PartsSpec : PageSpec({
         }
     }
 
-    browserTest("a large log is read while the rest of its page is still to come") {
+    browserTest("a large log is read while the rest of its page is still loading") {
         val text = Files.readString(TestPages.of(CLEAN))
         val middle = text.indexOf("id=\"recording\"").let { it + (text.indexOf("</script>", it) - it) / 2 }
         onPage(TestPages.of("a\n1\n", "b.csv")) {
@@ -99,8 +101,8 @@ internal class PartsSpec : PageSpec({
     }
 
     browserTest("fast workers wait for a slow one, so that no more than a few parts are held") {
-        // The answer of one part is held back until the other worker has nothing more to do: all else that was sent is answered, twice in a
-        // row, between which the page has looked again for what is still to be sent.
+        // The answer of one part is held until all other parts are answered, twice in a row. In between, the page looks again for text to
+        // send.
         val held = """
             ${cores(2)};
             window.sent = 0; window.answered = 0;
@@ -130,7 +132,7 @@ internal class PartsSpec : PageSpec({
         }
     }
 
-    browserTest("a page with a damaged part is read in one go, as far as that goes, once its reader wants to see that") {
+    browserTest("a page with a damaged part is read as one stream, up to the damage, if its reader asks for it") {
         val text = Files.readString(TestPages.of(CLEAN))
         val from = text.indexOf("id=\"recording\"")
         val middle = from + (text.indexOf("</script>", from) - from) / 2

@@ -1,6 +1,9 @@
 package badlog.page
 
-/** How many pixels of the first graph of y over x have the color of line [index]: below the cursors, or in their [layer] 1. */
+/**
+ * Returns the number of pixels with the color of line [index] in the first graph of y over x. The pixels are below the cursors, or in their
+ * [layer] 1.
+ */
 internal fun OpenPage.pathPixels(index: Int, layer: Int = 0): Int {
     val color = color("--line-$index")
     return number(
@@ -25,16 +28,16 @@ internal fun OpenPage.pathPixels(index: Int, layer: Int = 0): Int {
     ).toInt()
 }
 
-/** What the legends of the board say at the cursor. */
+/** Returns the values at the cursor in the legends of the board. */
 internal fun OpenPage.pathValues(): List<String> = texts("#board .legend-entry .value")
 
-/** Where the first graph of y over x is on the screen: left, top, width and height. */
+/** Returns the position of the first graph of y over x on the screen: left, top, width and height. */
 internal fun OpenPage.pathBox(): List<Double> {
     val numbers = script("const b = document.querySelector('.xy').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]") as List<*>
     return numbers.map { (it as Number).toDouble() }
 }
 
-/** Moves the mouse to these shares of its width and height. */
+/** Moves the mouse to these shares of the graph's width and height. */
 internal fun OpenPage.hoverPath(across: Double, down: Double) {
     val (x, y, width, height) = pathBox()
     act { mouseTo((x + width * across).toInt(), (y + height * down).toInt() + 3).mouseTo((x + width * across).toInt(), (y + height * down).toInt()) }

@@ -36,13 +36,13 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("Escape gives up a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
+    browserTest("Escape cancels a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
         onPage(page) {
             val (x, y, width, height) = pathBox()
             fun picture() = script("return document.querySelector('.xy').toDataURL()")
             fun pictures() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
             val untouched = pictures()
-            // A frame as well as a move.
+            // A drag draws a frame; with Shift, it moves the plane.
             for (key in listOf("", Keys.SHIFT)) {
                 act {
                     if (key.isNotEmpty()) keyDown(key)
@@ -72,7 +72,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("Shift+click on the path sets the second cursor, where a ring is, and the legend says both places") {
+    browserTest("Shift+click on the path sets the second cursor with a ring, and the legend has both places") {
         onPage(page) {
             val (x, y, width, height) = pathBox()
             fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
@@ -85,7 +85,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("what is seen of a path and its origin are in the link, and a double click shows everything") {
+    browserTest("the visible part of a path and its origin are in the link, and a double click shows everything") {
         onPage(page) {
             fun picture() = script("return document.querySelector('.xy').toDataURL()")
             val whole = picture()
@@ -105,9 +105,9 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("the picture of the field lies behind the path, as large as its corners say") {
+    browserTest("the picture of the field is behind the path, in the size given by its corners") {
         val picture = ByteArrayOutputStream().also { out ->
-            // Nothing else on the page is so green.
+            // Nothing else on the page has this green.
             val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
             for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
             ImageIO.write(image, "png", out)
@@ -129,9 +129,9 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("a trace is hidden by its legend, and that is remembered") {
+    browserTest("a click in the legend hides a trace, which is remembered") {
         onPage(page) {
-            // The red alliance's wall is of nearly the same color.
+            // The wall of the red alliance has nearly the same color.
             val planned = pathPixels(1)
             elements("#board .legend-entry")[1].click()
             settle()
@@ -141,20 +141,20 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("of a graph that has states, too, the path is drawn once, and the states are lanes") {
+    browserTest("a graph with a path and states draws the path once, and the states as lanes") {
         val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
         val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
         onPage(TestPages.of(log)) {
             script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
             reload()
             texts("#board .graph-title").size shouldBe 2
-            // Its cursors have a canvas of their own.
+            // The cursors have their own canvas.
             elements("#board .xy").size shouldBe 2
             elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
         }
     }
 
-    browserTest("two topics of the board are drawn over each other by its menu") {
+    browserTest("the menu draws two topics of the board over each other") {
         onPage(TestPages.ofSample("qualification-42.bag")) {
             script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
             reload()

@@ -25,7 +25,7 @@ import java.time.Duration
 internal class PhoneSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }
 
-    /** Puts down one finger for each path, moves it along, and lifts it. All paths have as many points. */
+    /** Puts down one finger for each path, moves it along the path, and lifts it. All paths have the same number of points. */
     fun OpenPage.touch(vararg paths: List<Pair<Int, Int>>) {
         val fingers = paths.mapIndexed { index, path ->
             val finger = PointerInput(Kind.TOUCH, "finger $index")
@@ -57,7 +57,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("the words in the bar are not cut, what is pressed is large enough for a finger, the event log is one tap away") {
+    browserTest("words in the bar are not cut, buttons are large enough for a finger, and the event log is one tap away") {
         onPage(TestPages.ofSample("qualification-42.bag"), Screen.PHONE) {
             for ((selector, text) in listOf(".search-input" to "placeholder", ".folder-choice" to "value")) {
                 number(
@@ -83,7 +83,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("all that the bar can have is in two rows above the cursor's place, also on a narrow phone") {
+    browserTest("the full bar takes two rows above the cursor's place, also on a narrow phone") {
         val modules = listOf("Measured", "Setpoints").flatMap { side -> List(4) { "$side[$it]" } }
             .flatMap { listOf(BagTopic("$it/speed", "m/s"), BagTopic("$it/angle/value", "rad")) }
         val topics = listOf(TIME) + modules + BagTopic("Log", attributes = listOf("log"))
@@ -95,9 +95,9 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a finger that rests sets the second cursor, and takes it away where it rests on it again") {
+    browserTest("a resting finger sets the second cursor, and removes it when it rests there again") {
         onPage(page, Screen.PHONE) {
-            // Not by actions of WebDriver: of a finger that one list of them puts down, the next one does not lift it.
+            // Not by actions of WebDriver, because a list of actions cannot lift a finger that an earlier list put down.
             fun finger(type: String, vararg places: Pair<Int, Int>) = driver.executeCdpCommand("Input.dispatchTouchEvent", mapOf("type" to type, "touchPoints" to places.map { (x, y) -> mapOf("x" to x, "y" to y) }))
 
             fun rest(share: Double, beside: Int, isSecondShown: Boolean) {
@@ -117,7 +117,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a tap sets the cursor, and on a finding's mark says what was found; the page is no wider than the phone") {
+    browserTest("a tap sets the cursor, and on a finding's mark shows its text; the page is no wider than the phone") {
         val finding = finding("Brownout", Severity.ERROR, "a long text of what was found ".repeat(9), 5.0, Double.NaN)
         val line = PageSeries("Fit", "V", Series(doubleArrayOf(1.0), doubleArrayOf(1.0)))
         val hook = HookPart("a-long-name-of-a-program.py".repeat(4), series = listOf(line))
@@ -143,7 +143,7 @@ internal class PhoneSpec : PageSpec({
         }
     }
 
-    browserTest("a finger zooms, and moves what is zoomed; two that part zoom into what is between them; a double tap shows everything") {
+    browserTest("a finger zooms, or moves a zoomed range; two fingers that move apart zoom in; a double tap shows everything") {
         onPage(page, Screen.PHONE) {
             val frame = graph("Step 1").scrollTo().frame
             touch(between(frame.at(0.2), frame.at(0.6)))
@@ -157,14 +157,14 @@ internal class PhoneSpec : PageSpec({
             touch(between(whole.at(0.25), whole.at(0.1)), between(whole.at(0.35), whole.at(0.9)))
             val range = visibleRange
             range.endInclusive - range.start shouldBeLessThan 3.0
-            // The step was in their middle.
+            // The step was halfway between the fingers.
             graph("Step 1").steepest() shouldBe (0.5 plusOrMinus 0.06)
             taps(List(2) { whole.at(0.5) }, pause = 0.1)
             visibleRange shouldBe 0.0..10.0
         }
     }
 
-    browserTest("two fingers zoom a path, which a double tap shows whole again") {
+    browserTest("two fingers zoom a path, and a double tap shows all of it") {
         onPage(TestPages.ofSample("wrong-turn.bag"), Screen.PHONE) {
             script("document.querySelector('.xy').scrollIntoView({block: 'center', behavior: 'instant'})")
             settle()

@@ -10,7 +10,7 @@ import badlog.protocol.PageSeries
 import io.kotest.core.annotation.Tags
 import org.openqa.selenium.Keys
 
-/** Keeps pictures of the page under `build/screenshots`, for people to look at. */
+/** Saves pictures of the page under `build/screenshots` for review. */
 @Tags("InCheck")
 internal class PicturesSpec : PageSpec({
     val match = "qualification-42.bag"
@@ -79,7 +79,7 @@ internal class PicturesSpec : PageSpec({
         }
     }
 
-    browserTest("the brownout, zoomed in on") {
+    browserTest("the brownout, zoomed in") {
         onPage(TestPages.ofSample(match)) {
             graph("System/Battery Voltage").scrollTo().drag(0.56, 0.66)
             graph("System/Battery Voltage").hover(0.4)
@@ -98,7 +98,7 @@ internal class PicturesSpec : PageSpec({
         onPage(TestPages.ofSample("practice.bag")) { keepScreenshot("cut") }
     }
 
-    browserTest("the statistics and the info, the help, a search, and one that finds nothing") {
+    browserTest("the statistics and the info, the help, a search, and a search without matches") {
         onPage(TestPages.ofSample(match)) {
             val graph = graph("System/Battery Voltage").scrollTo()
             script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)

@@ -23,7 +23,7 @@ import javax.imageio.ImageIO
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** What comes out of a printer, read back from a PDF by poppler's programs. */
+/** The printed page, read back from a PDF by poppler's programs. */
 @Tags("InCheck")
 internal class PrintSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
@@ -62,7 +62,7 @@ internal class PrintSpec : PageSpec({
     printTest("all graphs are printed on request, and only once") {
         onPage(match, Screen(1366, 768)) {
             awaitRules()
-            // The browser's own dialog cannot be answered by a test.
+            // A test cannot answer the browser's own dialog.
             script("window.print = () => {}")
             selectIn("#export", "Print all graphs")
             val drawn = number("return document.querySelectorAll('.graph').length").toInt()
@@ -73,7 +73,7 @@ internal class PrintSpec : PageSpec({
         }
     }
 
-    printTest("a page without a board prints its graphs, and is dark again afterwards where it was dark") {
+    printTest("a page without a board prints its graphs, and a dark page is dark again afterwards") {
         onPage(TestPages.of(stepBag(graphs = 9)), Screen(1366, 768, isDark = true)) {
             val before = color("--surface")
             val pdf = print()
@@ -85,7 +85,7 @@ internal class PrintSpec : PageSpec({
         }
     }
 
-    printTest("what is printed says which part of the log it is, and has the values at the cursor") {
+    printTest("the printed page names its part of the log, and has the values at the cursor") {
         onPage(match, Screen.PHONE) {
             awaitRules()
             script("location.hash = '#t=93.7&x=90:100'")
@@ -98,7 +98,7 @@ internal class PrintSpec : PageSpec({
     }
 })
 
-/** A PDF as people see it: the text and the picture of each page. */
+/** A PDF by its visible content: the text and the picture of each page. */
 private class Pdf(private val bytes: ByteArray) {
     val pages: List<String> by lazy { read { output("pdftotext", "-layout", "$it", "-").trimEnd('\u000c').split('\u000c') } }
 
@@ -137,10 +137,10 @@ private val hasPoppler: Boolean by lazy {
     listOf("pdftotext", "pdftoppm").all { program -> folders.any { Files.isExecutable(it.resolve(program)) } }
 }
 
-/** Nothing reaches the edge of the paper, at which it would be cut, and the paper is light. */
+/** Checks that nothing reaches the edge of the paper, where it would be cut, and that the paper is light. */
 private fun BufferedImage.requireMargin() {
     for (y in 0 until height) for (x in listOf(1, width - 10, width - 2)) getRGB(x, y) and 0xffffff shouldBe 0xffffff
 }
 
-/** Whether it is the color of a first line, as far as a fine one has it. */
+/** Returns whether [color] is the color of a first line, which antialiasing may change on a thin line. */
 private fun isBlue(color: Int): Boolean = (color shr 16 and 0xff) < 90 && (color and 0xff) > 150

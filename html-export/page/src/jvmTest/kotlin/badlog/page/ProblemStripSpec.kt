@@ -11,7 +11,7 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 internal class ProblemStripSpec : PageSpec({
-    browserTest("what was lost of a cut bag is listed at once, with its line and its text, counted, and folds by mouse") {
+    browserTest("the losses of a cut bag are listed at once with line and text, counted, and fold by mouse") {
         onPage(TestPages.ofSample("practice.bag")) {
             element(".problem-list").isDisplayed shouldBe true
             elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll listOf("NUL_HOLE", "ROW_CUT")
@@ -28,7 +28,7 @@ internal class ProblemStripSpec : PageSpec({
         }
     }
 
-    browserTest("a cut gzip file says so, and what its last row held") {
+    browserTest("a cut gzip file is reported, and its cut last row") {
         onPage(TestPages.ofSample("qualification-57.bag.gz")) {
             element(".problem-list").isDisplayed shouldBe true
             elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll
@@ -37,7 +37,7 @@ internal class ProblemStripSpec : PageSpec({
         }
     }
 
-    browserTest("what a phone folds is on paper, and folded again afterwards") {
+    browserTest("the problems that a phone folds are listed on paper, and folded again afterwards") {
         onPage(TestPages.ofSample("practice.bag"), Screen.PHONE) {
             val isListed = { element(".problem-list").isDisplayed }
             isListed() shouldBe false
@@ -52,7 +52,7 @@ internal class ProblemStripSpec : PageSpec({
         }
     }
 
-    browserTest("a phone shows at once what is wrong with a page's own formula, unless what the file lost would be listed with it") {
+    browserTest("a phone lists the mistake in a page's formula at once, unless the file's losses would be listed with it") {
         val wrong = PageAdditions(listOf("Bad ="))
         for ((page, isListed) in listOf(TestPages.of(stepBag(graphs = 1), additions = wrong) to true, TestPages.ofSample("practice.bag", wrong) to false)) {
             onPage(page, Screen.PHONE) { element(".problem-list").isDisplayed shouldBe isListed }
@@ -69,7 +69,7 @@ internal class ProblemStripSpec : PageSpec({
         }
     }
 
-    browserTest("a whole bag has no strip") {
+    browserTest("an undamaged bag has no strip") {
         onPage(TestPages.of(stepBag(graphs = 1))) { element("#problems").isDisplayed shouldBe false }
     }
 })

@@ -10,7 +10,7 @@ import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import org.openqa.selenium.Keys
 
-/** What people need who hear the page, see few differences of colors, or have no mouse. */
+/** The needs of readers with a screen reader, with weak color vision, or without a mouse. */
 @Tags("InCheck")
 internal class ReadersSpec : PageSpec({
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(listOf("Power = Battery Voltage * Total Current"), RuleSet.BUILT_IN)) }
@@ -21,7 +21,7 @@ internal class ReadersSpec : PageSpec({
     for (isDark in listOf(false, true)) {
         val colors = if (isDark) "dark" else "light"
         for (screen in listOf(Screen(1366, 768, isDark = isDark), Screen.PHONE.copy(isDark = isDark))) {
-            browserTest("axe-core finds nothing serious in a match, ${screen.width} wide, $colors") {
+            browserTest("axe-core reports nothing serious for a match, ${screen.width} wide, $colors") {
                 onPage(match, screen) {
                     awaitRules()
                     seriousForReaders().shouldBeEmpty()
@@ -36,7 +36,7 @@ internal class ReadersSpec : PageSpec({
             }
         }
 
-        browserTest("axe-core finds nothing serious in a log of hundreds of topics, searched or not, $colors") {
+        browserTest("axe-core reports nothing serious for a log of hundreds of topics, searched or not, $colors") {
             onPage(large, Screen(1366, 768, isDark = isDark)) {
                 awaitRules()
                 seriousForReaders().shouldBeEmpty()
@@ -60,7 +60,7 @@ internal class ReadersSpec : PageSpec({
         }
     }
 
-    browserTest("before the first graph of a large log there are no more places for Tab than a person can pass") {
+    browserTest("a large log has few enough tab stops before its first graph") {
         onPage(large, Screen(1366, 768)) {
             awaitRules()
             val stops = number(

@@ -7,7 +7,7 @@ import java.net.HttpURLConnection
 import java.net.URI
 import java.nio.file.Path
 
-/** Starts the robot's server of [folder], and does [test] with the address of its page. */
+/** Starts the robot's server of [folder], and runs [test] with the address of its page. */
 internal fun withRobot(folder: Path, options: LogServerOptions = LogServerOptions(), test: (String) -> Unit) {
     options.folders = listOf(folder.toFile())
     val port = freePort()
@@ -18,5 +18,5 @@ internal fun withRobot(folder: Path, options: LogServerOptions = LogServerOption
     }
 }
 
-/** Asks as nobody else does: the answer takes none of the server's two places. */
+/** Returns whether the server answers. No page sends such requests, so the answer takes none of the server's two places. */
 private fun isAnswering(address: String): Boolean = (URI(address).toURL().openConnection() as HttpURLConnection).apply { requestMethod = "HEAD" }.responseCode > 0

@@ -60,7 +60,7 @@ internal class RulesSpec : PageSpec({
 
     fun bare(texts: List<String>) = texts.map { it.filterNot(Char::isWhitespace) }
 
-    browserTest("a search for what has findings, typed while the rules run, finds it when they are done") {
+    browserTest("a search for findings, typed while the rules run, matches once they are done") {
         val typed = """
             new MutationObserver((changes, observer) => {
                 const box = document.querySelector('#search')
@@ -80,7 +80,7 @@ internal class RulesSpec : PageSpec({
 
     for (sample in samples) {
         for ((name, rules) in listOf("the built-in rules" to RuleSet.BUILT_IN, "a team's rules" to own)) {
-            browserTest("what the page's worker finds in $sample by $name is what the JVM finds") {
+            browserTest("the page's worker finds the same as the JVM in $sample by $name") {
                 onPage(TestPages.ofSample(sample, PageAdditions(formulas, rules))) {
                     awaitRules()
                     bare(findings()) shouldContainExactlyInAnyOrder bare(found(SAMPLES.resolve(sample), rules))
@@ -90,7 +90,7 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("where workers are forbidden the page itself finds the same") {
+    browserTest("the page itself finds the same without workers") {
         val script = "window.Worker = function () { throw new Error('forbidden') }"
         onPage(TestPages.ofSample(samples[0], PageAdditions(formulas, RuleSet.BUILT_IN)), script = script) {
             awaitRules()
@@ -98,11 +98,11 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("what rules find is marked, searched and gone through like what was embedded, beside that") {
+    browserTest("the rules' findings are marked, searched and stepped through together with embedded ones") {
         val embedded = finding("Comparison", Severity.NOTE, "as the last match", 20.0)
         onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN, findings = listOf(embedded)))) {
             awaitRules()
-            // First the two incidents.
+            // The two incidents come first.
             press("n", "n", "n")
             element(".finding[aria-current]").text shouldContain "as the last match"
             press("/")
@@ -113,7 +113,7 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("incidents stand above the findings, which do not repeat what they say, and each of their sentences goes to its place") {
+    browserTest("incidents are above the findings, which do not repeat them, and each of their sentences leads to its place") {
         onPage(TestPages.ofSample(samples[0], PageAdditions(rules = RuleSet.BUILT_IN))) {
             awaitRules()
             element("#findings").text.split("browned out").size shouldBe 2
@@ -129,7 +129,7 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("what rules find is drawn into the graphs that are there, which somebody may be dragging over") {
+    browserTest("findings are drawn into the existing graphs, which are not replaced") {
         val removals = "window.removed = 0; new MutationObserver(changes => { for (const change of changes) " +
             "for (const node of change.removedNodes) if (node.querySelector?.('canvas')) window.removed++ })" +
             ".observe(document, { childList: true, subtree: true })"
@@ -142,7 +142,7 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("rules that cannot be run say so, and what to do") {
+    browserTest("rules that cannot run are reported with the next step") {
         val broken = "const Real = Worker; window.Worker = function (address, options) { if (options?.name !== 'rules') " +
             "return new Real(address, options); const fake = { postMessage() { setTimeout(() => " +
             "fake.onmessage({ data: { failure: 'no room.' } }), 0) }, terminate() {} }; return fake }"
@@ -155,7 +155,7 @@ internal class RulesSpec : PageSpec({
 
     val bag = bagOf(listOf(TIME, BagTopic("Angle", "deg")), 100) { row, _ -> row / 10.0 }
 
-    browserTest("where nothing was found, it is said what was not looked at") {
+    browserTest("a log without findings lists the rules that could not run") {
         val rules = RulesFile.parse(
             "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Arm > 1\"\ntext = \"t\"\n" +
                 "[[rule]]\nname = \"B\"\nseverity = \"note\"\nwhen = \"Angle > 1000\"\ntext = \"t\"\n",
@@ -167,7 +167,7 @@ internal class RulesSpec : PageSpec({
         }
     }
 
-    browserTest("a rule that is wrong is pointed at, and those that were skipped are listed with the reason") {
+    browserTest("the mistake in a wrong rule is pointed out, and skipped rules are counted") {
         val rules = RulesFile.parse(
             "[[rule]]\nname = \"Wrong\"\nseverity = \"note\"\nwhen = \"mean(Angle, 5) < 3\"\ntext = \"t\"\n" +
                 "[[rule]]\nname = \"Lacking\"\nseverity = \"note\"\nwhen = \"Wrist > 1\"\ntext = \"t\"\n",

@@ -17,7 +17,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
 
     fun logs(name: String): Path = (temporary / name / "logs").createDirectories()
 
-    /** Waits until the page has asked for what is new in the log, and got something, since [clearAsked]; and has asked [more] times since then. */
+    /** Waits until the page has received new bytes of the log since [clearAsked], and has sent [more] requests since then. */
     fun OpenPage.awaitFetched(more: Int) = await("what is new to be fetched") {
         val sizes = "performance.getEntriesByType('resource').map(e => e.decodedBodySize)"
         number("const all = $sizes; const at = all.findIndex(size => size > 1); return at < 0 ? -1 : all.length - at - 1") >= more
@@ -38,7 +38,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         awaitReady()
     }
 
-    /** Opens the log “running” in [folder], as a robot serves it, and does [test]. */
+    /** Opens the log “running” in [folder] on a robot's page, and runs [test]. */
     fun onLogIn(
         folder: Path,
         options: LogServerOptions = LogServerOptions(),
@@ -46,7 +46,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         says: List<String> = emptyList(),
         test: OpenPage.() -> Unit,
     ) = withRobot(folder, options) { address ->
-        // A robot that sends two logs already answers so, and is asked again.
+        // A robot that already sends two logs answers like that, and is asked again.
         onServedPage(address, screen, says = says + "status of 503") {
             script("keepsTime = true")
             openRunning()
@@ -54,7 +54,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         }
     }
 
-    /** The same with a log of 10 s in the folder [name], which grows when the test lets its robot write. */
+    /** Does the same with a log of 10 s in the folder [name]. It grows when the test lets its robot write. */
     fun onRunningLog(
         name: String,
         options: LogServerOptions = LogServerOptions(),
@@ -66,7 +66,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         onLogIn(robot.file.parent, options, screen, says) { test(robot) }
     }
 
-    /** The same; the page follows the log. */
+    /** Does the same on a page that follows the log. */
     fun onFollowedLog(
         name: String,
         options: LogServerOptions = LogServerOptions(),

@@ -6,7 +6,7 @@ import kotlin.io.path.deleteIfExists
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 
-/** What the browser stores as [name] when [work] is done. */
+/** Returns the file [name] that the browser saves during [work]. */
 internal fun OpenPage.saved(name: String, work: () -> Unit): ByteArray {
     val file = Chromium.downloads.resolve(name)
     file.deleteIfExists()
@@ -15,7 +15,7 @@ internal fun OpenPage.saved(name: String, work: () -> Unit): ByteArray {
     return file.readBytes().also { Files.delete(file) }
 }
 
-/** Opens the menu of the button that [opener] finds, and selects [entry] there. */
+/** Opens the menu of the button that matches [opener], and selects [entry]. */
 internal fun OpenPage.selectIn(opener: String, entry: String) {
     script("document.querySelector(arguments[0]).click()", opener)
     val clicked = script(
@@ -26,5 +26,5 @@ internal fun OpenPage.selectIn(opener: String, entry: String) {
     settle()
 }
 
-/** The file [name] that the [entry] of the Export menu saves. */
+/** Returns the file [name] that the [entry] of the Export menu saves. */
 internal fun OpenPage.exported(entry: String, name: String): ByteArray = saved(name) { selectIn("#export", entry) }

@@ -30,12 +30,12 @@ internal class SearchSpec : PageSpec({
         )
     }
 
-    /** Types [text] in place of what is in the field that has the focus. */
+    /** Replaces the text of the focused field by [text]. */
     fun OpenPage.retype(text: String) = act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL).sendKeys(text) }
 
     val all = listOf("Drivetrain/Left Position", "Drivetrain/Right Position", "Elevator/Position", "Elevator/Current")
 
-    browserTest("a slash goes to the search, where keys are letters; it says how much it finds, or that it is nothing; Escape ends it") {
+    browserTest("a slash focuses the search, where keys are letters; the search shows its number of matches, and Escape ends it") {
         onPage(page) {
             graphNames shouldBe all
             press("/")
@@ -57,7 +57,7 @@ internal class SearchSpec : PageSpec({
         }
     }
 
-    browserTest("values and events are found, in folders that were closed as well") {
+    browserTest("a search matches values and events, also in closed folders") {
         onPage(page) {
             script("document.getElementById('collapse-all').click()")
             graphNames shouldBe emptyList()
@@ -71,7 +71,7 @@ internal class SearchSpec : PageSpec({
         }
     }
 
-    browserTest("what is found is drawn and follows the zoom") {
+    browserTest("matching graphs are drawn and follow the zoom") {
         onPage(page) {
             press("/")
             press("current")
@@ -85,7 +85,7 @@ internal class SearchSpec : PageSpec({
         }
     }
 
-    browserTest("kinds of events and of topics are asked for") {
+    browserTest("a search can ask for kinds of events and of topics") {
         onPage(page) {
             press("/")
             press("is:event")
@@ -98,7 +98,7 @@ internal class SearchSpec : PageSpec({
         }
     }
 
-    browserTest("findings that a search hides are counted, and a press shows them again") {
+    browserTest("findings hidden by a search are counted, and a button shows them again") {
         val findings = listOf(finding("Low", Severity.ERROR, "too low", 3.0), finding("High", Severity.NOTE, "too high", 5.0))
         onPage(TestPages.of(stepBag(graphs = 2), additions = PageAdditions(findings = findings))) {
             press("/")

@@ -11,7 +11,7 @@ import io.kotest.matchers.string.shouldStartWith
 /** A moment that a person sends to others. */
 @Tags("InCheck")
 internal class SentMomentSpec : PageSpec({
-    browserTest("a moment is sent by the system's dialog, or copied where there is none, or saved where a page may not even copy") {
+    browserTest("a moment is sent by the system's dialog, otherwise copied, otherwise saved") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             press("n")
             await("the evidence") { element("#evidence").isDisplayed }
@@ -23,7 +23,7 @@ internal class SentMomentSpec : PageSpec({
             script("return window.sent.files[0].type") shouldBe "image/png"
             number("return window.sent.files[0].size").toInt() shouldBeGreaterThan 10_000
 
-            // A dialog that was closed is the end of it.
+            // After a reader has closed the dialog, nothing else happens.
             script(
                 "navigator.share = () => { window.asked = true; return Promise.reject(new DOMException('', 'AbortError')) };" +
                     "navigator.clipboard.write = async items => { window.copied = items }",

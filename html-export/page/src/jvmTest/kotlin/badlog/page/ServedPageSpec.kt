@@ -24,7 +24,7 @@ import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
-/** The page that a web server on a robot shows. */
+/** The page that a web server on a robot serves. */
 @Tags("InCheck")
 internal class ServedPageSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-served") }
@@ -47,7 +47,7 @@ internal class ServedPageSpec : PageSpec({
 
     fun OpenPage.column(name: String) = texts("[data-column='$name']")
 
-    /** By a script: rows are made anew while logs are read. */
+    /** Clicked by a script, because rows are recreated while logs are read. */
     fun OpenPage.openRow(row: Int) = script("document.querySelectorAll(\"[data-column='FILE'] button\")[arguments[0]].click()", row)
 
     fun OpenPage.awaitLog(title: String) {
@@ -57,7 +57,7 @@ internal class ServedPageSpec : PageSpec({
 
     fun OpenPage.awaitList() = await("the list") { elements(".log-table").isNotEmpty() }
 
-    test("only the page for a server may ask its server, and that alone is the difference") {
+    test("the page for a server differs from the plain one only in that it may use its server") {
         val pages = folder("pages") {}
         EmptyPage().write(pages / "badlog.html")
         EmptyPage().write(pages / "logs.html", PageNetwork.ROBOT)
@@ -68,7 +68,7 @@ internal class ServedPageSpec : PageSpec({
         served.length - plain.length shouldBe " connect-src 'self';,\"network\":\"robot\"".length
     }
 
-    browserTest("a phone in the robot's network lists its logs, newest first, and opens one with a tap, findings and all") {
+    browserTest("a phone in the robot's network lists its logs, newest first, and opens one with its findings by a tap") {
         withRobot(logs("robot")) { address ->
             onServedPage(address, Screen.PHONE) {
                 awaitList()
@@ -93,14 +93,14 @@ internal class ServedPageSpec : PageSpec({
                 click("#go-back")
                 awaitList()
                 await("what was opened to be read") { "6.73 V" in column("BATTERY") }
-                // Rows are made anew while logs are read.
+                // Rows are recreated while logs are read.
                 script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes('img')).click()")
                 awaitLog("<img src=x onerror=alert(1)> #1%.bag")
             }
         }
     }
 
-    browserTest("checked logs are fetched and drawn over each other; the list is searched and sorted like a folder's") {
+    browserTest("checked logs are fetched and drawn over each other; the list can be searched and sorted like a folder's") {
         withRobot(logs("compared")) { address ->
             onServedPage(address) {
                 awaitList()
@@ -120,7 +120,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("while the robot is enabled, the page says why there is no log, and the way back leads to the list") {
+    browserTest("while the robot is enabled, the page gives the reason for a refused log, and the back button leads to the list") {
         val options = LogServerOptions()
         withRobot(logs("enabled"), options) { address ->
             onServedPage(address, says = listOf("status of 503")) {
@@ -142,7 +142,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("a match that is compared with the one before it has that fetched, if only what is in it is known") {
+    browserTest("a match compared with the previous one fetches that one if only its summary is stored") {
         val logs = folder("compared/logs") { for ((name, bytes) in UNLIKE_MATCHES) (it / name).writeBytes(bytes) }
         withRobot(logs) { address ->
             onServedPage(address) {
@@ -172,12 +172,12 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("a log that the robot has finished is fetched, and announced with the worst in it") {
+    browserTest("a log that the robot has finished is fetched, and announced with its worst finding") {
         val logs = folder("arriving/logs") { (it / "bench.bag").writeBytes(bag) }
         withRobot(logs) { address ->
             onServedPage(address, Screen.PHONE) {
                 awaitList()
-                // The list is asked for again every 15 s, from the moment when it is shown.
+                // The page requests the list again every 15 s, starting when the list is shown.
                 script("const set = window.setTimeout; window.keepsTime = true; window.setTimeout = (work, delay, ...more) => set(work, Math.min(delay, 200), ...more)")
                 passTime()
                 for (isShown in listOf(false, true)) {
@@ -187,7 +187,7 @@ internal class ServedPageSpec : PageSpec({
                     click("#go-back")
                     awaitList()
                 }
-                // Whole at once: half a log that nobody writes any more would be announced as well.
+                // Complete at once, because half a log that is no longer written would be announced as well.
                 SAMPLES.resolve("qualification-42.bag").copyTo(logs / "new.part").moveTo(logs / "FRC_20260307_140212_OHCL_Q42.bag")
                 await("the news") { texts(".arrival p").single() != "" }
                 texts(".arrival p").single() shouldContain "Qualification 42 arrived: "
@@ -203,10 +203,10 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("when the robot is enabled during a download, the page says that, and not that the Wi-Fi is gone") {
+    browserTest("a robot enabled during a download is reported as that, not as lost Wi-Fi") {
         val options = LogServerOptions()
         val folder = folder("broken/logs") {
-            // Some seconds, as the server sends it.
+            // The server sends it for some seconds.
             val long = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 600_000) { row, column -> if (column == 0) row / 10.0 else row }
             (it / "long.bag").writeBytes(long)
         }
@@ -222,7 +222,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("a robot that is gone is said to be so, and one without logs, too") {
+    browserTest("a robot that does not answer is reported, and also a robot without logs") {
         val empty = folder("none/logs") {}
         withRobot(empty) { address ->
             onServedPage(address, state = "failed") { text shouldContain "There are no logs on this robot" }
@@ -238,7 +238,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("where WPILib's own server serves the folder of the logs, the same page lists and opens them") {
+    browserTest("the same page lists and opens logs that WPILib's own server serves") {
         val logs = logs("wpilib")
         EmptyPage().write(logs / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
         WpilibServer(logs).use { server ->
@@ -246,7 +246,7 @@ internal class ServedPageSpec : PageSpec({
                 awaitList()
                 column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
                 column("FILE").drop(2) shouldContainExactlyInAnyOrder listOf("bench.bag", "<img src=x onerror=alert(1)> #1%.bag")
-                // Nobody knows when they were written.
+                // Their times are unknown.
                 column("DATE").drop(2) shouldContainExactly listOf("", "")
                 keepScreenshot("served-wpilib-phone")
                 click("[data-column='FILE'] button") { "img" in it.text }
@@ -255,7 +255,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("a page that hides the list, because it is called index.html, says so") {
+    browserTest("a page that hides the list because it is called index.html reports that") {
         val logs = logs("hidden")
         EmptyPage().write(logs / "index.html", PageNetwork.ROBOT)
         WpilibServer(logs).use { server ->
@@ -263,7 +263,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("opened from a disk, the page for a server asks nobody, and opens logs like the other one") {
+    browserTest("opened from a disk, the page for a server sends no requests, and opens logs like the plain page") {
         val page = folder("disk") {} / EmptyPage.SERVED_NAME
         EmptyPage().write(page, PageNetwork.ROBOT)
         onPage(page, state = "empty") {

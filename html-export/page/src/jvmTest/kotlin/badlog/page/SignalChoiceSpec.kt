@@ -17,7 +17,7 @@ import java.nio.file.Files
 import kotlin.io.path.deleteExisting
 import kotlin.io.path.writeBytes
 
-/** Which topic a signal is that the rules lack, said on the page. */
+/** The assignment of topics to signals that the rules lack, on the page. */
 @Tags("InCheck")
 internal class SignalChoiceSpec : PageSpec({
     val bag = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Arm", "m")), rows = 60) { row, column ->
@@ -31,7 +31,7 @@ internal class SignalChoiceSpec : PageSpec({
 
     fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
 
-    /** Says that [signal] is [topic], as a person types it. */
+    /** Assigns [topic] to [signal] by typing it, as a reader does. */
     fun OpenPage.say(signal: String, topic: String) {
         if (element(".findings-skipped").getAttribute("open") == null) click(".findings-skipped summary")
         val field = elements(".signals-lacking").single { "“$signal”" in it.text }.findElement(By.tagName("input"))
@@ -42,7 +42,7 @@ internal class SignalChoiceSpec : PageSpec({
 
     fun OpenPage.rulesFound() = texts(".finding-text, .incident p > span").joinToString("\n")
 
-    browserTest("a topic that is said to be the battery is that for the rules, also when the page is opened again, until it is forgotten") {
+    browserTest("a topic assigned to the battery is used by the rules, also when the page is opened again, until it is removed") {
         onPage(TestPages.of(bag, additions = additions)) {
             awaitRules()
             rulesFound() shouldNotContain "The battery voltage dropped"
@@ -61,7 +61,7 @@ internal class SignalChoiceSpec : PageSpec({
         }
     }
 
-    browserTest("the topics of the log are offered; one that cannot be the signal is refused with a reason, as is what is not a topic") {
+    browserTest("the dialog lists the log's topics, and refuses with a reason a topic that cannot be the signal, or is not a topic") {
         onPage(TestPages.of(bag, additions = additions)) {
             awaitRules()
             click(".findings-skipped summary")
@@ -75,7 +75,7 @@ internal class SignalChoiceSpec : PageSpec({
         }
     }
 
-    browserTest("what was said is saved as the file for the folder of logs, and in a copy of the page") {
+    browserTest("assignments are saved as the file for the folder of logs, and in a copy of the page") {
         onPage(TestPages.of(bag, additions = additions)) {
             awaitRules()
             say("battery", "Power/My Volts")
@@ -96,13 +96,13 @@ internal class SignalChoiceSpec : PageSpec({
         }
     }
 
-    browserTest("what another tab has forgotten does not come back with the next signal") {
+    browserTest("an assignment that another tab removed does not come back with the next one") {
         val two = bagOf(listOf(TIME, BagTopic("Power/My Volts", "V"), BagTopic("Lap", "ms")), rows = 60) { row, _ -> row / 10.0 }
         onPage(TestPages.of(two, additions = additions)) {
             awaitRules()
             say("battery", "Power/My Volts")
             awaitRules()
-            // As another tab does that forgets it, and names another one.
+            // Like another tab that removes this assignment and adds another one.
             script("localStorage.setItem('badlog:signals', 'total current\\0Amps')")
             say("loop time", "Lap")
             val stored = script("return localStorage.getItem('badlog:signals')").toString()

@@ -10,12 +10,12 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
-/** The board that a log begins with, and whose changes to it count. */
+/** The board with which a log begins, and whose changes to it take effect. */
 @Tags("InCheck")
 internal class StartBoardSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 
-    browserTest("what two tabs change on a board stays, also when this one undoes its own, and so does a graph that this one cannot draw") {
+    browserTest("a board keeps the changes of two tabs, also after this tab's undo, and a graph that this tab cannot draw") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val key = "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes; "
             script(
@@ -29,7 +29,7 @@ internal class StartBoardSpec : PageSpec({
             texts(".board .graph-title") shouldBe listOf("Step 3")
             reload()
             texts(".board .graph-title") shouldBe listOf("Step 3")
-            // As another tab does that has the same graph.
+            // Like another tab that has the same graph.
             val (before, after) = listOf("[\"Step 3\"]", "[\"Step 3\",\"Step 1\"]").map { "\"lines\":$it" }
             script(key + "localStorage.setItem(key, localStorage.getItem(key).replace(arguments[0], arguments[1]))", before, after)
             graph("Step 2").scrollTo().hover(0.5)
@@ -44,7 +44,7 @@ internal class StartBoardSpec : PageSpec({
         }
     }
 
-    browserTest("the start board brings back what the page begins with, and is undone like any change") {
+    browserTest("the start board restores the page's first board, and can be undone like any change") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val before = texts(".board .graph-title")
             graph("Step 2").scrollTo().hover(0.5)
@@ -58,14 +58,14 @@ internal class StartBoardSpec : PageSpec({
         }
     }
 
-    browserTest("a large log begins with a board of what such logs are asked for, a small one with an empty one") {
+    browserTest("a large log begins with a board of the usual graphs, a small one with an empty board") {
         val many = listOf(TIME, BagTopic("Battery Voltage", "V")) + List(70) { BagTopic("Topic $it", "V") }
         val large = bagOf(many, 101) { row, column -> if (column == 0) row / 10.0 else row % 7 + 8 }
         onPage(TestPages.of(large, additions = PageAdditions(rules = RuleSet.BUILT_IN))) {
             titles().first() shouldBe "Battery Voltage"
             titles().size shouldBe 24
         }
-        // And one in between with what explains most of a match, and what its findings point at.
+        // A log with a board of usual graphs of a match, and the topics of its findings.
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
             settle()

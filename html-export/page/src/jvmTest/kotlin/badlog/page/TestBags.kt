@@ -9,7 +9,7 @@ import badlog.core.recording.Value
 /** The topic that is the x axis of a test's bag. */
 internal val TIME: BagTopic = BagTopic("Time", "s", listOf("xaxis", "hide"))
 
-/** A bag whose [topics] have, in each of [rows] rows, what [cell] gives: a number, a text, or null for nothing. */
+/** Returns a bag with [topics] and [rows] rows. [cell] returns each cell: a number, a text, or null for nothing. */
 internal fun bagOf(
     topics: List<BagTopic>,
     rows: Int,
@@ -31,7 +31,7 @@ internal fun bagOf(
     return writer.bytes.copyOf(writer.size)
 }
 
-/** A bag of [graphs] topics over 10 s at 100 Hz. Each is 0 until [stepAt] seconds and 1 from then on. */
+/** Returns a bag of [graphs] topics over 10 s at 100 Hz. Each is 0 until [stepAt] seconds and 1 from then on. */
 internal fun stepBag(graphs: Int, stepAt: Double = 3.0): ByteArray {
     val topics = listOf(TIME) + List(graphs) { BagTopic("Step ${it + 1}", "V") }
     return bagOf(topics, 1001) { row, column ->
@@ -58,7 +58,7 @@ internal fun matchBag(number: Int, amps: Double): ByteArray {
     }
 }
 
-/** Seven matches whose arms draw what they draw in any match, and an eighth whose arm draws twice as much. */
+/** Seven matches with the usual current of the arm, and an eighth with twice that current. */
 internal val UNLIKE_MATCHES: Map<String, ByteArray> by lazy {
     (1..7).associate { "Q$it.bag" to matchBag(it, 10 + it / 10.0) } + ("Q8.bag" to matchBag(8, 21.0))
 }

@@ -5,7 +5,7 @@ import badlog.core.recording.Severity
 import badlog.rules.Finding
 import java.util.Base64
 
-/** Something that was found from [time] to [until], where that is later, and over the spans of [further]. */
+/** Returns a finding from [time] to [until], if that is later, and over the spans of [further]. */
 internal fun finding(
     rule: String,
     severity: Severity,

@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldNotBe
 
 @Tags("InCheck")
 internal class ThemeSpec : PageSpec({
-    /** Selectors of what must be readable. */
+    /** Selectors of the texts that must be readable. */
     val texts = listOf(
         "h1", ".facts", ".fact", ".problems-toggle", ".problem-text", ".problem-place", ".severity", ".search-input",
         ".range-readout", ".cursor-readout", ".event-readout", "#download", ".folder-link-name", ".count",
@@ -17,7 +17,7 @@ internal class ThemeSpec : PageSpec({
         ".event-go", ".event-text", ".events thead th", "#info summary", ".text-button", ".event-label",
     )
 
-    /** The contrast of a text with what is behind it, by the rule of WCAG; null where there is no such text. */
+    /** Returns the contrast between a text and its background, as defined by WCAG; null if there is no such text. */
     fun OpenPage.contrast(selector: String): Double? = script(
         """
         const all = [...document.querySelectorAll(arguments[0])];
@@ -47,7 +47,7 @@ internal class ThemeSpec : PageSpec({
 
     for (isDark in listOf(false, true)) {
         val name = if (isDark) "dark" else "light"
-        browserTest("a system that is $name gets a $name page whose texts stand out by 4.5 to 1") {
+        browserTest("a $name system gets a $name page with a contrast of texts of at least 4.5 to 1") {
             onPage(TestPages.ofSample("practice.bag"), Screen.WIDE.copy(isDark = isDark)) {
                 element("html").getDomAttribute("data-theme") shouldBe name
                 graph(graphNames.first()).scrollTo().hover(0.5)
@@ -60,7 +60,7 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the page follows when the system changes, and its graphs are drawn in the new colors") {
+    browserTest("the page follows a change of the system's theme, and redraws its graphs in the new colors") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
             val light = graph("Step 1").canvas
             show(Screen.WIDE.copy(isDark = true))
@@ -72,7 +72,7 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the button selects light and dark, and that is kept over a reload") {
+    browserTest("the button selects light and dark, also after a reload") {
         onPage(TestPages.of(stepBag(graphs = 1))) {
             click("#theme")
             element("html").getDomAttribute("data-theme") shouldBe "light"

@@ -16,7 +16,7 @@ internal class TimeLinkSpec : PageSpec({
 
     fun OpenPage.cursor() = texts(".cursor-readout").single()
 
-    browserTest("an address with a time takes the cursor there, when the page opens and when it changes; the time is a link to itself") {
+    browserTest("an address with a time moves the cursor there, when the page opens and when it changes; the time links to itself") {
         onPage(TestPages.of(stepBag(graphs = 2))) {
             follow("t=2.5")
             cursor() shouldBe "2.500 s"
@@ -31,7 +31,7 @@ internal class TimeLinkSpec : PageSpec({
         }
     }
 
-    browserTest("the view follows where the time is out of sight, and so does the page") {
+    browserTest("the view and the page scroll to a time that is out of sight") {
         onPage(TestPages.of(stepBag(graphs = 20))) {
             graph("Step 1").drag(0.0, 0.3)
             script("window.scrollTo(0, 1e6)")
@@ -42,7 +42,7 @@ internal class TimeLinkSpec : PageSpec({
         }
     }
 
-    browserTest("a link to a time gives the first graph on the screen the keyboard's focus, and the focus scrolls nothing") {
+    browserTest("a link to a time focuses the first graph on the screen without scrolling") {
         val focused = "const e = document.activeElement; return e.className + ' ' + e.closest('.graph')?.dataset.name"
         onPage(TestPages.of(stepBag(graphs = 20))) {
             follow("t=2.5")
@@ -55,7 +55,7 @@ internal class TimeLinkSpec : PageSpec({
             follow("t=7")
             number("return scrollY") shouldBe top
             (graph(script("return document.activeElement.closest('.graph').dataset.name") as String).isOnScreen) shouldBe true
-            // What keys do next begins there, and is spoken.
+            // The next keys start there, and the place is spoken.
             press(Keys.ARROW_RIGHT)
             texts("#spoken").single() shouldContain "7."
         }
@@ -103,7 +103,7 @@ internal class TimeLinkSpec : PageSpec({
         }
     }
 
-    browserTest("the link stays at the pinned time while the mouse moves over graphs, and a mere place of the mouse is none") {
+    browserTest("the link stays at the pinned time while the mouse moves over graphs, and the mouse alone makes no link") {
         onPage(TestPages.of(stepBag(graphs = 2))) {
             graph("Step 1").hover(0.2)
             element(".cursor-readout").getDomAttribute("href") shouldBe null

@@ -12,32 +12,32 @@ import io.kotest.matchers.string.shouldNotContain
 private const val HEADER =
     """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]}],"values":[]}"""
 
-/** Files that no robot should write, and robots do. The page opens, and says what there is to say. */
+/** Files that no robot should write, but robots write. The page opens, and reports their problems. */
 @Tags("InCheck")
 internal class UnusualFilesSpec : PageSpec({
-    /** The kinds of the problems that the page shows. */
+    /** Returns the kinds of the problems that the page shows. */
     fun OpenPage.problems(): List<String> {
         if (!element("#problems").isDisplayed) return emptyList()
         if (!element(".problem-list").isDisplayed) click(".problems-toggle")
         return elements(".problem").map { it.getDomAttribute("data-kind").orEmpty() }
     }
 
-    browserTest("no bytes at all") {
+    browserTest("a file without bytes is reported") {
         onPage(TestPages.of("")) { problems() shouldContain "EMPTY_FILE" }
     }
 
-    browserTest("a header and nothing else") {
+    browserTest("a file with only a header shows its topics") {
         onPage(TestPages.of("$HEADER\n")) { text shouldContain "A" }
     }
 
-    browserTest("a header and titles, but no row") {
+    browserTest("a file with a header and titles, but no row, is reported, and its graphs have no data") {
         onPage(TestPages.of("$HEADER\nTime,A\n")) {
             problems() shouldContain "NO_ROWS"
             texts(".plot") shouldContain "No data"
         }
     }
 
-    browserTest("one row") {
+    browserTest("a file with one row shows its value, and no range") {
         onPage(TestPages.of("$HEADER\nTime,A\n5.0,3.0\n")) {
             graph("A").scrollTo().hover(0.5)
             graph("A").value("A") shouldBe "3"
@@ -48,13 +48,13 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("a unit that is written from the right leaves the order of what stands beside it alone") {
+    browserTest("a unit in right-to-left writing is isolated from the text beside it") {
         onPage(TestPages.of("{\"topics\":[{\"name\":\"A\",\"unit\":\"متر\"}],\"values\":[]}\nA\n1\n2\n", "متر.bag")) {
             (elements(".fact") + elements(".graph-unit")).map { it.tagName }.toSet() shouldBe setOf("bdi")
         }
     }
 
-    browserTest("infinities say what they are, one sample among gaps can be seen, and topics of nothing but NaN or gaps have no data") {
+    browserTest("infinities are labeled, a single sample among gaps is visible, and topics of only NaN or gaps have no data") {
         val topics = listOf("Broken", "Gaps", "A", "One").joinToString("") { ",{\"name\":\"$it\",\"unit\":\"V\"}" }
         val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\",\"hide\"]}$topics],\"values\":[]}"
         val rows = listOf("0,NaN,,1,", "1,NaN,,Infinity,", "2,NaN,,NaN,7", "3,NaN,,-Infinity,", "4,NaN,,2,")
@@ -71,7 +71,7 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("a clock that goes backwards is reported, drawn, and can be read") {
+    browserTest("a log whose clock goes backwards is reported and drawn, and its values can be read") {
         val rows = (0..50).joinToString("") { "${100 + it},1\n" } + (0..50).joinToString("") { "$it,2\n" }
         onPage(TestPages.of("$HEADER\nTime,A\n$rows")) {
             problems() shouldContain "X_BACKWARDS"
@@ -85,7 +85,7 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("a sparse CSV file: each column has its values where it has them, and two of one name are two graphs") {
+    browserTest("a sparse CSV file has each column's values at their own rows, and two columns of one name are two graphs") {
         val csv = "Timestamp,A,A,Mode\n" + (0 until 300).joinToString("") { row ->
             val a = if (row % 10 == 0) "$row" else ""
             val b = if (row % 100 == 5) "$row" else ""
@@ -110,7 +110,7 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("300 topics in 20 folders open, the first of them as graphs, and only those near the screen are drawn") {
+    browserTest("300 topics in 20 folders open, the first ones as graphs, and only those near the screen are drawn") {
         val topics = listOf(TIME) + List(300) { BagTopic("Folder ${it % 20}/Topic $it", "V") }
         onPage(TestPages.of(bagOf(topics, 200) { row, column -> row * column })) {
             elements(".folder .graph").size shouldBe 36

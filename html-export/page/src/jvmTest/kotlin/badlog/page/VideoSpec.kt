@@ -35,17 +35,17 @@ internal class VideoSpec : PageSpec({
     fun OpenPage.pick() {
         script(CountedVideo.pick)
         awaitVideo()
-        // Only a person may begin to play what has a sound.
+        // A browser lets only a person start a video with sound.
         script("document.querySelector('#video video').muted = true")
         settle()
     }
 
     fun OpenPage.shown() = number("return ${CountedVideo.SHOWN}").toInt()
 
-    /** Where the cursor is, in seconds; NaN where it has no place. */
+    /** Returns the position of the cursor, in seconds; NaN if it is not placed. */
     fun OpenPage.cursor() = texts(".cursor-readout").single().removeSuffix(" s").toDoubleOrNull() ?: Double.NaN
 
-    /** Waits until the video shows frame [number], the browser has reported it, and what follows from that is on the screen. */
+    /** Waits until the video shows frame [number], the browser has reported it, and the screen has followed. */
     fun OpenPage.awaitFrame(number: Int) {
         await("frame $number") {
             shown() == number && abs(number("return reports.last") * CountedVideo.FRAMES_PER_SECOND - number) < 0.5 && script("return video().seeking") == false
@@ -53,7 +53,7 @@ internal class VideoSpec : PageSpec({
         settle()
     }
 
-    /** Goes to frame [number] by the video's own means. */
+    /** Goes to frame [number] with the video's own controls. */
     fun OpenPage.goToFrame(number: Int) {
         script("document.querySelector('#video video').currentTime = arguments[0]", (number + 0.5) / CountedVideo.FRAMES_PER_SECOND)
         awaitFrame(number)
@@ -69,19 +69,19 @@ internal class VideoSpec : PageSpec({
         script("const s = document.querySelector('#video-speed'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", speed)
     }
 
-    /** Whether the cursor is within a frame of the picture, and the video stands. */
+    /** Returns whether the cursor is within a frame of the picture, and the video is paused. */
     fun OpenPage.isAtCursor() = abs((cursor() - 5) * CountedVideo.FRAMES_PER_SECOND - shown()) <= 1 && script("return video().seeking") == false
 
     fun videoTest(name: String, page: () -> Path, screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = browserTest(name) {
         onPage(page(), screen, script = REPORTS, test = test)
     }
 
-    videoTest("one button says that the robot is enabled in this frame: from then the video moves the cursor, and the cursor the video", { page }) {
+    videoTest("one button marks the frame in which the robot is enabled; from then on, video and cursor move each other", { page }) {
         element("#video").isDisplayed shouldBe false
         pick()
         element("#video").isDisplayed shouldBe true
         texts("#video h2").single() shouldBe "match.webm"
-        // The end of a long name is what tells videos apart.
+        // The end of a long name distinguishes videos.
         script("document.querySelector('#video h2 bdi').textContent = 'match-'.repeat(40) + '42.webm'")
         number(
             """const [all, name] = ['h2', 'h2 bdi'].map(it => document.querySelector('#video ' + it).getBoundingClientRect());
@@ -104,7 +104,7 @@ internal class VideoSpec : PageSpec({
         keepScreenshot("video")
     }
 
-    videoTest("the frame stays within one of the cursor over the video’s whole length, at four times and a quarter of its speed", { page }) {
+    videoTest("frame and cursor differ by at most one frame over the whole video, at four times and a quarter of its speed", { page }) {
         openAligned()
         for ((speed, halts) in listOf("4" to listOf(2.0, 5.0, 9.0, 13.0, 17.0, 19.0), "1" to listOf(0.7, 1.4), "0.25" to listOf(0.4, 0.8))) {
             goToFrame(0)
@@ -127,7 +127,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    videoTest("a pause puts the cursor at the frame that is shown, even if a busy browser has not reported that frame", { page }) {
+    videoTest("a pause puts the cursor at the displayed frame, even if a busy browser has not reported that frame", { page }) {
         openAligned()
         goToFrame(30)
         await("the cursor at frame 30") { isAtCursor() }
@@ -140,10 +140,10 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    videoTest("at its end the video shows its last frame, the cursor is there, and it plays again from its start", { page }) {
+    videoTest("at its end the video and the cursor are at the last frame, and it plays again from its start", { page }) {
         openAligned()
         goToFrame(585)
-        // Most frames are skipped, so the page cannot know how long one is; nor is the last one reported.
+        // Most frames are skipped, so the page cannot know the length of a frame, and the last one is not reported.
         setSpeed("4")
         script("reports.areLost = true; video().play()")
         await("the last picture and cursor") { shown() == CountedVideo.FRAMES - 1 && abs(cursor() - 5 - (CountedVideo.FRAMES - 1) / 30.0) < 0.002 }
@@ -163,7 +163,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    videoTest("the frame that is shown is the one that is aligned, even if a busy browser has not reported it yet", { page }) {
+    videoTest("the displayed frame is aligned, even if a busy browser has not reported it yet", { page }) {
         pick()
         goToFrame(30)
         script("reports.areLost = 'for long'; video().currentTime = 35.5 / 30")
@@ -174,7 +174,7 @@ internal class VideoSpec : PageSpec({
         await("the cursor a second after the robot was enabled") { abs(cursor() - 8) < 0.035 }
     }
 
-    videoTest("the keys , and . and their buttons step by exactly one frame, and the cursor goes with it", { page }) {
+    videoTest("the keys , and . and their buttons step by exactly one frame, and the cursor follows", { page }) {
         openAligned()
         goToFrame(100)
         for ((key, frame) in listOf("." to 101, "." to 102, "." to 103, "," to 102, "," to 101, "." to 102)) {
@@ -188,7 +188,7 @@ internal class VideoSpec : PageSpec({
         awaitFrame(102)
     }
 
-    videoTest("video and cursor part, and this frame is put where the cursor is: that is remembered, and in the link", { page }) {
+    videoTest("video and cursor are unlinked and aligned again at this frame, which is remembered and part of the link", { page }) {
         openAligned()
         goToFrame(90)
         await("the cursor at 8 s") { abs(cursor() - 8) < 0.02 }
@@ -212,7 +212,7 @@ internal class VideoSpec : PageSpec({
         await("the cursor where it was put") { abs(cursor() - at) < 0.02 }
     }
 
-    videoTest("where each of two videos starts is remembered", { page }) {
+    videoTest("the alignment of each of two videos is remembered", { page }) {
         script(
             "const key = 'badlog:video:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
                 "localStorage.setItem(key, '3 pit.webm')",
@@ -226,12 +226,12 @@ internal class VideoSpec : PageSpec({
             .toString().lines().map { it.substringAfter(' ') } shouldBe listOf("pit.webm", "match.webm")
     }
 
-    browserTest("a file that the browser cannot play is said to be one, a dropped one too, and a layout is still opened") {
+    browserTest("a video that the browser cannot play is reported, also a dropped one, and a layout is still opened") {
         onPage(page) {
             script(DROP)
             await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
             texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
-            // A video that can be played takes the place of it.
+            // A playable video takes its place.
             pick()
             texts("#video [role=status]").single() shouldContain "Find the first frame"
         }
@@ -248,7 +248,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("on a phone held sideways the video is beside the graphs, and so are the values at the cursor") {
+    browserTest("on a phone held sideways, the video and the values at the cursor are beside the graphs") {
         onPage(page, Screen(844, 390, density = 2.0, isPhone = true, isDark = true)) {
             openAligned()
             press("v")
@@ -262,7 +262,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("video and values at the cursor share the right side, and nothing lies over the graphs or the bar’s texts") {
+    browserTest("video and values at the cursor share the right side, and nothing covers the graphs or the bar’s texts") {
         val match = TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))
         for (isDark in listOf(false, true)) {
             onPage(match, Screen(1366, 768, isDark = isDark)) {
@@ -283,7 +283,7 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("a page whose log has no time on x offers no video, and says why it does not show one that is dropped") {
+    browserTest("a page without time on x offers no video, and gives the reason when one is dropped") {
         onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
             element("#video-button").isDisplayed shouldBe false
             script(DROP)
@@ -292,7 +292,7 @@ internal class VideoSpec : PageSpec({
     }
 })
 
-/** Drops a file that is called a video. */
+/** Drops a file with the name of a video. */
 private const val DROP = """(() => {
 const data = new DataTransfer()
 data.items.add(new File(['no pictures'], 'phone.mov', {type: 'video/quicktime'}))
@@ -300,9 +300,9 @@ document.body.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: 
 })()"""
 
 /**
- * Lets the browser report frames `reports.delay` milliseconds late, and while `reports.areLost` not at all; if that is true, only until the
- * next seek. After `sample()`, keeps for each frame that comes to the screen when it begins and where the page says that the cursor is. Its
- * picture can be read only when the video stands still: a canvas may be given the next one already.
+ * Lets the browser report frames `reports.delay` milliseconds late. While `reports.areLost`, it reports none; if that is true, only until
+ * the next seek. After `sample()`, records for each displayed frame its start and the page's cursor. The picture can be read only while the
+ * video is paused, because a canvas may already get the next one.
  */
 private const val REPORTS = """
 window.video = () => document.querySelector('#video video')

@@ -18,7 +18,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
-/** The page on a web site: links name logs, and other programs hand them over. */
+/** The page on a web site. Links name logs, and other programs hand logs over. */
 @Tags("InCheck")
 internal class WebPageSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-web") }
@@ -29,7 +29,7 @@ internal class WebPageSpec : PageSpec({
 
     fun site() = WebServer { it.send(page.readBytes(), "text/html") }
 
-    /** A host of logs that lets any site read them, without cookies. */
+    /** Returns a host of logs that lets any site read them, without cookies. */
     fun logs(length: Long? = null, code: Int = 200, isOpen: Boolean = true) = WebServer {
         if (isOpen) it.responseHeaders.set("Access-Control-Allow-Origin", "*")
         try {
@@ -51,14 +51,14 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    test("only the page for a web site may ask others, by https alone; a saved copy of any page asks nothing") {
+    test("only the page for a web site may use other servers, by https alone, and a saved copy of any page uses none") {
         val plain = (temporary / EmptyPage.NAME).also { EmptyPage().write(it) }.readText()
         val web = page.readText()
         web.replace("connect-src 'self' https:; ", "").replace(",\"network\":\"web\"", "") shouldBe plain
         plain shouldNotContain "connect-src"
     }
 
-    browserTest("a log that a link names is fetched after a click that names its host, without cookies or the address of the page") {
+    browserTest("the log in a link is fetched after a click on its host, without cookies or the address of the page") {
         site().use { site ->
             logs().use { host ->
                 onWeb(site, linkTo("https://${host.host}/day 1/match.bag?key=1")) {
@@ -86,7 +86,7 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    browserTest("what cannot be fetched is said in words: no such file, refused, too large, other sites may not read it, gone") {
+    browserTest("a failed download is explained: no such file, refused, too large, other sites may not read it, no answer") {
         site().use { site ->
             for ((host, said) in listOf(
                 logs(code = 404) to "has no such file",
@@ -127,7 +127,7 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    /** Sends [data], an expression, as if another program had; returns what it was answered. */
+    /** Sends [data], an expression, like another program; returns the answers. */
     fun OpenPage.hand(data: String, origin: String = "https://scout.example"): List<*> {
         script(
             "window.frame ??= document.body.appendChild(document.createElement('iframe'));" +
@@ -140,7 +140,7 @@ internal class WebPageSpec : PageSpec({
 
     val bytes = "Uint8Array.from(atob('${Base64.getEncoder().encodeToString(bag)}'), c => c.charCodeAt(0)).buffer"
 
-    browserTest("a log that another program hands over is read after a click that names where the program is from; it gets PONG and nothing else") {
+    browserTest("a log handed over by another program is read after a click that names its origin, and the program gets only PONG") {
         site().use { site ->
             onWeb(site) {
                 hand("{badlog: {buffer: $bytes, fileName: 'q1.bag'}}")
@@ -156,7 +156,7 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    browserTest("hostile programs get nothing and show nothing: data of all kinds is not an offer, and names are not markup") {
+    browserTest("hostile programs get nothing and show nothing: other data is not an offer, and names are not markup") {
         site().use { site ->
             onWeb(site) {
                 for (data in listOf(
@@ -175,7 +175,7 @@ internal class WebPageSpec : PageSpec({
         }
     }
 
-    browserTest("a real program on another site asks, is answered, and hands over") {
+    browserTest("a real program on another site sends PING, gets PONG, and hands a log over") {
         site().use { site ->
             WebServer {
                 val html = "<iframe width=900 height=700 src='https://${site.host}/index.html'></iframe><script>" +

@@ -8,10 +8,10 @@ import java.net.InetSocketAddress
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.Executors
 
-/** What the browser asked of a [WebServer]. */
+/** A request of the browser to a [WebServer]. */
 internal class Asked(val path: String, val cookies: String?, val referrer: String?)
 
-/** A web site with https on this machine: [answer] answers. */
+/** A web site with https on this machine; [answer] answers requests. */
 internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoCloseable {
     private val threads = Executors.newCachedThreadPool()
     private val server = HttpsServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0).apply {
@@ -27,7 +27,7 @@ internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoClose
         start()
     }
 
-    /** Everything that was asked, in order. */
+    /** All requests, in order. */
     val asked = CopyOnWriteArrayList<Asked>()
 
     val host: String get() = "127.0.0.1:${server.address.port}"
@@ -38,7 +38,7 @@ internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoClose
     }
 }
 
-/** Answers with [bytes], as if they were [length] in number. */
+/** Answers with [bytes], and reports [length] as their number. */
 internal fun HttpExchange.send(bytes: ByteArray, type: String = "application/octet-stream", length: Long = bytes.size.toLong(), code: Int = 200) {
     responseHeaders.set("Content-Type", type)
     sendResponseHeaders(code, length)

@@ -15,8 +15,8 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
 /**
- * Serves [folder] as WPILib's `WebServer` does (2025 to 2027): GET only, a folder's `index.html` or else its list, as JSON if asked for; no
- * ranges, no times of change.
+ * Serves [folder] as WPILib's `WebServer` does (2025 to 2027). It supports only GET, and answers with a folder's `index.html`, otherwise
+ * with its list, as JSON on request. There are no ranges and no times of change.
  */
 internal class WpilibServer(private val folder: Path) : AutoCloseable {
     private val threads = Executors.newCachedThreadPool()

@@ -13,7 +13,7 @@ import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Four seconds of a robot: a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
+/** Returns four seconds of a robot. They have a number at 50 Hz, one at 10 Hz that ends early, a pose, a state and messages. */
 internal fun wpilog(): ByteArray {
     val out = ByteArrayOutputStream()
     fun bytes(size: Int, fill: ByteBuffer.() -> Unit) = out.write(ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(fill).array())
@@ -64,7 +64,7 @@ internal class WpilogSpec : PageSpec({
         }
     }
 
-    browserTest("each topic is drawn at its own times, the cursor reads what held there, arrow keys go to the next sample of any") {
+    browserTest("each topic is drawn at its own times, the cursor reads the latest value, and arrow keys go to the next sample of any topic") {
         onPage(TestPages.of(wpilog(), "run.wpilog")) {
             graph("/Arm/Angle").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
             graph("/Arm/Angle").steepest() shouldBe (0.5 plusOrMinus 0.02)

@@ -5,7 +5,7 @@ import java.nio.file.Path
 import kotlin.io.path.appendBytes
 import kotlin.io.path.writeBytes
 
-/** A robot that writes rows of 50 topics at 50 Hz into [file]: the first topic counts them, and the second one is the battery's voltage. */
+/** A robot that writes rows of 50 topics at 50 Hz into [file]. The first topic is the row number, the second is the battery's voltage. */
 internal class WritingRobot(val file: Path) {
     private val topics = listOf(TIME, BagTopic("Count", "ul"), BagTopic("Battery Voltage", "V"), BagTopic("Enabled", "ul")) +
         List(46) { BagTopic("Motor ${it + 1}/Current", "A") }

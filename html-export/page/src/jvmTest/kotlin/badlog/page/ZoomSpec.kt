@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldNotBe
 import org.openqa.selenium.Keys
 import org.openqa.selenium.interactions.WheelInput.ScrollOrigin
 
-/** Every graph steps at 3 s of 10 s, so that where the step is drawn tells which part of x a canvas shows. */
+/** Zooming. Every graph steps at 3 s of 10 s, so the position of the step shows which part of x a canvas shows. */
 @Tags("InCheck")
 internal class ZoomSpec : PageSpec({
     val page by lazy { TestPages.of(stepBag(graphs = 12)) }
@@ -19,7 +19,7 @@ internal class ZoomSpec : PageSpec({
 
     fun OpenPage.stepsOnScreen() = graphNames.map { graph(it) }.filter { it.isOnScreen }.map { it.steepest() }
 
-    browserTest("a drag over a graph zooms all graphs on the screen to what it covers, up to the edge where it ends beside the graph") {
+    browserTest("a drag over a graph zooms all graphs on the screen to its range, up to the graph's edge if it ends beyond it") {
         onPage(page) {
             stepsOnScreen().forAll { it shouldBe (0.3 plusOrMinus exactness) }
             graph("Step 2").drag(0.2, 0.6)
@@ -76,7 +76,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("zooms can be gone back through one by one, and reset") {
+    browserTest("zooms can be undone one by one, or reset") {
         onPage(page) {
             element("#back").isEnabled shouldBe false
             element("#reset").isEnabled shouldBe false
@@ -97,7 +97,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("the overview zooms by a drag, moves what is visible, and follows a click") {
+    browserTest("the overview zooms by a drag, moves the visible range, and follows a click") {
         onPage(page) {
             val strip = element(".overview").rect
             val y = strip.y + strip.height / 2
@@ -111,7 +111,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("Ctrl and the wheel zoom around the pointer, and the page stays where it is; the wheel alone only scrolls the page") {
+    browserTest("Ctrl and the wheel zoom around the pointer without scrolling; the wheel alone only scrolls the page") {
         onPage(page) {
             val (x, y) = graph("Step 1").frame.at(0.3)
             act { keyDown(Keys.CONTROL).scrollFromOrigin(ScrollOrigin.fromViewport(x, y), 0, -120).keyUp(Keys.CONTROL) }
@@ -128,7 +128,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("Alt and a drag zoom y of one graph, until that is reset") {
+    browserTest("Alt and a drag zoom the y axis of one graph, until that is reset") {
         onPage(page) {
             val (x, y) = graph("Step 1").frame.at(0.5)
             fun drag() = act { keyDown(Keys.ALT).mouseTo(x, y).mouseDown().mouseTo(x, y + 10).mouseTo(x, y + 30).mouseUp().keyUp(Keys.ALT) }
@@ -143,7 +143,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("Shift and a drag move along") {
+    browserTest("Shift and a drag move the visible range") {
         onPage(page) {
             graph("Step 1").drag(0.2, 0.6)
             graph("Step 1").drag(0.25, 0.5, withShift = true)
@@ -152,7 +152,7 @@ internal class ZoomSpec : PageSpec({
         }
     }
 
-    browserTest("Escape gives up a drag, and nothing else") {
+    browserTest("Escape cancels a drag, and nothing else") {
         onPage(page) {
             click("#search")
             press("step")

@@ -5,7 +5,7 @@ private val SOURCE: String by lazy {
     checkNotNull(script) { "axe-core is not among the resources of the tests." }.readText()
 }
 
-/** Returns what axe-core considers serious or worse in the current page: each rule with the elements that break it. */
+/** Returns the violations in the current page that axe-core considers serious or worse: each rule with its elements. */
 internal fun OpenPage.seriousForReaders(): List<String> {
     driver.executeScript(SOURCE)
     val found = driver.executeAsyncScript(

@@ -10,13 +10,13 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
 
-/** The Chromium that all page tests share, started when the first of them needs it. */
+/** The Chromium that all page tests share, started for the first of them. */
 internal object Chromium {
     private val program = onPath("chromium", "chromium-browser", "google-chrome")
     private val driverProgram = onPath("chromedriver")
     private val isRequired = System.getenv("BADLOG_BROWSER") == "required"
 
-    /** Whether page tests can run here, and if not, why; printed once for all of them, in a line that the build passes on. */
+    /** Whether page tests can run here, otherwise the reason. It is printed once for all tests, in a line that the build passes on. */
     val enabled: Enabled by lazy {
         val missing = listOfNotNull(
             "Chromium".takeIf { program == null },
@@ -31,7 +31,7 @@ internal object Chromium {
         }
     }
 
-    /** Where downloads go. */
+    /** The folder of its downloads. */
     val downloads: Path by lazy { Files.createTempDirectory("badlog-downloads") }
 
     /** The browser, which ends with the tests. */
@@ -83,6 +83,6 @@ internal object Chromium {
         }
     }
 
-    /** For the driver's start, and for a script; the limit only serves to end a failed test. */
+    /** The maximum time for the driver's start, and for a script; it only serves to end a failed test. */
     private val PATIENCE: Duration = Duration.ofMinutes(2)
 }

@@ -6,8 +6,8 @@ import java.util.Base64
 import kotlin.math.roundToInt
 
 /**
- * A WebM video whose pictures show the number of their frame in binary, as white squares for the ones: the leftmost is worth 1.
- * Chromium encodes the pictures, since a lossy WebP picture is a key frame of VP8.
+ * A WebM video with the number of each frame in its picture, in binary. A white square is a one, and the leftmost is worth 1. Chromium
+ * encodes the pictures, because a lossy WebP picture is a key frame of VP8.
  */
 internal object CountedVideo {
     const val FRAMES_PER_SECOND = 30
@@ -68,7 +68,7 @@ internal object CountedVideo {
         """.trimIndent(),
     ) as List<String>
 
-    /** Returns the key frame in a WebP picture, which is in one of its chunks. */
+    /** Returns the key frame of a WebP picture, which is in one of its chunks. */
     private fun keyFrame(base64: String): ByteArray {
         val webp = Base64.getDecoder().decode(base64)
         var at = FIRST_CHUNK

@@ -16,21 +16,21 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * A page in the one tab of all tests: a tab of its own would start a process that compiles the page's script again. Only a page that is opened
- * beside another one has that.
+ * A page in the one tab of all tests. A new tab would start a process that compiles the page's script again. Only a page that is opened
+ * beside another page has its own tab.
  *
- * @param before the tab of the page that it is opened beside, if there is one.
+ * @param before the tab of the page beside which it is opened; null if there is none.
  */
 internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String?) : AutoCloseable {
     private val logs = PageLogs(driver)
 
-    /** What runs in it before its own script does, by the names that the browser has given. */
+    /** The scripts that run in it before its own script, by the names that the browser has given them. */
     private val scripts = ArrayList<String>()
 
     /** The state that the page reports. */
     val state: String? get() = script("return document.documentElement.dataset.state") as String?
 
-    /** Waits until the page reports [state], and if it is ready, until its rules are done: what they find changes the page. */
+    /** Waits until the page reports [state]. If it is ready, also waits until its rules are done, because findings change the page. */
     fun awaitState(state: String) {
         await("the page's state $state") { this.state == state || this.state == "failed" }
         withClue(text) { this.state shouldBe state }
@@ -41,13 +41,13 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** All text on the page. */
     val text: String get() = script("return document.body.innerText") as String
 
-    /** Returns the first element that [selector] finds. */
+    /** Returns the first element that matches [selector]. */
     fun element(selector: String): WebElement = driver.findElement(By.cssSelector(selector))
 
-    /** All elements that [selector] finds. */
+    /** Returns all elements that match [selector]. */
     fun elements(selector: String): List<WebElement> = driver.findElements(By.cssSelector(selector))
 
-    /** Returns the texts of the elements that [selector] finds, visible or not. */
+    /** Returns the texts of the elements that match [selector], visible or not. */
     fun texts(selector: String): List<String> = strings(
         script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector),
     )
@@ -61,7 +61,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             ),
         )
 
-    /** The range of x that the page says it shows. */
+    /** The range of x that the page displays. */
     val visibleRange: ClosedFloatingPointRange<Double>
         get() {
             val said = texts(".range-readout").single()
@@ -89,8 +89,8 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     fun number(code: String, vararg arguments: Any?): Double = (script(code, *arguments) as Number).toDouble()
 
     /**
-     * Waits until the last action is handled, which may be an event behind those that wait already, and drawn: on the screen and outside
-     * it, which the page draws a frame later.
+     * Waits until the last action, which may follow other events, has been handled and drawn. The page draws parts outside the screen one
+     * frame later.
      */
     fun settle() {
         driver.executeAsyncScript(
@@ -103,7 +103,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         )
     }
 
-    /** Waits for [what], also while the page makes anew what [isSo] looks at. */
+    /** Waits for [what], also while the page recreates the elements that [isSo] reads. */
     fun await(what: String, isSo: () -> Boolean) {
         try {
             eventually(what, isSo)
@@ -124,13 +124,10 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         settle()
     }
 
-    /** Types [keys] where the focus is. */
+    /** Types [keys] into the focused element. */
     fun press(vararg keys: CharSequence) = act { sendKeys(*keys) }
 
-    /**
-     * Clicks the first element that [selector] finds and that [isMeant]; the one in its place, where the page made it anew before the click
-     * came there.
-     */
+    /** Clicks the first element that matches [selector] and [isMeant], or its replacement if the page recreated it before the click. */
     fun click(selector: String, isMeant: (WebElement) -> Boolean = { true }) {
         await("a click on $selector") {
             val found = elements(selector)
@@ -179,7 +176,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Returns the addresses that the page requested. */
     fun requests(): List<String> = logs.requests()
 
-    /** Saves a screenshot of the page, for people to look at. */
+    /** Saves a screenshot of the page for review. */
     fun keepScreenshot(name: String) {
         val file = Path.of("build", "screenshots", "$name.png")
         Files.createDirectories(file.parent)
@@ -227,8 +224,8 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         }
 
         /**
-         * Holds the timers of notices that disappear by themselves and of fingers that rest, until a test lets [passTime]: on a busy
-         * machine, they would go off between two steps of it. With `keepsTime`, they go off when they would.
+         * Holds the timers of notices that disappear by themselves and of resting fingers, until a test lets [passTime]. On a busy machine
+         * they would fire between two steps of the test. With `keepsTime`, they fire at their usual times.
          */
         private const val PATIENT_TIMERS = """
             (() => {

@@ -5,15 +5,15 @@ import org.openqa.selenium.json.Json
 import org.openqa.selenium.logging.LogType
 import java.util.logging.Level
 
-/** What the browser logs about a page. */
+/** The browser's logs about a page. */
 internal class PageLogs(private val driver: ChromeDriver) {
-    /** Drops what was logged so far. */
+    /** Drops the entries so far. */
     fun forget() {
         entries(LogType.BROWSER)
         entries(LogType.PERFORMANCE)
     }
 
-    /** Returns the console's warnings and errors since the last call, including those of the browser itself. */
+    /** Returns the console's warnings and errors since the last call, including those from the browser itself. */
     fun messages(): List<String> = entries(LogType.BROWSER)
         .filter { it.level.intValue() >= Level.WARNING.intValue() }
         .map { it.message }

@@ -1,6 +1,6 @@
 package badlog.page
 
-/** What a page is shown on. */
+/** The screen of a page. */
 internal data class Screen(
     val width: Int,
     val height: Int,

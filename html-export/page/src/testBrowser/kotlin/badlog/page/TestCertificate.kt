@@ -8,7 +8,7 @@ import java.util.Base64
 import javax.net.ssl.KeyManagerFactory
 import javax.net.ssl.SSLContext
 
-/** A certificate of this machine, made for the tests, which the tests' Chromium trusts. */
+/** A certificate of this machine, created for the tests and trusted by their Chromium. */
 internal object TestCertificate {
     private const val PASSWORD = "badlog"
     private const val NAME = "test"
@@ -31,12 +31,12 @@ internal object TestCertificate {
         }
     }
 
-    /** What names its key for Chromium. */
+    /** The fingerprint of its key, by which Chromium trusts it. */
     val fingerprint: String by lazy {
         Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(store.getCertificate(NAME).publicKey.encoded))
     }
 
-    /** What a server needs to have it. */
+    /** Returns the context with which a server uses the certificate. */
     fun context(): SSLContext = SSLContext.getInstance("TLS").apply {
         val keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm()).apply { init(store, PASSWORD.toCharArray()) }
         init(keys.keyManagers, null, null)

@@ -13,7 +13,7 @@ internal class BandwidthLimit(
     private val now: () -> Long = System::nanoTime,
     private val sleep: (millis: Long) -> Unit = Thread::sleep,
 ) {
-    // When everything transferred so far would be due at that rate.
+    // The time at which all bytes so far would be due at that rate.
     private var due = now()
 
     /** Records that [bytes] were transferred, and waits until more are allowed. */

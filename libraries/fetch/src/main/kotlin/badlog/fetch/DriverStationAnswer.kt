@@ -11,10 +11,13 @@ import java.net.http.HttpResponse.BodyHandlers
 import java.time.Duration
 
 /**
- * Returns the address of the robot to which the Driver Station of 2027 on this computer is connected, such as `10.10.14.2`; null if there is
- * no Driver Station, or no robot. It knows a robot over USB or Wi-Fi, too, for which a team's number is not enough.
+ * Returns the address of the robot that is connected to the 2027 Driver Station on this computer, such as `10.10.14.2`.
  *
- * @param port the port on which it answers.
+ * Null if there is no Driver Station, or no robot. The Driver Station also knows a robot over USB or Wi-Fi, where a team's number does not
+ * suffice.
+ *
+ * @param patience the maximum time to wait for the answer.
+ * @param port the port of the Driver Station.
  */
 internal fun robotOfDriverStation(patience: Duration, port: Int = DRIVER_STATION_PORT): String? = try {
     val request = HttpRequest.newBuilder(URI("http://localhost:$port/ip")).timeout(patience).build()
@@ -27,7 +30,7 @@ internal fun robotOfDriverStation(patience: Duration, port: Int = DRIVER_STATION
 
 private fun robotIn(answer: String): String? = try {
     val address = (Json.parseToJsonElement(answer).jsonObject["robotIP"] as? JsonPrimitive)?.content.orEmpty()
-    // The Driver Station up to 2026 gives the four bytes as one number.
+    // The Driver Station up to 2026 sends the four bytes as one number.
     val bytes = address.toLongOrNull()?.let { number -> List(BYTES) { number shr Byte.SIZE_BITS * (BYTES - 1 - it) and 0xFF } }
         ?: address.split('.').map { part -> part.toLongOrNull()?.takeIf { it in 0..0xFF } ?: -1 }
     bytes.takeIf { it.size == BYTES && -1L !in it && it.any { byte -> byte != 0L } }?.joinToString(".")

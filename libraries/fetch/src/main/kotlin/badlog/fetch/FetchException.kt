@@ -1,6 +1,6 @@
 package badlog.fetch
 
-/** Thrown if logs could not be fetched. The message is one sentence for the user: what, where, and what to do next. */
+/** Thrown if logs could not be fetched. The message is one sentence for the user: the problem, its place, and the next step. */
 sealed class FetchException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /** No robot answers at any of its addresses. */
@@ -12,7 +12,7 @@ class NoRobotException internal constructor(addresses: List<RobotAddress>) :
 /**
  * The robot refuses all known users.
  *
- * @property address where it answers.
+ * @property address the address of the robot.
  */
 class LoginRefusedException internal constructor(val address: RobotAddress, users: List<String>) :
     FetchException(
@@ -29,19 +29,19 @@ class HostKeyRefusedException internal constructor(question: HostKeyQuestion) :
             "The host key of ${question.address} is unknown (${question.fingerprint}); if this is your robot, use --accept-new-host-key."
         },
     ) {
-    /** Where the robot answers. */
+    /** The address of the robot. */
     val address: RobotAddress = question.address
 }
 
 /**
- * It is unknown whether the robot is enabled.
+ * The robot does not report whether it is enabled.
  *
- * @property address where it answers.
+ * @property address the address of the robot.
  */
 class UnknownStateException internal constructor(val address: RobotAddress, reason: String) :
     FetchException("It is unknown whether the robot at $address is enabled: $reason. Start its program, or use --anyway.")
 
-/** The connection was lost and could not be restored. What was copied is kept for the next time. */
+/** The connection was lost and could not be restored. Copied bytes are kept for the next fetch. */
 class LostConnectionException internal constructor(address: RobotAddress, reason: String, cause: Throwable? = null) :
     FetchException("The connection to $address was lost ($reason); fetch again to resume.", cause)
 

@@ -9,7 +9,7 @@ import java.nio.file.Path
  * @property file its file on this computer.
  * @property bytes its size in bytes.
  * @property resumedAt the number of bytes that were already here.
- * @property title its match, or null.
+ * @property title the title of its match, or null.
  * @property isLog whether it can be read as a log.
  * @property isSalvaged whether some of its data is lost.
  */
@@ -62,7 +62,7 @@ interface FetchListener {
 /**
  * The result of a fetch.
  *
- * @property address where the robot answered.
+ * @property address the address of the robot.
  * @property user the user that was accepted.
  * @property fetched the fetched logs, newest first.
  * @property known the number of logs that were already here.

@@ -4,14 +4,14 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * What to fetch, and how.
+ * The options of a fetch.
  *
  * @property folder the folder for logs; created if necessary.
- * @property robotFolders the folders of the robot to search; null for those into which WPILib logs.
+ * @property robotFolders the folders of the robot to search; null for WPILib's log folders, and for bags in the users' home folders.
  * @property anyway true to fetch even while the robot may be enabled.
  * @property bytesPerSecond the maximum number of bytes per second, or null for no limit.
- * @property deleteOlderThan the age from which logs are removed from the robot, once they are safely on this computer; null to
- * remove nothing.
+ * @property deleteOlderThan the age from which logs are removed from the robot, once they are safely on this computer; null to remove
+ * nothing.
  * @property acceptsNewHostKeys true to trust every robot without asking.
  * @property password the robot's password, tried before the known ones; or null.
  */

@@ -1,12 +1,12 @@
 package badlog.fetch
 
 /**
- * A robot's host key that nobody has trusted yet.
+ * A robot's host key that is not trusted yet.
  *
- * @property address where it answers.
+ * @property address the address of the robot.
  * @property fingerprint the key's fingerprint, such as `SHA256:…`.
- * @property isChanged whether another key was trusted at this address: robots get a new one when they are reimaged, and two robots of
- *   a team share an address.
+ * @property isChanged whether another key was trusted at this address. A reimaged robot has a new key, and the robots of a team share an
+ * address.
  */
 class HostKeyQuestion internal constructor(val address: RobotAddress, val fingerprint: String, val isChanged: Boolean)
 
@@ -15,7 +15,7 @@ interface FetchQuestions {
     /** Returns whether to trust the robot of [question], now and in the future. */
     fun trusts(question: HostKeyQuestion): Boolean
 
-    /** Returns the password of [user] at [address], after the known ones were refused; null for none. */
+    /** Returns the password of [user] at [address], after the known ones were refused; null if there is none. */
     fun password(user: String, address: RobotAddress): String?
 
     companion object {

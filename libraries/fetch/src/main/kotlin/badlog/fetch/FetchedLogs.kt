@@ -21,12 +21,12 @@ import java.util.HexFormat
 /**
  * A log that was fetched.
  *
- * @property robot the robot it is from.
+ * @property robot the robot's key, see [RobotConnection.robot].
  * @property path its path on the robot.
  * @property size its size in bytes there when it was fetched.
- * @property modified when it was last written, according to the robot.
+ * @property modified the time when it was last written, in seconds since 1970 by the robot's clock.
  * @property file its path relative to the folder of fetched logs.
- * @property digest the digest of its bytes.
+ * @property digest the SHA-256 digest of its bytes, in hexadecimal digits.
  * @property fetched when it was fetched, in milliseconds since 1970.
  */
 internal class LogHere(
@@ -40,8 +40,8 @@ internal class LogHere(
 )
 
 /**
- * Which logs were fetched into [folder], in a hidden file there: a line of JSON for each, of which the last one counts. Only one program
- * can open it at a time. Must be closed.
+ * The list of logs fetched into [folder], in a hidden file there. Each log has a line of JSON; the last line of a log counts. Only one
+ * program can open it at a time. Must be closed.
  */
 internal class FetchedLogs private constructor(private val folder: Path, private val channel: FileChannel) : AutoCloseable {
     private val logs = HashMap<Pair<String, String>, LogHere>()
@@ -49,14 +49,14 @@ internal class FetchedLogs private constructor(private val folder: Path, private
     init {
         val text = String(Files.readAllBytes(folder.resolve(NAME)), Charsets.UTF_8)
         for (line in text.lineSequence()) entryOf(line)?.let { logs[it.robot to it.path] = it }
-        // A loss of power left part of a line.
+        // The last line may be incomplete after a loss of power.
         if (text.isNotEmpty() && !text.endsWith('\n')) append("\n")
     }
 
     /** Returns the log of [robot] at [path] as last fetched, or null. */
     fun find(robot: String, path: String): LogHere? = logs[robot to path]
 
-    /** Returns where [log] is on this computer. */
+    /** Returns the path of [log] on this computer. */
     fun fileOf(log: LogHere): Path = folder.resolve(log.file)
 
     /** Returns whether [log] is still on this computer with the bytes that were fetched. */

@@ -9,16 +9,17 @@ import kotlin.io.path.exists
 import kotlin.io.path.readLines
 
 /**
- * The host keys that a person trusted, stored in [file] in the format of OpenSSH's `known_hosts`. A key that was trusted at one address
- * is trusted at all others, since only that robot has it: over USB, nobody is asked again. Several keys may be trusted at one address,
- * since the robots of a team share it.
+ * The host keys that a person trusted, stored in [file] in the format of OpenSSH's `known_hosts`.
  *
- * @param whenNotStored is called, on any thread, if a key cannot be stored. If it returns, the key is trusted until the program ends.
+ * A key trusted at one address is trusted at all others, because only that robot has it; so there is no second question over USB. Several
+ * keys may be trusted at one address, because the robots of a team share it.
+ *
+ * @param whenNotStored called, on any thread, if a key cannot be stored. If it returns, the key is trusted until the program ends.
  */
 class KnownHosts(private val file: Path, private val whenNotStored: (UnwritableFileException) -> Unit = { throw it }) {
     private class Line(val host: String, val key: String)
 
-    /** What [file] could not take. */
+    /** The lines that could not be written to [file]. */
     private val notStored = CopyOnWriteArrayList<String>()
 
     /** Returns whether the robot with [key] is known. */

@@ -22,7 +22,7 @@ import kotlin.math.min
 internal class ShrunkLogException : Exception()
 
 /**
- * Copies logs into hidden parts in [folder], which only become logs when they are complete. An existing part is continued.
+ * Copies logs into hidden parts in [folder], which become logs only once they are complete. An existing part is continued.
  *
  * @param limit limits the transfer rate.
  * @param room returns the free bytes on the disk of a folder.
@@ -36,7 +36,7 @@ internal class LogCopy(
     private val write: (FileChannel, ByteBuffer) -> Unit = { file, bytes -> while (bytes.hasRemaining()) file.write(bytes) },
     private val checkpoint: () -> Unit,
 ) {
-    /** A part with all bytes of its log; [from] of them were here before. */
+    /** A part with all bytes of its log; the first [from] bytes were here before. */
     class Whole(val part: Path, val from: Long)
 
     /**
@@ -98,7 +98,7 @@ internal class LogCopy(
             progress(done)
             limit.spend(size)
         }
-        // Only here: closing it waits for all requested data, which is not wanted after cancelling.
+        // Only here, because closing it waits for all requested data, even after cancelling.
         RobotConnection.talking { stream.close() }
     }
 
@@ -114,7 +114,7 @@ internal class LogCopy(
         return Files.size(part)
     }
 
-    /** Returns whether [log] begins with [file], judging by its two ends: a rewritten log differs there. */
+    /** Returns whether [log] begins with [file], judged by the two ends of [file], where a rewritten log differs. */
     private fun isBeginning(connection: RobotConnection, log: RemoteLog, file: Path): Boolean {
         val size = Files.size(file)
         val ends = listOf(0L, maxOf(size - LOOK, 0)).distinct()
@@ -128,8 +128,8 @@ internal class LogCopy(
     }
 
     /**
-     * Returns the parts of logs of [robot] that are not among its [logs] and have not grown for a day: these will never be complete. A
-     * robot's USB stick may be removed for a while.
+     * Returns the parts that will never be complete. They belong to logs of [robot] that are not among [logs], and have not grown for a
+     * day. A robot's USB stick may be removed for a while.
      */
     fun leftParts(robot: String, logs: List<RemoteLog>): List<Path> {
         val wanted = logs.mapTo(HashSet()) { partOf(robot, it) }

@@ -7,13 +7,13 @@ import java.io.IOException
 /**
  * Fetches new logs from a robot to the folder of [options].
  *
- * Logs are copied while the robot is disabled; each is a hidden part until it is complete, and the next fetch continues an existing
- * part. Nothing is removed from the robot unless the options say so.
+ * Logs are copied while the robot is disabled. Each is a hidden part until it is complete, and the next fetch continues an existing part.
+ * Nothing is removed from the robot unless the options say so.
  *
- * @param addresses where the robot may answer, the most likely first.
- * @property options what to fetch, and how.
+ * @param addresses the addresses at which the robot may answer, the most likely first.
+ * @property options the options of the fetch.
  * @param hosts the robots that are trusted.
- * @param stateOf connects to a robot's NetworkTables, and knows from then on whether it is enabled.
+ * @param stateOf connects to a robot's NetworkTables and returns its enabled state.
  */
 class LogFetch internal constructor(
     private val addresses: List<RobotAddress>,
@@ -128,7 +128,7 @@ class LogFetch internal constructor(
     }
 
     private companion object {
-        /** How often in succession a connection may be lost without any byte transferred. */
+        /** The number of connections in succession that may be lost without a byte transferred. */
         const val TRIES = 3
     }
 }
@@ -136,12 +136,12 @@ class LogFetch internal constructor(
 /** Thrown if the robot was enabled while logs were being copied. */
 internal class EnabledRobotException : Exception()
 
-/** Whether it does not concern the network. */
+/** Whether the problem is a file on this computer, not the network. */
 private val IOException.isOfThisComputer: Boolean get() = this is UnreadableFileException || this is UnwritableFileException
 
 private fun reasonOf(e: IOException): String = (e.message ?: e.cause?.message)?.lineSequence()?.first()?.let(::safeReason) ?: "no answer"
 
-/** A robot's message may contain anything. */
+/** Returns [text] without control characters and shortened, because a robot's message may contain anything. */
 private fun safeReason(text: String) = text.filter { !it.isISOControl() }.take(MAX_REASON)
 
 private const val MAX_REASON = 100

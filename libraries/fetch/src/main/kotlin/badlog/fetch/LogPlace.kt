@@ -10,16 +10,16 @@ import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 
 /**
- * Where a log goes in the folder of fetched logs.
+ * The place of a log in the folder of fetched logs.
  *
  * @property folder the event's folder, or null if the event is unknown.
- * @property name the file's name: the robot's own, followed by the match if it does not contain that; if there is neither a match nor a
- *   date in it, by when the log began.
- * @property title the name of the match for people, or null.
+ * @property name the file's name: the robot's name, followed by the match if it does not contain that. Without a match and a date in it,
+ * the start of the log follows if it is known.
+ * @property title the title of the match, or null.
  */
 internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {
     companion object {
-        /** Returns the place of a log of [match] that is called [name] on the robot, and began at [start], in s since 1970, if that is known. */
+        /** Returns the place of a log of [match] with the [name] on the robot. It began at [start], in s since 1970, or null if unknown. */
         fun of(name: String, match: MatchOfLog, start: Long?): LogPlace {
             val stem = LogName.of(name).stem
             val called = when {

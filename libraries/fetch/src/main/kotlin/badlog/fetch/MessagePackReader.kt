@@ -2,12 +2,12 @@ package badlog.fetch
 
 import java.nio.ByteBuffer
 
-/** Reads what NetworkTables sends for a topic of whole numbers, or of a struct of 64 bits: a part of MessagePack, in [bytes]. */
+/** Reads MessagePack in [bytes] as NetworkTables sends it for topics of whole numbers, or of a 64-bit struct. */
 internal class MessagePackReader(private val bytes: ByteBuffer) {
     /** Whether there are bytes left. */
     val hasNext: Boolean get() = bytes.hasRemaining()
 
-    /** Returns the size of the array that begins here; null if none does. */
+    /** Returns the size of the array that begins here; null if there is none. */
     fun arraySize(): Int? {
         val first = unsigned()
         return if (first in FIX_ARRAY..FIX_ARRAY_END) first - FIX_ARRAY else null
@@ -27,7 +27,7 @@ internal class MessagePackReader(private val bytes: ByteBuffer) {
         else -> null
     }
 
-    /** Returns the whole number here, or the one in 8 bytes whose lowest comes first; null if there is something else. */
+    /** Returns the whole number here, or the number in 8 bytes, lowest byte first; null if there is something else. */
     fun word(): Long? {
         if (bytes.get(bytes.position()).toInt() and BYTE_END != BINARY_8) return number()
         bytes.get()

@@ -3,11 +3,10 @@ package badlog.fetch
 import java.time.Duration
 
 /**
- * Looks for the NetworkTables server of the robot that a person named [robot]: a team's number, or an address with or without the port of
- * that server.
+ * Searches for the NetworkTables server of [robot]: a team's number, or an address with or without that server's port.
  *
- * @param addresses where that robot may answer, the most likely place first.
- * @param patience how long to wait for an answer.
+ * @param addresses the addresses at which the robot may answer, the most likely first.
+ * @param patience the maximum time to wait for an answer.
  */
 class NetworkTablesSearch(robot: String, addresses: List<RobotAddress>, private val patience: Duration = Patience().connect) {
     private val servers = addresses.map { address ->
@@ -15,10 +14,10 @@ class NetworkTablesSearch(robot: String, addresses: List<RobotAddress>, private 
         RobotAddress(address.host, emptyList(), port)
     }
 
-    /** Where the robot is looked for, for people. */
+    /** The searched hosts, as text for readers. */
     val places: String = servers.joinToString { it.host }
 
-    /** Returns where it answers now, with the server's port; null if nothing does. Waits for that. */
+    /** Returns the first address that answers, with the server's port; null if none does. Waits for the answer. */
     fun find(): RobotAddress? = answering(servers, patience).firstOrNull()
 
     private companion object {

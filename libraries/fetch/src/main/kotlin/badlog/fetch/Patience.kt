@@ -3,13 +3,12 @@ package badlog.fetch
 import java.time.Duration
 
 /**
- * How long a fetch waits.
+ * The times that a fetch waits.
  *
  * @property connect for a robot to answer.
  * @property answer for a robot to accept a login.
  * @property silence for an answer after login; a silent robot counts as gone.
- * @property growth between two listings of a folder, which show which of its files are growing. Loggers write four times
- * a second.
+ * @property growth between two listings of a folder, which show the growing files. Loggers write four times a second.
  * @property retry before the next attempt after a connection was lost.
  * @property state for the robot to report whether it is enabled.
  */

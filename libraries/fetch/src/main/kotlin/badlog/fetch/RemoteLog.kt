@@ -9,7 +9,7 @@ package badlog.fetch
  * @property modified when it was last written, in seconds since 1970 by the robot's clock.
  */
 internal data class RemoteLog(val folder: String, val name: String, val size: Long, val modified: Long) {
-    /** Its path in the form for the robot. */
+    /** Its path on the robot. */
     val path: String get() = "${folder.trimEnd('/')}/$name"
 }
 
@@ -17,7 +17,7 @@ internal data class RemoteLog(val folder: String, val name: String, val size: Lo
  * The listing of a robot's folders.
  *
  * @property logs the files with names of logs.
- * @property refused the names that cannot be those of a file in a folder, such as `../x`.
+ * @property refused the names that are not valid in a folder, such as `../x`.
  * @property folders the existing folders.
  */
 internal class RemoteListing(val logs: List<RemoteLog>, val refused: List<String>, val folders: List<String>)

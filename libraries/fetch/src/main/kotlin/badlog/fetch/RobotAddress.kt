@@ -6,21 +6,21 @@ import java.time.Duration
  * A user of a robot's computer.
  *
  * @property user the name.
- * @property password the computer's default password; empty for none.
+ * @property password the computer's default password; empty if there is none.
  */
 class Login(val user: String, val password: String) {
-    /** Returns only the name: passwords are never printed. */
+    /** Returns only the name, because passwords are never printed. */
     override fun toString(): String = user
 }
 
 /**
- * Where a robot may answer.
+ * An address at which a robot may answer.
  *
  * @property host a name or an address.
  * @property logins the users to try, in this order.
  * @property port the port of SFTP.
  * @property networkTablesPort the port of its NetworkTables server, which reports whether it is enabled.
- * @property name its name for people.
+ * @property name its name for readers.
  */
 class RobotAddress(
     val host: String,
@@ -37,19 +37,19 @@ class RobotAddress(
         private const val DRIVER_STATION_SECONDS = 1L
         private const val MAX_PORT = 65_535
 
-        /** The largest possible team number: addresses have no room for a larger one. */
+        /** The largest possible team number; addresses have no room for a larger one. */
         private const val MAX_TEAM = 25_599
 
         private val ROBORIO = Login("lvuser", "")
         private val SYSTEMCORE = Login("systemcore", "systemcore")
 
         /**
-         * Returns where the robot [robot] may answer, the most likely place first: for a team number, the addresses of a roboRIO and a
-         * Systemcore on the field's network and over USB; otherwise that address, such as `10.10.14.2`, `robot.local`, `pit@10.10.14.2` or
+         * Returns the addresses at which [robot] may answer, the most likely first. A team number stands for a roboRIO and a Systemcore on
+         * the field's network and over USB. Any other [robot] is one address, such as `10.10.14.2`, `robot.local`, `pit@10.10.14.2` or
          * `localhost:2222`.
          *
-         * @param user the user to try in place of the known ones, or null.
-         * @throws IllegalArgumentException if it is neither; the message is one sentence for the user.
+         * @param user the user to try in place of the known ones, or null; a user in [robot] takes precedence.
+         * @throws IllegalArgumentException if [robot] is neither; the message is one sentence for the user.
          */
         fun of(robot: String, user: String? = null): List<RobotAddress> {
             val team = robot.toIntOrNull()
@@ -69,8 +69,8 @@ class RobotAddress(
         }
 
         /**
-         * Returns the same as [of]; for a team's number, first the robot to which a Driver Station on this computer is connected, unless that
-         * is another team's. Throws the same exceptions.
+         * Returns the same as [of]. For a team's number, the robot connected to a Driver Station on this computer comes first, unless it
+         * belongs to another team. Throws the same exceptions.
          */
         fun besideDriverStation(robot: String, user: String? = null): List<RobotAddress> =
             beside(robot, user) { robotOfDriverStation(Duration.ofSeconds(DRIVER_STATION_SECONDS)) }
@@ -98,7 +98,7 @@ class RobotAddress(
             )
         }
 
-        /** Returns only [user], with its known password; all known logins for null. */
+        /** Returns only [user], with its known password; all known logins if [user] is null. */
         private fun logins(user: String?, vararg known: Login): List<Login> =
             if (user == null) known.toList() else listOf(listOf(ROBORIO, SYSTEMCORE).find { it.user == user } ?: Login(user, ""))
 

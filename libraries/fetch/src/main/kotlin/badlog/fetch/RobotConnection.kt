@@ -18,7 +18,7 @@ import kotlin.math.min
 /**
  * A connection to a robot after login. All network errors are [IOException]s. Must be closed.
  *
- * @property address where it answered.
+ * @property address the address of the robot.
  * @property user the user that was accepted.
  * @property robot identifies the robot regardless of its address: the fingerprint of its host key.
  */
@@ -26,7 +26,9 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
     AutoCloseable {
     private val sftp: SftpClient = talking { SftpClientFactory.instance().createSftpClient(session) }
 
-    /** Returns the logs in those of [folders] that exist, and below them; and the bags directly in [homes], which hold other files, too. */
+    /**
+     * Returns the logs in and below those [folders] that exist. Also returns the bags directly in [homes], which contain other files, too.
+     */
     fun list(folders: List<String>, homes: List<String> = emptyList()): RemoteListing = talking {
         val found = LinkedHashSet<String>()
         for (folder in folders) realPath(folder)?.let(found::add)
@@ -65,12 +67,12 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         }
     }
 
-    /** Returns the bytes of [log] from [from] on; many are requested at a time. The stream throws the same exceptions as [talking]. */
+    /** Returns the bytes of [log] starting at [from]; many are requested at a time. The stream throws the same exceptions as [talking]. */
     fun read(log: RemoteLog, from: Long): InputStream = talking {
         sftp.read(log.path, OpenMode.Read).also { if (from > 0) it.skip(from) }
     }
 
-    /** Returns the [size] bytes of [log] from [from] on, or fewer if it ends before that. */
+    /** Returns [size] bytes of [log] starting at [from], or fewer if the log ends before that. */
     fun piece(log: RemoteLog, from: Long, size: Int): ByteArray = talking {
         val bytes = ByteArray(size)
         var done = 0
@@ -91,7 +93,7 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         session.close(true)
     }
 
-    // A folder may have several names: /u and /U, or a link.
+    // A folder may have several names, such as /u and /U, or a link.
     private fun realPath(folder: String): String? = try {
         sftp.canonicalPath(folder).takeIf { sftp.stat(it).isDirectory }
     } catch (_: SftpException) {
@@ -126,10 +128,10 @@ internal class RobotConnection(val address: RobotAddress, val user: String, val 
         private const val MILLIS = 1000
         private const val PIECE = 16_384
 
-        /** No robot's logs are nested deeper. */
+        /** The maximum depth of folders; no robot's logs are nested deeper. */
         private const val MAX_DEPTH = 4
 
-        /** No robot has more. */
+        /** The maximum number of logs; no robot has more. */
         private const val MAX_LOGS = 100_000
     }
 }

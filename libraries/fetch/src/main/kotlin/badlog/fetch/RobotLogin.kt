@@ -15,7 +15,7 @@ import java.io.IOException
 import java.security.PublicKey
 
 /**
- * Logs into robots, only with passwords: the person's own SSH keys and settings are not used. Must be closed.
+ * Logs into robots, only with passwords. The person's own SSH keys and settings are not used. Must be closed.
  *
  * @param password a password to try before the known ones, or null.
  */
@@ -69,7 +69,7 @@ internal class RobotLogin(
         throw LoginRefusedException(address, listOf(user))
     }
 
-    /** Returns null if [user] is refused with [word]. */
+    /** Returns a connection; null if the robot refuses [user] with the password [word]. */
     private fun connect(address: RobotAddress, user: String, word: String): RobotConnection? {
         val session = open(address, user)
         try {
@@ -114,7 +114,7 @@ internal class RobotLogin(
     override fun close() = client.close(true).let { }
 
     private companion object {
-        /** As often as other programs ask for a password. */
+        /** The number of questions for a password, as in other programs. */
         const val TRIES = 3
 
         /** The library's message when there is no password left to try. */

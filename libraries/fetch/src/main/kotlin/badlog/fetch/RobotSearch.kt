@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Returns those of [addresses] at which something answers, in order, each as soon as no earlier one can answer any more. All are
- * tried at the same time: most do not exist on the computer's network, and never answer.
+ * Returns the [addresses] at which a program answers, in order, each as soon as no earlier one can answer any more. All are tried at the
+ * same time, because most do not exist on the computer's network and never answer.
  */
 fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
     val end = System.nanoTime() + patience.toNanos()
@@ -20,7 +20,7 @@ fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<Robot
     for ((index, answer) in answers.withIndex()) if (isTrue(answer, end)) yield(addresses[index])
 }
 
-// Runs on a separate thread, which ends with the answer: a caller that has found a robot stops waiting, without cancelling the others.
+// Runs on a separate thread, which ends with the answer. A caller that has found a robot stops waiting, but does not cancel the others.
 private fun trying(address: RobotAddress, patience: Duration): Future<Boolean> {
     val answer = FutureTask { answers(address, patience) }
     Thread(answer, "robot search").apply { isDaemon = true }.start()
@@ -30,7 +30,7 @@ private fun trying(address: RobotAddress, patience: Duration): Future<Boolean> {
 private fun isTrue(answer: Future<Boolean>, end: Long): Boolean = try {
     answer.get(maxOf(end - System.nanoTime(), 0), TimeUnit.NANOSECONDS)
 } catch (_: TimeoutException) {
-    // Looking up a name may take longer than anybody would wait.
+    // Looking up a name may take too long.
     false
 } catch (_: ExecutionException) {
     false

@@ -19,10 +19,10 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Knows whether the robot at [address] is enabled, from `FMSControlData` of its NetworkTables server, or from 2027 on from `ControlWord`.
- * Must be closed.
+ * The enabled state of the robot at [address], from `FMSControlData` of its NetworkTables server, or from `ControlWord` since 2027. Must be
+ * closed.
  *
- * @param patience how long to wait for it.
+ * @param patience the maximum time to wait for the state.
  * @throws UnknownStateException if the robot does not report it.
  */
 internal class RobotState(private val address: RobotAddress, private val patience: Duration) : AutoCloseable {
@@ -47,7 +47,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
     }
 
     /**
-     * Whether it is currently enabled.
+     * Whether the robot is currently enabled.
      *
      * @throws UnknownStateException if the connection was lost.
      */
@@ -56,7 +56,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
         enabled == true
     }
 
-    /** Waits until it is disabled. Throws the same exceptions as [isEnabled]. */
+    /** Waits until the robot is disabled. Throws the same exceptions as [isEnabled]. */
     fun awaitDisabled() = lock.withLock {
         while (isEnabled) change.await()
     }
@@ -79,7 +79,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
         private val text = StringBuilder()
         private val binary = ByteArrayOutputStream()
 
-        /** The bit that says whether the robot is enabled, by the id of the topic. */
+        /** The bit with the enabled state, by the id of the topic. */
         private val bits = HashMap<Long, Long>()
 
         override fun onText(socket: WebSocket, part: CharSequence, isLast: Boolean): CompletionStage<*>? {
@@ -110,7 +110,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
 
         override fun onError(socket: WebSocket, error: Throwable) = lose()
 
-        /** Keeps the ids that the server assigns to the topics in [frame]. */
+        /** Stores the ids that the server assigns to the topics in [frame]. */
         private fun announced(frame: String) {
             try {
                 for (message in Json.parseToJsonElement(frame).jsonArray.map { it.jsonObject }) {
@@ -120,7 +120,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
                     topic["id"]?.jsonPrimitive?.content?.toLongOrNull()?.let { bits[it] = bit }
                 }
             } catch (_: IllegalArgumentException) {
-                // A frame that is not of NetworkTables is ignored.
+                // A frame of another protocol is ignored.
             }
         }
 
@@ -152,7 +152,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
     }
 
     private companion object {
-        /** The topics that say it, and the bit that does. From 2027 on it is a struct, in another folder since the alphas. */
+        /** The topics with the enabled state, and its bit. Since 2027 it is a struct, which moved to another folder after the alphas. */
         val TOPICS = mapOf(
             "/FMSInfo/FMSControlData" to 1L,
             "/FMSInfo/ControlWord" to (1L shl 58),
@@ -162,7 +162,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
         /** The topic's id, a time, a type and a value. */
         const val ELEMENTS = 4
 
-        /** A server's message about one topic is much shorter. */
+        /** The maximum length of a message; messages about one topic are much shorter. */
         const val MAX_MESSAGE = 1 shl 16
     }
 }

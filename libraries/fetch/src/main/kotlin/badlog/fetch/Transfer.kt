@@ -28,8 +28,8 @@ import java.time.Duration
 import java.time.Instant
 
 /**
- * Copies new logs to the folder of [options], and removes logs from the robot according to the options. Work done over one connection
- * is not repeated over the next.
+ * Copies new logs to the folder of [options], and removes logs from the robot according to the options. Work done over one connection is
+ * not repeated over the next.
  *
  * @param checkpoint called often; may throw to cancel.
  */
@@ -83,7 +83,7 @@ internal class Transfer(
         return found.size != log.size || found.modified != log.modified
     }
 
-    /** Returns those of [logs] that are not being written. */
+    /** Returns the [logs] that are not being written. */
     private fun settled(connection: RobotConnection, logs: List<RemoteLog>): List<RemoteLog> {
         if (logs.isEmpty()) return logs
         checkpoint()
@@ -117,13 +117,13 @@ internal class Transfer(
         done += log.path
     }
 
-    /** Makes the complete part a log. */
+    /** Turns the complete part into a log. */
     private fun keep(connection: RobotConnection, log: RemoteLog, whole: LogCopy.Whole) {
         val read = readLog(whole.part, LOG_FORMATS, ReadOptions(name = log.name))
         if (read is ReadResult.NotRead) {
             // Nothing else can be fetched either.
             if (read.cause == Cause.NO_ROOM) read.orThrow()
-            // It may be a good log: its copy stays as it is, and the next fetch tries it again.
+            // It may be a good log. Its copy stays unchanged, and the next fetch tries it again.
             if (read.cause == Cause.BUG) return skip(log.path, read.sentence)
         }
         val recording = (read as? ReadResult.Read)?.recording
@@ -145,8 +145,8 @@ internal class Transfer(
     }
 
     /**
-     * Makes [part], whose log is no longer on the robot, a log if any of it can be read; removes it if there is nothing in it. If neither
-     * is known, it stays, as the only copy of the log.
+     * Turns [part], whose log is no longer on the robot, into a log. Removes it if it contains no samples. If it cannot be read now, it
+     * stays, because it is the only copy.
      */
     private fun keepUnfinished(part: Path) {
         val read = readLog(part, LOG_FORMATS)
@@ -168,7 +168,7 @@ internal class Transfer(
         listener.skipped(options.folder.relativize(file).joinToString("/"), message, isGrowing = false)
     }
 
-    /** Returns when the robot says that the log began, in s since 1970 on the clock on the wall; null if it does not. */
+    /** Returns the start of the log, in s since 1970 on a wall clock here; null if unknown. */
     private fun startOf(recording: Recording): Long? = recording.values.find { it.name == START_VALUE }?.let { dateInText(it.text) }
 
     private fun matchOf(recording: Recording, name: String) = RuleSet.BUILT_IN.signals.matchOf(recording, name)
@@ -177,7 +177,7 @@ internal class Transfer(
     private fun isFormerWpilog(log: RemoteLog, recording: Recording) =
         recording.format == RecordingFormat.CSV && recording.isSalvaged && LogName.of(log.name).ending.equals(".wpilog", ignoreCase = true)
 
-    /** Moves [part] to [place], replacing its [former] copy, which was its beginning; beside any other log with the same name. */
+    /** Moves [part] to [place] and replaces its [former] copy, which it continues. It does not replace other logs with the same name. */
     private fun moveTo(part: Path, place: LogPlace, former: Path?): Path {
         val folder = place.folder?.let(options.folder::resolve) ?: options.folder
         writing(folder) { Files.createDirectories(folder) }
@@ -197,7 +197,7 @@ internal class Transfer(
 
     private fun isSame(part: Path, other: Path) = Files.isRegularFile(other) && Files.mismatch(part, other) < 0
 
-    /** Returns whether [whole] is [former], possibly with more bytes. */
+    /** Returns whether [whole] starts with the bytes of [former]. */
     private fun isBeginning(former: Path, whole: Path): Boolean {
         if (!Files.isRegularFile(former)) return false
         val differs = Files.mismatch(former, whole)
@@ -206,7 +206,7 @@ internal class Transfer(
 
     private fun deleteIfOld(connection: RobotConnection, log: RemoteLog, age: Duration) {
         val found = here.find(connection.robot, log.path)?.takeIf { it.size == log.size && it.modified == log.modified } ?: return
-        // A log with a wrong time counts as being as old as its copy here.
+        // A log with a wrong time counts as old as its copy here.
         val written = writtenAt(log) ?: Instant.ofEpochMilli(found.fetched)
         if (written > Instant.now().minus(age) || !here.isSafe(found)) return
         checkpoint()
@@ -239,10 +239,10 @@ internal class Transfer(
     private companion object {
         val LOST = setOf(SftpConstants.SSH_FX_NO_CONNECTION, SftpConstants.SSH_FX_CONNECTION_LOST)
 
-        /** Where loggers write: a USB stick's folders, and the homes of the robots' users. */
+        /** The folders into which loggers write: on a USB stick, and in the homes of the robots' users. */
         val FOLDERS = listOf("/u/logs", "/U/logs", "/V/logs", "/home/lvuser/logs", "/home/systemcore/logs", "/home/lvuser/log")
 
-        /** Where programs with the original badlog put their bags, beside other files: the user's home, and a USB stick. */
+        /** The folders with bags of the original badlog, beside other files: the user's home, and a USB stick. */
         val HOMES = listOf("/home/lvuser", "/media/sda1")
         val BELIEVABLE: Instant = Instant.parse("2015-01-01T00:00:00Z")
     }

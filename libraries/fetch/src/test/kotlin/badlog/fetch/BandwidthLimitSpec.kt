@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class BandwidthLimitSpec : FunSpec({
-    test("as many bytes come in a second as may, and what was not used is not saved up") {
+    test("the limit allows its bytes per second, and unused bandwidth is not saved up") {
         var now = 0L
         var slept = 0L
         val limit = BandwidthLimit(2_000_000, { now }) { millis ->
@@ -18,7 +18,7 @@ class BandwidthLimitSpec : FunSpec({
         slept shouldBe 6000
     }
 
-    test("without a limit nothing waits") {
+    test("without a limit there is no wait") {
         BandwidthLimit(null, { 0 }) { error("waits") }.spend(1_000_000)
     }
 })

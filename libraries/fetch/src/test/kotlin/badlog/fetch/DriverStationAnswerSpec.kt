@@ -11,7 +11,7 @@ import java.time.Duration
 
 private val PATIENCE = Duration.ofSeconds(60)
 
-/** What is learned from a Driver Station that answers with [body]. */
+/** Returns the address learned from a Driver Station that answers with [body]. */
 private fun learned(body: String, status: Int = 200): String? {
     val server = HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0)
     server.createContext("/ip") { exchange ->
@@ -28,12 +28,12 @@ private fun learned(body: String, status: Int = 200): String? {
 }
 
 class DriverStationAnswerSpec : FunSpec({
-    test("the Driver Station of 2027 knows its robot's address, as a text or a number") {
+    test("the 2027 Driver Station's answer is read, with the address as a text or a number") {
         learned("""{"robotIP":"172.26.0.1","fmsControlled":false}""") shouldBe "172.26.0.1"
         learned("""{"robotIP":168431106}""") shouldBe "10.10.14.2"
     }
 
-    test("without a robot, and for whatever another program answers, there is no address") {
+    test("an answer without a robot, or of another program, has no address") {
         for (answer in listOf("""{"robotIP":0}""", """{"robotIP":"0.0.0.0"}""", "{}", "[]", "", "<html>", """{"robotIP":{}}""", """{"robotIP":"10.1.2"}""", """{"robotIP":"evil.example"}""")) {
             learned(answer) shouldBe null
         }
@@ -45,7 +45,7 @@ class DriverStationAnswerSpec : FunSpec({
         robotOfDriverStation(PATIENCE, free) shouldBe null
     }
 
-    test("the address is tried first, unless it is that of another team's robot, or one was typed") {
+    test("the address is tried first, unless it belongs to another team's robot, or an address was typed") {
         RobotAddress.beside("1014", null) { "172.26.0.1" }.map { "$it" }.take(2) shouldContainExactly listOf("172.26.0.1", "10.10.14.2")
         RobotAddress.beside("1014", null) { "10.10.14.7" }.first().name shouldBe "10.10.14.7"
         for (other in listOf<String?>("10.2.54.2", "10.10.14.2", null)) {

@@ -30,7 +30,7 @@ class FetchOnWindowsSpec : FunSpec({
         }
     }
 
-    test("logs whose names Windows refuses, changes or takes for a device come under ordinary ones") {
+    test("logs with names that Windows refuses, changes or reserves get ordinary names") {
         inWindowsPit { pit, _, robot ->
             for (name in listOf("NUL.bag", "com1.csv", "a:b.csv", "what?.csv", " x .csv")) robot.log(name, "a,b\n${name.length},2\n")
             robot.log("CON.wpilog", matchBag(7).replace("MILLC", "AUX"))
@@ -42,7 +42,7 @@ class FetchOnWindowsSpec : FunSpec({
         }
     }
 
-    test("a log that has grown does not replace a copy that another program has open, and does when that has closed it") {
+    test("a log that has grown replaces its copy only once no other program has that open") {
         inWindowsPit { pit, windows, robot ->
             robot.log("match.bag", matchBag(1, rows = 2000))
             pit.fetch(robot)
@@ -62,7 +62,7 @@ class FetchOnWindowsSpec : FunSpec({
         }
     }
 
-    test("a copy that somebody has made read-only stays, and one sentence says so") {
+    test("a read-only copy stays, and is reported in one sentence") {
         inWindowsPit { pit, windows, robot ->
             robot.log("match.bag", matchBag(1, rows = 2000))
             pit.fetch(robot)
@@ -75,7 +75,7 @@ class FetchOnWindowsSpec : FunSpec({
         }
     }
 
-    test("a log that cannot be read, of a match beside another one, and the list of what is here, are written as elsewhere") {
+    test("unreadable logs, logs of a match that has one already, and the list of fetched logs are written as elsewhere") {
         inWindowsPit { pit, _, robot ->
             Files.createDirectories(pit.folder / "MILLC")
             (pit.folder / Q1).writeText("somebody's own")

@@ -32,7 +32,7 @@ private val LARGE = "a,b\n" + "1,2\n".repeat(500_000)
 /** A table of two rows, compressed with xz. */
 private val XZ_OF_TABLE = Base64.getDecoder().decode("/Td6WFoAAAFpIt42AgAhAQwAAACPmEGcAQALYSxiCjEsMgozLDQKAOXp1s4AASAMot20vJBCmQ0BAAAAAAFZWg==")
 
-/** Does [work] while Java's folder for temporary files is [folder]. */
+/** Runs [work] while Java's folder for temporary files is [folder]. */
 private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
     val before = System.setProperty("java.io.tmpdir", "$folder")
     try {
@@ -44,9 +44,9 @@ private fun withTemporaryFolder(folder: Path, work: () -> Unit) {
 
 @Tags("InCheck")
 class FetchTroubleSpec : FunSpec({
-    test("a connection that is lost in the middle is tried again, and the copy goes on where it was") {
+    test("a lost connection is retried, and the copy resumes") {
         inPit { pit, robot ->
-            // More than is requested ahead, so that something is left to be lost.
+            // More than is requested ahead, so that the connection is lost before the end.
             val content = LARGE.repeat(4)
             robot.log("log.csv", content)
             var isLost = false
@@ -64,7 +64,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a robot that falls silent is given up, without a log that is not whole; the next fetch goes on") {
+    test("a silent robot is given up without an incomplete log, and the next fetch resumes") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             val patience = Patience(
@@ -92,7 +92,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("an end of the program leaves a part, and the next fetch goes on with it") {
+    test("a fetch that ends early leaves a part, and the next fetch resumes it") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             class End : Exception()
@@ -101,12 +101,12 @@ class FetchTroubleSpec : FunSpec({
             val log = pit.fetch(robot).fetched.single()
             log.resumedAt shouldBeGreaterThan 300_000
             log.file.readText() shouldBe LARGE
-            // The first connection may be given what it requested ahead even after its end.
+            // The first connection may receive the bytes that it requested ahead even after its end.
             robot.servedByConnection.last() shouldBeLessThan LARGE.length.toLong()
         }
     }
 
-    test("a part of a log that was written anew is not gone on with") {
+    test("a part of a log that was rewritten is not resumed") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             class End : Exception()
@@ -126,7 +126,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a log that does not fit the disk is not begun") {
+    test("a log that does not fit the disk is not started") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             Files.createDirectories(pit.folder)
@@ -142,7 +142,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a disk that becomes full in the middle is reported, and the next fetch goes on with what has come") {
+    test("a disk that becomes full during a copy is reported, and the next fetch resumes") {
         inPit { pit, robot ->
             robot.log("log.csv", LARGE)
             Files.createDirectories(pit.folder)
@@ -152,7 +152,7 @@ class FetchTroubleSpec : FunSpec({
                     val copy = LogCopy(pit.folder, BandwidthLimit(null), room = { if (left < 1_000_000) left else 10_000_000 }, write = { file, bytes ->
                         if (bytes.remaining() > left) {
                             left = 0
-                            // As a system writes what still fits.
+                            // Like a system that writes the bytes that still fit.
                             file.write(bytes.limit(bytes.position() + 100))
                             throw IOException("No space left on device")
                         }
@@ -172,7 +172,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("the part of a log that has gone from the robot becomes a log of its own after a day, and one without anything goes") {
+    test("a day after its log was removed from the robot, a part becomes a log, or is removed if it has no samples") {
         inPit { pit, robot ->
             class End : Exception()
             fun cut(name: String, text: String) {
@@ -182,7 +182,7 @@ class FetchTroubleSpec : FunSpec({
             }
             cut("log.csv", LARGE)
             pit.fetch(robot)
-            // The robot's stick may be out for a while.
+            // The robot's stick may be removed for a while.
             pit.parts() shouldHaveSize 1
             cut("noise.csv", "\u0000".repeat(2_000_000))
             for (part in pit.parts()) Files.setLastModifiedTime(pit.folder / part, FileTime.from(Instant.now().minus(Duration.ofHours(25))))
@@ -195,7 +195,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a log that finds no room for temporary files stays a part, also when it has gone from the robot, until it can be read") {
+    test("a log without room for temporary files stays a part until it can be read, also if the robot no longer has it") {
         inPit { pit, robot ->
             val log = robot.log("log.wpilogxz", XZ_OF_TABLE)
             val missing = pit.folder / "gone"
@@ -218,7 +218,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("names that reach elsewhere, break lines or cannot be on this system stay in the folder") {
+    test("names with paths, with line breaks, or invalid on this system stay in the folder") {
         inPit { pit, robot ->
             robot.log("two\nlines.csv", "a,b\n3,4\n")
             robot.log("CON.csv", "a,b\n5,6\n")
@@ -235,7 +235,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("10,000 logs are listed, and those that are here do not come again") {
+    test("10,000 logs are listed, and those already here are not fetched again") {
         inPit { pit, robot ->
             val names = (0 until 10_000).map { "log$it.csv" }
             for (name in names) robot.log(name, "")
@@ -250,7 +250,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a list of fetched logs with half a line is read and gone on with") {
+    test("a list of fetched logs that ends in half a line is read and continued") {
         inPit { pit, robot ->
             robot.log("a.csv", "a,b\n1,2\n")
             pit.fetch(robot)
@@ -261,7 +261,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("two programs do not fetch into one folder at a time") {
+    test("two programs cannot fetch into one folder at the same time") {
         inPit { pit, robot ->
             FetchedLogs.open(pit.folder).use {
                 shouldThrow<NoRoomException> { pit.fetch(robot) }.message shouldContain "Another badlog is fetching into"
@@ -269,7 +269,7 @@ class FetchTroubleSpec : FunSpec({
         }
     }
 
-    test("a folder that is a file is one sentence") {
+    test("a file in place of the folder is reported in one sentence") {
         inPit { pit, robot ->
             pit.folder.writeText("")
             shouldThrow<UnwritableFileException> { pit.fetch(robot) }.message shouldContain "is a file, not a folder; rename that file."

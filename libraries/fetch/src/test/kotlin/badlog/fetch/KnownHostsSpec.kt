@@ -10,7 +10,7 @@ import java.nio.file.Files
 class KnownHostsSpec : FunSpec({
     val robot = RobotAddress.of("10.10.14.2").single()
 
-    test("a key that cannot be stored is an error, or trusted until the program ends if that is wanted") {
+    test("a key that cannot be stored is an error, or is trusted until the program ends if the caller wants that") {
         val file = Files.createFile(tempdir().toPath().resolve("home")).resolve("known_hosts")
         shouldThrow<UnwritableFileException> { KnownHosts(file).trust(robot, "ssh-rsa one") }
         val notStored = ArrayList<UnwritableFileException>()

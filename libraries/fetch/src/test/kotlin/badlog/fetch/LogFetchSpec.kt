@@ -36,10 +36,10 @@ internal class Pit(private val work: Path) {
 
     fun options(deleteOlderThan: Duration? = null, anyway: Boolean = true, password: String? = null, accepts: Boolean = false, folders: List<String>? = null) = FetchOptions(folder, folders, anyway, deleteOlderThan = deleteOlderThan, password = password, acceptsNewHostKeys = accepts)
 
-    /** All logs here, seen from the folder. */
+    /** Returns all logs here, relative to the folder. */
     fun logs(): List<String> = files().filter { !it.substringAfterLast('/').startsWith(".") }
 
-    /** What is hidden besides the list of fetched logs. */
+    /** Returns the hidden files besides the list of fetched logs. */
     fun parts(): List<String> = files().filter { it.endsWith(".part") }
 
     private fun files() = Files.walk(folder).use { all ->
@@ -56,16 +56,16 @@ internal fun inPit(robotKey: KeyPair = FakeRobot.newKey(), passwords: Map<String
     }
 }
 
-/** Symbolic links: on Windows only administrators make them. */
+/** Symbolic links: on Windows only administrators can create them. */
 private val IF_LINKS =
     if (File.separatorChar == '/') Enabled.enabled else Enabled.disabled("Windows makes symbolic links for administrators only")
 
-/** Whether this thread waits within [function] of [type]. */
+/** Returns whether this thread waits within [function] of [type]. */
 private fun Thread.isIn(type: Class<*>, function: String) = state == Thread.State.WAITING && stackTrace.any { it.className == type.name && it.methodName == function }
 
 @Tags("InCheck")
 class LogFetchSpec : FunSpec({
-    test("logs come whole, the newest first, sorted by event and named by match, and the robot keeps them") {
+    test("complete logs are fetched, the newest first, sorted by event and named by match, and the robot keeps them") {
         inPit { pit, robot ->
             robot.log("match.bag", matchBag(42), secondsAgo = 100)
             robot.log("FRC_20260316_104107_MILLC_Q41.bag", matchBag(41), secondsAgo = 900)
@@ -85,7 +85,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("only what is new comes, also when a log was removed here") {
+    test("only new logs are fetched, also if a log was removed here") {
         inPit { pit, robot ->
             robot.log("a.bag", matchBag(1))
             pit.fetch(robot)
@@ -97,7 +97,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a log that another one replaced on the robot comes as another one, and one that has grown takes its place") {
+    test("a log replaced on the robot is a second log here, and a log that has grown replaces its copy") {
         inPit { pit, robot ->
             robot.log("match.bag", matchBag(1, rows = 2000))
             pit.fetch(robot)
@@ -113,7 +113,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("two robots' logs of the same name are both kept, and the same log from two places once") {
+    test("two robots' logs of the same name are both kept, and the same log from two robots once") {
         inPit { pit, one ->
             inPit { other, two ->
                 one.log("log.csv", "a,b\n1,2\n")
@@ -128,7 +128,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a log that grows is left for later") {
+    test("a growing log is skipped") {
         inPit { pit, robot ->
             val log = robot.log("now.bag", matchBag(1))
             robot.log("before.bag", matchBag(2))
@@ -147,7 +147,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a log that grows while it is copied is left for later, and its part is gone on with") {
+    test("a log that grows during its copy is skipped, and its part is resumed") {
         inPit { pit, robot ->
             val log = robot.log("now.csv", "a,b\n" + "1,2\n".repeat(50_000))
             robot.beforePiece = { before -> if (before == 0L) log.appendText("3,4\n") }
@@ -159,7 +159,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a file that is not a log is copied too, and the result says that it is none") {
+    test("a file that is not a log is copied, too, and reported as such") {
         inPit { pit, robot ->
             robot.log("broken.wpilog", ByteArray(500))
             pit.fetch(robot).fetched.single().isLog shouldBe false
@@ -167,7 +167,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("nothing is removed from the robot but what is old and safely here") {
+    test("only logs that are old and safely here are removed from the robot") {
         inPit { pit, robot ->
             val day = 24 * 3600L
             robot.log("old.csv", "a,b\n1,2\n", 20 * day)
@@ -185,7 +185,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a known robot is not asked about again, whatever its address; a changed key is called so") {
+    test("there is no second question about a known robot at any address, and a changed key is reported as changed") {
         val disk = Files.createTempDirectory("badlog")
         try {
             val pit = Pit(disk)
@@ -205,7 +205,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a robot that nobody trusts gets no password") {
+    test("a robot that is not trusted gets no password") {
         inPit { pit, robot ->
             val error = shouldThrow<HostKeyRefusedException> { pit.fetch(robot, person = FetchQuestions.NOBODY) }
             error.message shouldContain "The host key of 10.10.14.2 is unknown (SHA256:"
@@ -216,7 +216,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("users are tried in their order, then a person is asked for the password, which no text shows") {
+    test("users are tried in their order, then a person is asked for the password, which appears in no text") {
         inPit(passwords = mapOf("systemcore" to "systemcore")) { pit, robot ->
             pit.fetch(robot).user shouldBe "systemcore"
             robot.users.distinct() shouldContainExactly listOf("lvuser", "systemcore")
@@ -233,7 +233,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("the first address that answers is taken, and where none does, all are named") {
+    test("the first address that answers is used, and if none does, the error names all") {
         inPit { pit, robot ->
             val none = RobotAddress("127.0.0.1", listOf(Login("lvuser", "")), port = 1, name = "robot.local")
             LogFetch(listOf(none, robot.address()), pit.options(), pit.hosts, pit.person, IMPATIENCE).run(FetchReports()).address.name shouldBe "10.10.14.2"
@@ -242,7 +242,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("nothing comes while the robot is enabled, and a copy that is interrupted goes on where it was") {
+    test("nothing is fetched while the robot is enabled, and an interrupted copy resumes") {
         inPit { pit, robot ->
             DriverStation().use { station ->
                 val content = "a,b\n" + "1,2\n".repeat(100_000)
@@ -277,7 +277,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("a robot that does not say whether it is enabled is left alone") {
+    test("a robot that does not report whether it is enabled gets no login") {
         inPit { pit, robot ->
             robot.log("a.csv", "a,b\n1,2\n")
             val error = shouldThrow<UnknownStateException> { pit.fetch(robot, options = pit.options(anyway = false)) }
@@ -286,7 +286,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("the bags of programs with the original badlog are found in its folder, in the home and on the stick, and named by their values and times") {
+    test("bags of programs with the original badlog are found in its folder, the home and the stick, and named by values and times") {
         inPit { pit, robot ->
             fun bag(match: String, start: String) = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]}],\"values\":[{\"name\":\"Start Time\",\"value\":\"$start\"}," +
                 "{\"name\":\"Event Name\",\"value\":\"\"},{\"name\":\"Match Type\",\"value\":\"None\"},{\"name\":\"Match Number\",\"value\":\"$match\"}]}\nTime\n1\n2\n"
@@ -300,7 +300,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("all folders are looked into once, with those inside").config(enabledOrReasonIf = { IF_LINKS }) {
+    test("each folder is searched once, with its subfolders").config(enabledOrReasonIf = { IF_LINKS }) {
         inPit { pit, robot ->
             val log = robot.log("practice/a.csv", "a,b\n1,2\n")
             Files.createSymbolicLink(log.parent.parent.parent / "again", log.parent.parent)

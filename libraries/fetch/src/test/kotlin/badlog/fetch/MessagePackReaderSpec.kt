@@ -18,14 +18,14 @@ class MessagePackReaderSpec : FunSpec({
             listOf(7L, 255L, 0x1234L, 0xFF000001L, 0x1_0000_0000L, -128L, -2L, -1L, -16L, -1L)
     }
 
-    test("a struct of 64 bits is read as the whole number that it is, from its lowest byte on") {
+    test("a struct of 64 bits is read as a whole number, lowest byte first") {
         val reader = reader(0xC4, 8, 1, 2, 3, 4, 5, 6, 7, 0x24, 0x07, 0xC4, 2, 1, 1)
         reader.word() shouldBe 0x2407060504030201L
         reader.word() shouldBe 7L
         reader.word() shouldBe null
     }
 
-    test("anything else is neither") {
+    test("anything else is null") {
         reader(0xCB, 0, 0, 0, 0, 0, 0, 0, 0).number() shouldBe null
         reader(0xA1, 0x61).number() shouldBe null
         reader(0x81, 1, 2).arraySize() shouldBe null

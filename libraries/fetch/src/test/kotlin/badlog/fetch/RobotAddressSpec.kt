@@ -27,7 +27,7 @@ class RobotAddressSpec : FunSpec({
         }
     }
 
-    test("an address stands for itself, with a user and a port where they are typed") {
+    test("an address stands for itself, with its user and port if there are any") {
         names("10.10.14.2") shouldContainExactly listOf("lvuser+systemcore@10.10.14.2")
         names("pit@robot.local:2222") shouldContainExactly listOf("pit@robot.local:2222")
         names("[fe80::1%eth0]:22") shouldContainExactly listOf("lvuser+systemcore@[fe80::1%eth0]")
@@ -35,7 +35,7 @@ class RobotAddressSpec : FunSpec({
         RobotAddress.of("1014", user = "me").first().logins.single().password shouldBe ""
     }
 
-    test("what is neither is refused in one sentence") {
+    test("text that is neither a team nor an address is refused in one sentence") {
         for (robot in listOf("0", "-1", "25600", "", "a b", "x:y", "host:99999", "../x", "a@b@c", "-host")) {
             shouldThrow<IllegalArgumentException> { RobotAddress.of(robot) }.message!! shouldContain "“$robot”"
         }

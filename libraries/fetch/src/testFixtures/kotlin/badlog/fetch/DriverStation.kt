@@ -12,7 +12,7 @@ import badlog.signals.withSignals
 class DriverStation : AutoCloseable {
     private val server = ReplayServer(view(), ReplayOptions(port = 0)).apply { open() }
 
-    /** Where the robot's NetworkTables answer. */
+    /** The port of the robot's NetworkTables. */
     val port: Int get() = server.port
 
     /** Whether the robot is enabled; disabled at first. */

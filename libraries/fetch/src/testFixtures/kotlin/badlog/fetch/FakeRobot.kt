@@ -27,7 +27,7 @@ import java.util.concurrent.atomic.AtomicLong
  * @param key its host key.
  */
 class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val passwords: Map<String, String> = mapOf("lvuser" to "")) : AutoCloseable {
-    /** When it was switched on. */
+    /** The time when it was switched on. */
     val start: Instant = Instant.now().truncatedTo(ChronoUnit.SECONDS)
 
     private val sftp = SftpSubsystemFactory()
@@ -36,32 +36,32 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
     private val servedBySession = Collections.synchronizedMap(LinkedHashMap<ServerSession, Long>())
     private val silence = CountDownLatch(1)
 
-    /** After so many bytes of logs all connections end, once. */
+    /** The number of bytes of logs after which all connections end, once. */
     @Volatile
     var endsAfter = Long.MAX_VALUE
 
-    /** After so many bytes of logs it says nothing any longer. */
+    /** The number of bytes of logs after which it stops answering. */
     @Volatile
     var stallsAfter = Long.MAX_VALUE
 
-    /** Is called before each piece of a log is given, with how many bytes were. */
+    /** Called before each piece of a log is sent, with the number of bytes sent so far. */
     @Volatile
     var beforePiece: (Long) -> Unit = {}
 
-    /** What it calls a file of its disk in a listing, in place of its name. */
+    /** Returns the name of a file of its disk in a listing, in place of its own name. */
     @Volatile
     var nameInListing: (String) -> String = { it }
 
-    /** The users who tried to get in. */
+    /** The users who tried to log in. */
     val users: MutableList<String> = Collections.synchronizedList(ArrayList())
 
-    /** How many bytes of logs were given. */
+    /** The number of bytes of logs sent. */
     val servedBytes: Long get() = served.get()
 
-    /** How many bytes of logs each connection was given that asked for some, in their order. */
+    /** The numbers of bytes of logs sent over each connection that requested any, in their order. */
     val servedByConnection: List<Long> get() = synchronized(servedBySession) { servedBySession.values.toList() }
 
-    /** How many are connected. */
+    /** The number of open connections. */
     val connections: Int get() = server.activeSessions.size
 
     val port: Int get() = server.port
@@ -95,10 +95,10 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
         server.start()
     }
 
-    /** Puts a log named [name] with [content] on its disk, written so many [secondsAgo], seen from its [start]. */
+    /** Writes a log named [name] with [content] to its disk, last written [secondsAgo] before its [start]. */
     fun log(name: String, content: String, secondsAgo: Long = 3600): Path = log(name, content.encodeToByteArray(), secondsAgo)
 
-    /** Puts a log named [name] with [content] on its disk, written so many [secondsAgo], seen from its [start]. */
+    /** Writes a log named [name] with [content] to its disk, last written [secondsAgo] before its [start]. */
     fun log(name: String, content: ByteArray, secondsAgo: Long = 3600): Path {
         val file = disk.resolve("home/lvuser/logs").resolve(name)
         Files.createDirectories(file.parent)
@@ -107,7 +107,7 @@ class FakeRobot(private val disk: Path, key: KeyPair = newKey(), private val pas
         return file
     }
 
-    /** Returns where it answers. */
+    /** Returns its address. */
     fun address(networkTablesPort: Int = 1, name: String = "10.10.14.2"): RobotAddress = RobotAddress("127.0.0.1", listOf(Login("lvuser", ""), Login("systemcore", "systemcore")), port, networkTablesPort, name)
 
     private fun give(session: ServerSession, size: Int) {

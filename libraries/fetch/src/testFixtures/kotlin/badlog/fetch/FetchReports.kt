@@ -2,7 +2,7 @@ package badlog.fetch
 
 import java.time.Duration
 
-/** What a fetch said, in its order. */
+/** The reports of a fetch, in their order. */
 class FetchReports(private val onWaiting: () -> Unit = {}, private val onProgress: (Long) -> Unit = {}) : FetchListener {
     val said = ArrayList<String>()
 

@@ -14,14 +14,13 @@ import java.io.IOException
 /**
  * Copies [bitmap] to the system's [clipboard].
  *
- * @throws IOException with a sentence for the user, if there is none or another program holds it.
+ * @throws IOException with a sentence for the user, if the clipboard is missing, or another program is using it.
  */
 internal fun copyImage(bitmap: ImageBitmap, clipboard: () -> Clipboard = ::systemClipboard) = copyImage(bitmap.toAwtImage(), clipboard)
 
-/** Returns the system's clipboard. */
 internal fun systemClipboard() = Toolkit.getDefaultToolkit().systemClipboard
 
-/** Copies [image] to the [clipboard] likewise. */
+/** Copies [image] to the [clipboard], like the other function. */
 internal fun copyImage(image: Image, clipboard: () -> Clipboard) {
     try {
         clipboard().setContents(Picture(image), null)

@@ -13,10 +13,10 @@ import org.jetbrains.skia.Surface
 import java.io.IOException
 import java.nio.file.Path
 
-/** How many pixels a picture has for each point: sharp in print, and on screens of a high density. */
+/** The number of pixels of a picture for each point: sharp in print, and on screens of a high density. */
 internal const val PICTURE_SCALE = 2
 
-/** Returns the drawing of [graphs] as a document of SVG. */
+/** Returns the drawing of [graphs] as an SVG document. */
 internal fun svgOf(figure: LogFigure, graphs: List<BoardGraph>): String = onSurface(1, 1) { ruler ->
     val pen = SvgPen(ruler::widthOf)
     val sheet = Sheet(figure.width, pen).also { figure.draw(it, graphs) }
@@ -29,7 +29,7 @@ internal fun svgOf(figure: LogFigure, graphs: List<BoardGraph>): String = onSurf
  * @throws IOException with a sentence for the user, if it would be too large.
  */
 internal fun imageOf(figure: LogFigure, graphs: List<BoardGraph>, scale: Int = PICTURE_SCALE): Image {
-    // Its height is known only after drawing.
+    // The height is known only after drawing.
     val height = onSurface(1, scale) { pen -> Sheet(figure.width, pen).also { figure.draw(it, graphs) }.height }
     if (height * figure.width * scale * scale > MAX_PIXELS) {
         throw IOException("The picture would be too large; select fewer graphs, or SVG.")
@@ -43,7 +43,11 @@ internal fun imageOf(figure: LogFigure, graphs: List<BoardGraph>, scale: Int = P
     }
 }
 
-/** Writes the drawing of [graphs] to [file]. */
+/**
+ * Writes the drawing of [graphs] to [file].
+ *
+ * @throws IOException with a sentence for the user, if none of [graphs] has a line, or the picture would be too large.
+ */
 internal fun writeFigure(figure: LogFigure, graphs: List<BoardGraph>, format: FigureFormat, file: Path) {
     if (figure.drawable(graphs).isEmpty()) throw IOException("None of the selected graphs has a line in this log; select others.")
     val bytes = when (format) {

@@ -32,7 +32,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import badlog.window.theme.ToolButton
 
-/** The panel for saving a figure: which graphs, what size, and which format. */
+/** The panel for saving a figure: its graphs, size, and format. */
 @Composable
 internal fun FigurePanel(graphs: List<BoardGraph>, save: (List<BoardGraph>, FigureOptions) -> Unit, close: () -> Unit) {
     var selected by remember { mutableStateOf(graphs.take(SELECTED_FIRST).map { it.id }.toSet()) }
@@ -91,8 +91,8 @@ private fun <T> Choice(title: String, all: List<T>, selected: T, name: (T) -> St
 private val WIDTHS = listOf(600, 900, 1400)
 private val HEIGHTS = listOf(100, 150, 240)
 
-/** More graphs do not fit on a page of a report. */
+/** The number of graphs selected at first; more do not fit on a page of a report. */
 private const val SELECTED_FIRST = 6
 
-/** Nobody reads a longer list; for others, remove graphs in the window first. */
+/** The largest number of graphs to select from; for others, remove graphs in the window first. */
 private const val MAX_OFFERED = 200

@@ -47,10 +47,10 @@ internal class FigureSaver(
         }
     }
 
-    /** Copies the picture of the first of [graphs], as many as can be read. */
+    /** Copies the picture of the first of [graphs], as many as stay readable. */
     fun copyShown(graphs: List<BoardGraph>) = copy(graphs.take(MAX_COPIED))
 
-    /** Draws [graphs] as a figure of the visible range, and puts its picture onto the [clipboard], the system's. */
+    /** Draws [graphs] as a figure of the visible range, and copies its picture to the [clipboard]. */
     fun copy(graphs: List<BoardGraph>, clipboard: () -> Clipboard = ::systemClipboard) {
         if (current.recording == null) return sayNoLog(notices)
         if (graphs.isEmpty()) return
@@ -72,7 +72,7 @@ internal class FigureSaver(
         findings.state.list?.timeline,
         notes.all.map { it.x },
         board.state.graphs,
-        // The pointer's accidental place does not belong in a figure.
+        // The pointer's place is accidental, and does not belong in a figure.
         view.cursors.withoutPointer,
     )
 

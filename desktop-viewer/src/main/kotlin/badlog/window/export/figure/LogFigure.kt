@@ -38,16 +38,16 @@ import badlog.window.graph.xy.xyPictureOf
 import badlog.window.theme.Palette
 
 /**
- * A picture of graphs below one another over the same x, with everything that can be read in it: what [recordings] have in the range [x],
- * each moved by its offset; the first is the open one. It has as many points as its width can show, however long the recording is.
+ * A picture of graphs below one another over the same range of [x], with everything that can be read in it. The first of [recordings] is
+ * the open one; each is moved by its offset. The picture has as many points as its width can show, however long the recordings are.
  *
  * @property width its width in points.
  * @param graphHeight the height of a graph's lines in points.
  * @param events the events of the open recording to mark.
  * @param findings its findings, if known.
- * @param notes where a person wrote a note, on its x.
- * @param board all graphs of the screen: some may share y limits with those in the figure.
- * @param cursors where on the open recording's x values are read for the legends.
+ * @param notes the x of each note.
+ * @param board all graphs of the screen: some may share y limits with graphs in the figure.
+ * @param cursors the cursors on the open recording's x, where values are read for the legends.
  */
 internal class LogFigure(
     private val recordings: List<DrawnRecording>,
@@ -64,14 +64,12 @@ internal class LogFigure(
     private val colors = PenColors.LIGHT
     private val curves = CurveCache()
 
-    /** Returns those of [graphs] that have a line in any of the recordings. */
+    /** Returns the [graphs] that have a visible line in any of the recordings. */
     fun drawable(graphs: List<BoardGraph>): List<BoardGraph> = graphs.filter { graph ->
         if (graph.isXy) !xyPictureOf(graph, recordings).isEmpty else drawnLines(graph, recordings).any { it.signal.name !in graph.hidden }
     }
 
-    /**
-     * Draws [graphs] on [sheet]. It reads samples, so do not use it on the window's thread; interrupting its thread stops it.
-     */
+    /** Draws [graphs] on [sheet]. Reads samples: call it off the window's thread. Interrupting its thread stops it. */
     fun draw(sheet: Sheet, graphs: List<BoardGraph>) {
         val title = recordings.joinToString(" · ") { it.name }
         val texts = FigureNotes.of("${open.file.fileName}", open.view.xAxis, x, cursors, open.clocks, findings)
@@ -96,7 +94,7 @@ internal class LogFigure(
         sheet.xTitle(open.view.xAxis.title)
     }
 
-    /** Returns what [graph] shows in [frame], with places measured from the edge of the sheet. */
+    /** Returns the picture of [graph] in [frame], with places measured from the edge of the sheet. */
     private fun pictureOf(graph: BoardGraph, frame: PlotFrame, density: Double): PlotPicture {
         val sharing = if (graph.sharesY) board.filter { it.sharesY && it.id != graph.id && !it.isXy } else emptyList()
         val (width, height) = frame.width.toInt() to frame.height.toInt()
@@ -106,7 +104,7 @@ internal class LogFigure(
         return picture
     }
 
-    /** Returns the legend of [lines]; none for a single line under its own name. */
+    /** Returns the legend of [lines]; empty for a single line with the graph's name, unless there is a cursor. */
     private fun legendOf(graph: BoardGraph, lines: List<DrawnLine>): List<LegendEntry> {
         val isNamed = lines.singleOrNull()?.signal?.name.let { it != null && (it == graph.title || it.endsWith("/" + graph.title)) }
         if (isNamed && cursors.x == null) return emptyList()

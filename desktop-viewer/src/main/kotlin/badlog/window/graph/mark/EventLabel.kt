@@ -19,9 +19,7 @@ import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.labelFrame
 
-/**
- * The text of the note or event near the pointer, or else near the cursor, at its place above the graphs, which stay visible.
- */
+/** The text of the note or event near the pointer, or otherwise near the cursor, above the graphs, which stay visible. */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
     val event by remember(scene) { derivedStateOf { scene.view.cursors.pointed?.let { saidAt(it, scene) } } }
@@ -36,7 +34,7 @@ internal fun EventLabel(scene: GraphScene) {
                     layout(constraints.maxWidth, label.height) {
                         val x = pixelOf(shown.x, scene.view.viewport.visible, constraints.maxWidth.toFloat())
                         val beside = SIDE.dp.roundToPx()
-                        // On the other side if there is no room.
+                        // The label is on the other side if this one has too little room.
                         val left = if (x + beside + label.width <= constraints.maxWidth) x + beside else x - beside - label.width
                         label.place(left.toInt().coerceAtLeast(0), -label.height)
                     }

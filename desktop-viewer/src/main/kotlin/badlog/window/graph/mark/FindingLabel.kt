@@ -24,7 +24,7 @@ import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.labelFrame
 
-/** The text of the finding under the pointer, or else of the one at which the cursor was placed, above its mark. */
+/** The text of the finding under the pointer, or otherwise at the pinned cursor, above its mark. */
 @Composable
 internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
     val shown by remember(scene) {
@@ -51,7 +51,7 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
                 }
                 .labelFrame(palette.findingColor(finding.severity)),
         ) {
-            // Somebody who opened an incident sees all of it, not only what came first.
+            // A person who opened an incident sees all of it, not only its first finding.
             val incident = scene.findings.state.list?.incidentOf(finding)?.takeIf {
                 scene.findings.state.pointed == null &&
                     it.sentences[0].finding === finding && span.from == finding.time
@@ -71,8 +71,8 @@ internal fun FindingLabel(scene: GraphScene, modifier: Modifier) {
 }
 
 /**
- * Returns the width of a label that does not cover pixels [from] to [to] of [room]: at most [most], and as wide as the wider side if that
- * is at least [least].
+ * Returns the width of a label that does not cover pixels [from] to [to] of [room]. It is the width of the wider side, but at most [most];
+ * if that side is narrower than [least], it is [most].
  */
 internal fun widthBeside(from: Int, to: Int, room: Int, gap: Int, least: Int, most: Int): Int {
     val wider = maxOf(minOf(from, room), room - maxOf(to, 0)) - gap
@@ -80,8 +80,8 @@ internal fun widthBeside(from: Int, to: Int, room: Int, gap: Int, least: Int, mo
 }
 
 /**
- * Returns where a label of [width] begins that does not cover pixels [from] to [to] of [room]: to the right, or else to the left; if
- * neither has room, on the side with more.
+ * Returns the left edge of a label of [width] that does not cover pixels [from] to [to] of [room]. The label is to the right, or otherwise
+ * to the left; if neither has room, on the side with more.
  */
 internal fun besides(from: Int, to: Int, width: Int, room: Int, gap: Int): Int {
     val left = from - gap - width

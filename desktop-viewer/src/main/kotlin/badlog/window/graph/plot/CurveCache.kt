@@ -9,8 +9,8 @@ import java.util.WeakHashMap
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * What is calculated once for each signal and then used for every zoom. It is released with its recording. Use it on any thread
- * except the window's, because the first use of a signal takes a while.
+ * The curves and states of each signal, calculated once and used for every zoom. They are released with their recording. Use it on any
+ * thread except the window's, because the first use of a signal takes a while.
  */
 internal class CurveCache {
     private class OfRecording {

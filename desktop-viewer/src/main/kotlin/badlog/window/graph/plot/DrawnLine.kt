@@ -12,10 +12,9 @@ import badlog.window.log.OpenRecording
 /**
  * One line on the screen: a signal of a recording.
  *
- * @property offset what is added to the recording's x to get the window's x.
+ * @property offset the number added to the recording's x to get the window's x.
  * @property color the index of its color in the palette, from 0.
- * @property title its name in the graph: only as much of its path as distinguishes it from the other lines; in brackets if it was
- * calculated.
+ * @property title its name in the graph: the part of its path that distinguishes it from the other lines; in brackets if it was calculated.
  * @property label an addition to the signal's name in the legend, if that is not enough; otherwise null.
  */
 internal data class DrawnLine(

@@ -10,8 +10,7 @@ import org.jetbrains.skia.Rect
 import org.jetbrains.skia.SamplingMode
 
 /**
- * Draws the lines of [picture] within [frame], with what that shows now. A picture made for another part of x is stretched to fit, until
- * the requested one is ready.
+ * Draws the lines of [picture] within [frame]. A picture made for another part of x is stretched to fit, until the requested one is ready.
  */
 internal fun DrawScope.drawLines(picture: PlotPicture, frame: PlotFrame) {
     val image = picture.image ?: return
@@ -28,10 +27,10 @@ internal fun DrawScope.drawLines(picture: PlotPicture, frame: PlotFrame) {
     }
 }
 
-/** Returns the frame that fills this scope, and shows [shown]. */
+/** Returns the frame that fills this scope and shows [shown]. */
 internal fun DrawScope.frameOf(shown: Span): PlotFrame = PlotFrame(0.0, 0.0, size.width.toDouble(), size.height.toDouble(), shown)
 
-/** Returns where [x] is on [width] pixels that show [visible]. */
+/** Returns the pixel of [x] on [width] pixels that show [visible]. */
 internal fun pixelOf(x: Double, visible: Span, width: Float): Float = ((x - visible.from) / visible.width * width).toFloat()
 
 private const val MAX_STRETCH = 64

@@ -10,8 +10,8 @@ import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.withContext
 
 /**
- * Keeps the picture of [state] up to date with [request]; null leaves it unchanged. It is made off the window's thread; while
- * one is being made, only the latest of further requests is kept.
+ * Keeps the picture of [state] up to date with [request]; a null request leaves it unchanged. Pictures are made off the window's thread; of
+ * the requests in the meantime, only the latest is kept.
  */
 @Composable
 internal fun PictureEffect(state: PlotState, curves: CurveCache, request: () -> PlotRequest?) {
@@ -20,10 +20,10 @@ internal fun PictureEffect(state: PlotState, curves: CurveCache, request: () -> 
         snapshotFlow { latest() }.conflate().collect { wanted ->
             if (wanted != null && wanted != state.picture?.request) {
                 val before = state.picture
-                // The old picture replaces the new one only if it shows the same lines.
+                // The old picture stays until then only if it shows one of the same lines.
                 if (before != null && before.request.spec.lines.none { it in wanted.spec.lines }) state.picture = null
                 state.picture = withContext(Dispatchers.Default) { makePicture(wanted, curves) }
-                // Sixty images per second would fill the memory long before the garbage collector frees them.
+                // Images of sixty frames per second would fill the memory long before the garbage collector frees them.
                 before?.image?.close()
             }
         }

@@ -11,12 +11,12 @@ import badlog.viewer.draw.lane.LaneBlocks
 import badlog.viewer.draw.plot.PlotLane
 import badlog.viewer.draw.plot.plotOf
 
-/** The maximum number of lines and lanes in a graph; nobody can distinguish more. */
+/** The maximum number of lines and lanes in a graph; a person cannot distinguish more. */
 internal const val MAX_LINES = 64
 
 /**
- * Returns everything to be drawn for [request]; with an image of its lines for the screen if it [hasImage]. It takes a while, so do not use
- * it on the window's thread.
+ * Returns the picture for [request], with an image of its lines for the screen if [hasImage]. It takes a while: call it off the window's
+ * thread.
  */
 internal fun makePicture(request: PlotRequest, curves: CurveCache, hasImage: Boolean = true): PlotPicture {
     val (states, numbers) = shownLines(request.spec, request).partition { it.signal.states != null }
@@ -36,7 +36,7 @@ private fun strokesOf(numbers: List<DrawnLine>, request: PlotRequest, curves: Cu
 
 private fun seen(numbers: List<DrawnLine>, strokes: List<Strokes>) = seenOn(graphAxes(numbers.map { it.signal.unit }), strokes)
 
-/** Returns what is visible of each unit in [spec], another graph that shares the y limits. */
+/** Returns the visible range of each unit in [spec], another graph that shares the y limits. */
 private fun seenIn(spec: BoardGraph, request: PlotRequest, curves: CurveCache): List<SeenOfUnit> {
     val numbers = shownLines(spec, request).filter { it.signal.states == null }
     return seen(numbers, strokesOf(numbers, request, curves))

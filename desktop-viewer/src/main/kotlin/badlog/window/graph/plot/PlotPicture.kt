@@ -6,9 +6,9 @@ import org.jetbrains.skia.Image
 /**
  * A graph ready to be drawn: only pixels, with nothing left to calculate.
  *
- * @property request what it was made for.
- * @property plot what a pen draws.
- * @property lines the lines of numbers, in the order of those in [plot].
+ * @property request the request it was made for.
+ * @property plot the plot for a pen.
+ * @property lines the lines of numbers, in the same order as in [plot].
  * @property lanes the lanes of states, below the lines.
  * @property image the drawn lines; null if there are none.
  */
@@ -26,7 +26,7 @@ internal class PlotPicture(
     operator fun contains(line: DrawnLine): Boolean = line in lines || line in lanes
 }
 
-/** Returns the text beside the lane of [line], one of [all]: with several recordings, each has a lane with the same name. */
+/** Returns the text beside the lane of [line], one of [all]: its title, its recording's name, or both. */
 internal fun laneName(line: DrawnLine, all: List<DrawnLine>): String {
     val label = line.label?.take(MAX_LETTERS) ?: return line.title.take(MAX_LETTERS)
     return if (all.all { it.signal.name == line.signal.name }) label else "${line.title.take(MAX_LETTERS)} · $label"

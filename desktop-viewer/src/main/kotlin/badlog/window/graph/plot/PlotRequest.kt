@@ -7,7 +7,7 @@ import badlog.window.compare.DrawnRecording
 import badlog.window.theme.Palette
 
 /**
- * What a graph's picture is to show.
+ * A request for a graph's picture.
  *
  * @property spec the graph.
  * @property recordings the recordings it shows.

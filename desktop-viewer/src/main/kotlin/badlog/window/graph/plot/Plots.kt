@@ -7,7 +7,7 @@ import androidx.compose.ui.unit.IntSize
 import badlog.core.analysis.Span
 import badlog.window.compare.DrawnRecording
 
-/** What a graph on the screen has: its size, and its latest picture. */
+/** A graph on the screen: its size, and its latest picture. */
 internal class PlotState {
     /** The size for lines and lanes, in physical pixels; zero until it is known. */
     var size: IntSize by mutableStateOf(IntSize.Zero)
@@ -35,8 +35,8 @@ internal class Plots {
     }
 
     /**
-     * Removes graphs that are not among [ids], and pictures of invisible graphs that show recordings other than [recordings],
-     * which would keep all their samples in memory.
+     * Removes graphs that are not among [ids], and pictures of invisible graphs that show recordings other than [recordings]. Such pictures
+     * would keep all samples of their recordings in memory.
      */
     fun keep(ids: Set<Int>, recordings: List<DrawnRecording>) {
         states.keys.retainAll(ids)
@@ -54,5 +54,5 @@ internal class Plots {
     }
 }
 
-/** The overview's place among the graphs, which count from 1. */
+/** The overview's id; the ids of graphs begin at 1. */
 internal const val OVERVIEW = 0

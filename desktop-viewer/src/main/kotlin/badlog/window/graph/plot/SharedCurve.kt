@@ -8,16 +8,15 @@ import badlog.viewer.draw.curve.Scale
 import badlog.viewer.draw.curve.Strokes
 
 /**
- * The curve of a series, shared by threads: graphs are computed on several threads, but a curve can be used by only one at a
- * time.
+ * The curve of a series, shared by threads: only one thread at a time can use a curve.
  *
- * @param holdsUntil until where the last value holds, if values do; see [Curve].
+ * @param holdsUntil the x until which the last value holds, if values hold; see [Curve].
  */
 internal class SharedCurve(series: Series, holdsUntil: Double?) {
     private val curve = Curve(series, holdsUntil)
     private var columns = PixelColumns(0)
 
-    /** Returns the strokes for [visible] on [width] pixels, with y as logged: its scale is known only when all lines of a graph are. */
+    /** Returns the strokes for [visible] on [width] pixels, with y as logged: its scale depends on all lines of a graph. */
     @Synchronized
     fun trace(visible: Span, width: Int): Strokes {
         if (columns.count != width) columns = PixelColumns(width)

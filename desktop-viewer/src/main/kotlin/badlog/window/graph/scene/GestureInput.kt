@@ -18,7 +18,7 @@ import badlog.viewer.input.PointerButton
 import badlog.viewer.input.Wheel
 import badlog.viewer.session.gesture.Gestures
 
-/** Passes what a mouse or fingers do on to [gestures]. */
+/** Passes the input of a mouse or fingers on to [gestures]. */
 internal fun Modifier.receives(gestures: Gestures): Modifier = pointerInput(gestures) {
     awaitPointerEventScope {
         while (true) {

@@ -11,7 +11,7 @@ import badlog.viewer.state.GraphChange
 import badlog.window.log.GraphBoard
 
 /**
- * A graph dragged by its title: to another place on the board, or into another graph. Use it only on the window's thread.
+ * The drag of a graph by its title: to another place on the board, or into another graph. Use it only on the window's thread.
  *
  * @param list the scroll state of the graphs.
  */
@@ -24,10 +24,10 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
     var pointer: Offset by mutableStateOf(Offset.Zero)
         private set
 
-    /** The graph that is dragged; null for none. */
+    /** The dragged graph; null for none. */
     val graph: BoardGraph? get() = id?.let { dragged -> board.state.graphs.find { it.id == dragged } }
 
-    /** The graph it is over; before the first or after the last, that one; null while nothing is dragged. */
+    /** The graph under the pointer, or the nearest one above or below it; null while nothing is dragged. */
     val target: DropTarget? by derivedStateOf { if (id == null) null else targetAt(pointer.y) }
 
     /** Handles a press at [place]. */
@@ -41,7 +41,7 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
         pressed = id
     }
 
-    /** Handles a move of the pressed pointer to [place]. Returns whether it is a drag: farther than [reach]. */
+    /** Handles a move of the pressed pointer to [place]. Returns whether it is a drag, which begins at the distance [reach]. */
     fun move(place: Offset, reach: Float): Boolean {
         val taken = pressed ?: return false
         if (id == null && (place - start).getDistance() < reach) return false
@@ -59,7 +59,7 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
         return dragged != null
     }
 
-    /** Leaves the graph where it was. */
+    /** Ends the drag, and leaves the graph where it was. */
     fun cancel() {
         pressed = null
         id = null
@@ -75,8 +75,8 @@ internal class GraphDrag(private val board: GraphBoard, private val list: LazyLi
 /**
  * A graph over which another one is dragged.
  *
- * @property top where it begins, in pixels from the top of the visible part of the graphs.
+ * @property top its upper edge, in pixels from the top of the visible part of the graphs.
  * @property height its height in pixels.
- * @property share how far below its top the pointer is, 0 to 1.
+ * @property share the pointer's distance from its upper edge as a share of its height, 0 to 1.
  */
 internal class DropTarget(val id: Int, val top: Int, val height: Int, val share: Double)

@@ -34,7 +34,7 @@ import badlog.window.video.Player
 import kotlinx.coroutines.flow.first
 
 /**
- * What all graphs of a window share.
+ * The state that all graphs of a window share.
  *
  * @property copy copies the picture of graphs to the clipboard.
  * @property addTopics asks for topics to draw in the graph with this id.
@@ -62,7 +62,7 @@ internal class GraphScene(
     /** The scroll state of the graphs. */
     val list = LazyListState()
 
-    /** The graph that is dragged to another place, if any. */
+    /** The drag of a graph to another place. */
     val drag = GraphDrag(board, list)
 
     /** The drawn recordings. */
@@ -71,7 +71,7 @@ internal class GraphScene(
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)
 
-    /** The visible parts of the planes of graphs of y over x, by id; all of it if there is none. */
+    /** The visible parts of the planes of graphs of y over x, by the graph's id. A graph without one shows all of its plane. */
     val planes = mutableStateMapOf<Int, Plane>()
 
     private val hasRightAxis by derivedStateOf { board.state.graphs.any { !it.isXy && unitsOf(it) > 1 } }
@@ -89,7 +89,7 @@ internal class GraphScene(
         snapshotFlow { board.state.graphs.isEmpty() || plots.areReady(recordings, view.viewport.visible) }.first { it }
     }
 
-    /** Returns the picture to draw for [state]; one of another file does not count. */
+    /** Returns the picture to draw for [state]; null if there is none for the open file. */
     fun pictureOf(state: PlotState): PlotPicture? =
         state.picture?.takeIf { it.request.recordings.firstOrNull()?.recording?.file == current.recording?.file }
 

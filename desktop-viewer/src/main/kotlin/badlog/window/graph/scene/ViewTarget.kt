@@ -11,9 +11,9 @@ import badlog.window.graph.plot.PlotPicture
 import badlog.window.log.PlotGesture
 
 /**
- * What gestures change over graph [id], or over the axis and the overview for null.
+ * The target of gestures over graph [id], or over the axis and the overview for null.
  *
- * @param picture returns what the graph shows.
+ * @param picture returns the graph's picture.
  */
 internal class ViewTarget(private val scene: GraphScene, private val id: Int? = null, private val picture: () -> PlotPicture? = { null }) :
     PlotTarget {

@@ -16,7 +16,7 @@ internal class KeptPicture {
     private val scope = CanvasDrawScope()
     private var bitmap: ImageBitmap? = null
 
-    /** Returns what [draw] draws, in the size of [cache]; null if that has no pixels. */
+    /** Returns the picture that [draw] draws, in the size of [cache]; null if that has no pixels. */
     fun of(cache: CacheDrawScope, draw: DrawScope.() -> Unit): ImageBitmap? {
         val width = cache.size.width.toInt()
         val height = cache.size.height.toInt()

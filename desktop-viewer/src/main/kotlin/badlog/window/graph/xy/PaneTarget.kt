@@ -11,7 +11,7 @@ import badlog.viewer.state.Action
 import badlog.viewer.state.Place
 import badlog.window.graph.scene.GraphScene
 
-/** What gestures over graph [id], which shows [picture], change. */
+/** The target of gestures over graph [id], which shows [picture]. */
 internal class PaneTarget(private val scene: GraphScene, private val id: Int, override val picture: XyPicture) : XyTarget {
     override val place: Place get() = scene.view.place
     override val isCursorLed: Boolean get() = scene.player.state.isPlaying

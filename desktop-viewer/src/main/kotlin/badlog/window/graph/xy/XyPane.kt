@@ -40,7 +40,7 @@ import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.flow.drop
 import kotlin.time.Duration.Companion.milliseconds
 
-/** The plot of [spec], whose lines are drawn over each other or as paths on a field, with its axes. */
+/** The plot of [spec] with its axes: its lines over each other, or as paths on a field. */
 @Composable
 internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     val palette = LocalPalette.current
@@ -96,7 +96,7 @@ internal fun XyPane(scene: GraphScene, spec: BoardGraph, modifier: Modifier) {
     }
 }
 
-/** Draws the frame from [start] to [at]. */
+/** Draws the rectangle from [start] to [at]. */
 private fun DrawScope.drawCovered(start: PlotPointer, at: PlotPointer, palette: Palette) {
     val corner = Offset(start.x.toFloat(), start.y.toFloat()) * density
     val other = Offset(at.x.toFloat(), at.y.toFloat()) * density
@@ -106,7 +106,7 @@ private fun DrawScope.drawCovered(start: PlotPointer, at: PlotPointer, palette: 
 private val BELOW = 20.dp
 private const val COVERED = 0.16f
 
-/** Stores the visible part of the plane of [spec] on the board once gestures have ended, and shows what the board has. */
+/** Stores the visible part of the plane of [spec] on the board once gestures have ended. If the board gets another part, shows that. */
 @Composable
 private fun KeptPlane(scene: GraphScene, spec: BoardGraph) {
     LaunchedEffect(scene, spec.id, spec.plane) {

@@ -55,33 +55,33 @@ class FigureSpec : FunSpec({
 
     fun picture(name: String, figure: LogFigure, graphs: List<BoardGraph>) = writeFigure(figure, graphs, FigureFormat.PNG, Files.createDirectories(Path.of("build", "pictures")).resolve(name))
 
-    test("it says what it shows: the recording, the graphs, the axes with their units, the states") {
+    test("a figure shows the recording, the graphs, the axes with their units, and the states") {
         val texts = textsIn(svg(defaultBoard(arm.view).graphs, arm.span, arm))
         texts shouldContainAll listOf("Match 8", "Arm/Angle", "Arm/Current", "Time (s)", "hold", "move")
         texts.any { it.endsWith(" deg") } shouldBe true
         texts.any { it.endsWith(" A") } shouldBe true
     }
 
-    test("a formula is drawn as any other line") {
+    test("a formula is drawn like any other line") {
         val open = arm.withFormulas(listOf("Arm/Power [W] = Arm/Current * 12"))
         val drawn = svg(listOf(BoardGraph(1, "Arm/Power", listOf("Arm/Power"))), open.span, open)
         textsIn(drawn).any { it.endsWith(" W") } shouldBe true
         linesIn(drawn) shouldHaveSize 1
     }
 
-    test("a path is drawn on its field, with axes of its own, of each recording; what was planned is dashed, as on the screen") {
+    test("the path of each recording is drawn on its field, with axes of its own; a planned path is dashed") {
         val path = sample("wrong-turn.bag")
         val graphs = path.standardGraphs.graphs.take(2)
         val drawn = svg(graphs, Span(0.0, 12.0), path)
         textsIn(drawn) shouldContainAll listOf("x (m)", "y (m)", "Path", "Drive/Pose", "Target Pose", "Vision/Pose", "Time (s)")
         fun dashed(svg: String) = elements(svg, "path").count { it.hasAttribute("stroke-dasharray") && it.getAttribute("stroke") != EVENT }
-        // On a field, all of it is drawn faintly, and the visible part above.
+        // On a field, the whole path is drawn faintly, and the visible part above it.
         dashed(svg(graphs.take(1), Span(0.0, 12.0), path)) shouldBe 2
         dashed(svg(graphs.take(1), Span(0.0, 12.0), path, path)) shouldBe 4
         picture("figure-path.png", LogFigure(listOf(DrawnRecording(path)), Span(0.0, 12.0)), graphs)
     }
 
-    test("a path has the picture of its field below it, and the robot, its plan and its modules at the cursors, also in SVG") {
+    test("a path is drawn over the picture of its field, with the robot, its plan and its modules at the cursors, also in SVG") {
         val folder = tempdir().toPath()
         val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
         for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
@@ -98,7 +98,7 @@ class FigureSpec : FunSpec({
         val driven = path.paths.plotOf(graphs[0].lines)!!.driven!!
         textsIn(drawn) shouldContain "Drive/Pose ${driven.textAt(9.4, isField = true)}"
         textsIn(drawn).count { it.startsWith("Left the plan at") } shouldBe 1
-        // The robot at the first cursor alone is filled.
+        // Only the robot at the first cursor is filled.
         filled(drawn) shouldBe filled(plain) + 1
         elements(drawn, "path").size shouldBeGreaterThan elements(plain, "path").size + 4
         elements(drawn, "image").single().getAttribute("xlink:href").startsWith("data:image/png;base64,iVBOR") shouldBe true
@@ -108,13 +108,13 @@ class FigureSpec : FunSpec({
         picture("figure-field.png", figure(Cursors(pinned = 9.4, second = 3.0)), graphs)
     }
 
-    test("an XY plot of volts over amperes has the line of best fit and the resistance it says") {
+    test("an XY plot of volts over amperes shows the resistance") {
         val match = sample("qualification-42.bag")
         val graph = BoardGraph(1, "Battery", listOf("PDP/Total Current", "System/Battery Voltage"), isXy = true)
         textsIn(svg(listOf(graph), match.span, match)).count { "mΩ" in it } shouldBe 1
     }
 
-    test("several recordings are distinguished by a legend, and by colors in the order of the recordings") {
+    test("several recordings have a legend, and colors in their order") {
         val other = recordingOf(armBag(300).replace("\"8\"", "\"9\""))
         val drawn = svg(defaultBoard(arm.view).graphs.take(1), arm.span, arm, other)
         textsIn(drawn) shouldContainAll listOf("Match 8 · Match 9", "Angle Match 8", "Angle Match 9")
@@ -122,14 +122,14 @@ class FigureSpec : FunSpec({
         textsIn(svg(listOf(joint), arm.span, arm, other)) shouldContainAll listOf("Match 8", "Match 9")
     }
 
-    test("a recording is drawn where its offset puts it") {
+    test("a recording is drawn at its offset") {
         val figure = LogFigure(listOf(DrawnRecording(arm), DrawnRecording(arm, 100.0)), Span(0.0, 200.0))
         val (first, moved) = linesIn(svgOf(figure, listOf(joint.copy(lines = listOf("Arm/Angle"))))).map { startOf(it) }
-        // Half of the frame's width of 900 points without its margins.
+        // Half of the frame's width: 900 points without its margins.
         moved - first shouldBe ((900 - 62 - 14) / 2.0 plusOrMinus 1.0)
     }
 
-    test("y is as on the screen: what a person has selected, of both axes, and what graphs share") {
+    test("y is as on the screen: selected limits of both axes, and shared limits") {
         fun numbers(graph: BoardGraph, board: List<BoardGraph> = emptyList(), open: OpenRecording = arm) = textsIn(svgOf(LogFigure(listOf(DrawnRecording(open)), open.span, board = board), listOf(graph)))
         numbers(joint.copy(yRange = Span(-3.0, 4.0))) shouldContainAll listOf("-2", "0", "4 deg")
         numbers(joint.copy(rightYRange = Span(-7.0, 77.0))) shouldContain "60 A"
@@ -141,7 +141,7 @@ class FigureSpec : FunSpec({
         shared shouldNotBe numbers(angle.copy(sharesY = false), emptyList(), open).filter { it.endsWith(" deg") }
     }
 
-    test("graphs of one title have the titles of the screen, where the second has a number") {
+    test("graphs of one title have the numbered titles of the screen") {
         val again = joint.copy(id = 2, lines = listOf("Arm/Current"))
         val figure = LogFigure(listOf(DrawnRecording(arm)), arm.span, board = listOf(joint, again))
         textsIn(svgOf(figure, listOf(joint, again))) shouldContainAll listOf(joint.title, "${joint.title} (2)")
@@ -154,7 +154,7 @@ class FigureSpec : FunSpec({
         textsIn(drawn) shouldContain "Current"
     }
 
-    test("what a recording lacks is left out, and a figure of nothing is not written") {
+    test("missing topics are left out, and a figure without lines is not written") {
         val absent = BoardGraph(2, "Gone", listOf("Gone"))
         val figure = LogFigure(listOf(DrawnRecording(arm)), arm.span)
         figure.drawable(listOf(absent, joint.copy(lines = joint.lines + "Gone"))).map { it.id } shouldBe listOf(1)
@@ -174,7 +174,7 @@ class FigureSpec : FunSpec({
         linesIn(drawn) shouldHaveSize 20
     }
 
-    test("names of any letters and any length make a document that can be read") {
+    test("names of any letters and any length make a readable document") {
         val name = "<b>&amp; \"é\u0001𝄞" + "x".repeat(500)
         val odd = recordingOf(armBag(20).replace("Arm/Angle", "Odd"), Path.of("a & b <c>.bag").toAbsolutePath())
         val texts = textsIn(svg(listOf(BoardGraph(1, name, listOf("Odd", "Arm/Current"))), odd.span, odd))
@@ -183,7 +183,7 @@ class FigureSpec : FunSpec({
         elements(svg(listOf(link), odd.span, odd), "a").shouldBeEmpty()
     }
 
-    test("a recording of one row, and one whose x goes backwards, are drawn too") {
+    test("a recording of one row, and one with x going backwards, are drawn, too") {
         val one = recordingOf(armBag(1))
         val dot = svg(listOf(BoardGraph(1, "Arm/Angle", listOf("Arm/Angle"))), one.span, one)
         elements(dot, "path").count { it.getAttribute("fill") == "#0b62c4" } shouldBe 1
@@ -192,7 +192,7 @@ class FigureSpec : FunSpec({
         linesIn(svg(listOf(BoardGraph(1, "A", listOf("A"))), Span(0.0, 2.0), back)) shouldHaveSize 1
     }
 
-    test("it shows when the robot was enabled, what happened, what rules found, and where a person wrote a note") {
+    test("a figure shows the enabled times, events, findings and notes") {
         val match = sample("qualification-42.bag")
         val list = findingsOf(match.logged, match.file, null)
         val graphs = listOf(BoardGraph(1, "Voltage", listOf("System/Battery Voltage")))
@@ -207,7 +207,7 @@ class FigureSpec : FunSpec({
         picture("figure-marks.png", figure(listOf(20.0)), graphs)
     }
 
-    test("it explains itself: the file, the visible range, the values at the cursor, and what was found by name") {
+    test("a figure names its file, its visible range, the values at the cursor, and the findings") {
         val match = sample("qualification-42.bag")
         val list = findingsOf(match.logged, match.file, null)
         val graphs = listOf(BoardGraph(1, "Voltage", listOf("System/Battery Voltage")), BoardGraph(2, "Modes", listOf("System/Enabled")))
@@ -230,7 +230,7 @@ class FigureSpec : FunSpec({
         colors.getValue(0xD4501A) shouldBeGreaterThan 1000
     }
 
-    test("one line under its own name needs no legend") {
+    test("a single line with the name of its graph needs no legend") {
         textsIn(svg(defaultBoard(arm.view).graphs, arm.span, arm)) shouldNotContain "Angle"
     }
 })
@@ -250,8 +250,8 @@ private fun elements(svg: String, name: String): List<Element> {
 
 private fun textsIn(svg: String) = elements(svg, "text").map { it.textContent.trim() }
 
-/** The lines of a log: the only strokes of this width. */
+/** Returns the lines of a log: the only strokes of this width. */
 private fun linesIn(svg: String) = elements(svg, "path").filter { it.getAttribute("stroke-width") == "1.5" || it.getAttribute("d").length > 2000 }
 
-/** The x of the first point of a path. */
+/** Returns the x of the first point of a path. */
 private fun startOf(path: Element) = path.getAttribute("d").drop(1).substringBefore(' ').toDouble()

@@ -26,7 +26,7 @@ class PictureMakingSpec : FunSpec({
 
     fun picture(recording: OpenRecording, visible: Span = recording.span) = picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible)
 
-    test("a line goes from edge to edge, its ends where its samples stand") {
+    test("a line goes from edge to edge, with its ends at its samples") {
         val line = picture(recordingOf(bagOf(11) { it.toDouble() })).plot.lines.single()
         val points = line.points.single()
         points.size shouldBe 22
@@ -35,7 +35,7 @@ class PictureMakingSpec : FunSpec({
         (points[1] > points[21]) shouldBe true
     }
 
-    test("a value of a WPILOG holds until the next one and to the end, in steps whose corners have no dots") {
+    test("a value of a WPILOG holds until the next one and to the end, in steps without dots at their corners") {
         val recording = wpilogRecording(loggedTopic("A/Voltage", 0.0 to 1.0, 5.0 to 3.0), loggedTopic("B", 0.0 to 0.0, 10.0 to 0.0))
         val made = picture(recording)
         val line = made.plot.lines.single()
@@ -45,7 +45,7 @@ class PictureMakingSpec : FunSpec({
         readingOf(made, made.lines.single(), 9.0) shouldBe "3 V"
     }
 
-    test("a hidden line gives its axis to another one, and the others keep their colors") {
+    test("a hidden line leaves its axis to another one, and the others keep their colors") {
         val names = listOf("A", "B", "C")
         val units = listOf("V", "A", "m")
         val header = names.indices.joinToString(",") { """{"name":"${names[it]}","unit":"${units[it]}","attrs":[]}""" }
@@ -56,7 +56,7 @@ class PictureMakingSpec : FunSpec({
         made.plot.axes.map { it.side to it.unit } shouldBe listOf(AxisSide.LEFT to "A", AxisSide.RIGHT to "m")
     }
 
-    test("graphs that share their limits show the same of y, for lines of one unit") {
+    test("graphs that share their limits show the same range of y, for lines of one unit") {
         val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]},""" +
             """{"name":"B","unit":"V","attrs":[]},{"name":"C","unit":"A","attrs":[]}],"values":[]}""" + "\nTime,A,B,C\n0,0,5,1\n1,1,100,2\n"
         val recordings = listOf(DrawnRecording(recordingOf(text)))
@@ -70,7 +70,7 @@ class PictureMakingSpec : FunSpec({
         (shown(graphs[2]).to < 3) shouldBe true
     }
 
-    test("states are lanes: below lines, or alone") {
+    test("states are drawn as lanes, below lines or alone") {
         val text = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Gear","unit":"ul","attrs":[]},""" +
             """{"name":"V","unit":"V","attrs":[]}],"values":[]}""" + "\nTime,Gear,V\n0,LOW,1\n1,LOW,2\n2,HIGH,3\n4,HIGH,4\n"
         val recordings = listOf(DrawnRecording(recordingOf(text)))
@@ -83,7 +83,7 @@ class PictureMakingSpec : FunSpec({
         readingOf(mixed, mixed.lines.single(), 1.9) shouldBe "3 V"
     }
 
-    test("the legend reads the very sample, with six digits, and its tooltip with all") {
+    test("the legend has the exact sample, with six digits, and its tooltip with all") {
         val recording = recordingOf(bagOf(101) { 12.34567 + it })
         val made = picture(recording)
         readingOf(made, made.lines.single(), 5.04) shouldBe "62.3457 V"
@@ -94,7 +94,7 @@ class PictureMakingSpec : FunSpec({
         readingOf(made, made.lines.single(), null) shouldBe ""
     }
 
-    test("another recording is laid over at its offset, in a color of its own") {
+    test("another recording is drawn at its offset, in a color of its own") {
         val one = recordingOf(bagOf(11) { it.toDouble() })
         val other = recordingOf(bagOf(11) { it.toDouble() })
         val made = picture(listOf(DrawnRecording(one), DrawnRecording(other, 0.5)), listOf("A/Voltage"), Span(0.0, 1.0))
@@ -104,13 +104,13 @@ class PictureMakingSpec : FunSpec({
         readingOf(made, made.lines[1], 0.7) shouldBe "2 V"
     }
 
-    test("nothing to draw makes an empty picture") {
+    test("a request without lines makes an empty picture") {
         picture(recordingOf(bagOf(0) { 0.0 })).lines shouldHaveSize 0
         picture(recordingOf(bagOf(1) { 5.0 })).plot.lines.single().points.single().size shouldBe 2
         picture(recordingOf(bagOf(5) { if (it == 2) Double.POSITIVE_INFINITY else Double.NaN })).plot.lines.single().points shouldHaveSize 0
     }
 
-    test("an x as wide as numbers go is not drawn, and breaks nothing") {
+    test("an x with the widest possible range is not drawn, and does not fail") {
         picture(recordingOf(bagOf(5) { 1.0 }), Span(-1e308, 1e308)).lines shouldHaveSize 0
     }
 })

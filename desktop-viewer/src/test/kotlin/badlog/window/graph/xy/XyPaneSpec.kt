@@ -50,7 +50,7 @@ import javax.imageio.ImageIO
 class XyPaneSpec : FunSpec({
     val recording by lazy { sample("wrong-turn.bag") }
 
-    /** The path of the sample, with what is done over it. */
+    /** Runs [test] over the path of the sample. */
     fun path(theme: Theme = Theme.LIGHT, test: DesktopComposeUiTest.(Viewer) -> Unit) = runDesktopComposeUiTest(1100, 700) {
         val viewer = viewerOf(recording)
         viewer.board.replace(recording.standardGraphs)
@@ -63,7 +63,7 @@ class XyPaneSpec : FunSpec({
 
     fun ImageBitmap.count(color: Color) = toPixelMap().buffer.count { Color(it) == color }
 
-    test("a log with poses begins with its path: driven, planned and seen, where it left the plan, and the robot at the cursor") {
+    test("a log with poses begins with its driven, planned and estimated path, the largest error, and the robot at the cursor") {
         path { viewer ->
             viewer.board.state.graphs[0].isXy shouldBe true
             viewer.view.send(PlaceAction.MoveCursor(9.4))
@@ -79,7 +79,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("the second cursor is a ring on the path, where the robot was then") {
+    test("the second cursor is a ring on the path, at the robot's place then") {
         path { viewer ->
             viewer.view.send(PlaceAction.GoTo(9.4))
             waitForIdle()
@@ -90,7 +90,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("the pointer over the path moves the cursor to when the robot was there, a click pins it") {
+    test("the pointer over the path moves the cursor to the time when the robot was there, and a click pins it") {
         path { viewer ->
             val trail = recording.paths.plotOf(viewer.board.state.graphs[0].lines)!!.driven!!.trail
             val index = trail.indexAt(9.0)
@@ -130,7 +130,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("Escape gives up a drag over a path: a frame is not shown, a move goes back") {
+    test("Escape cancels a drag over a path: a frame is not shown, a move is taken back") {
         path { viewer ->
             val menus = viewer.keyboard.menus
             val id = viewer.board.state.graphs[0].id
@@ -157,7 +157,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("what is seen of a path is kept with the graph, and what the graph has is seen") {
+    test("the visible part of a path is stored with the graph, and restored from it") {
         path { viewer ->
             val id = viewer.board.state.graphs[0].id
             plot().performMouseInput {
@@ -176,7 +176,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("the red origin lays the path onto the other half of the field") {
+    test("the red origin moves the path to the other half of the field") {
         path { viewer ->
             val graph = viewer.board.state.graphs[0]
             fun startX() = pictureOf(viewer).parts[0].plot.driven!!.trail.x[0]
@@ -190,7 +190,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("the picture of the field that lies beside the log is behind its path") {
+    test("the picture of the field beside the log is drawn behind its path") {
         val folder = tempdir()
         val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
         for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
@@ -208,7 +208,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("a trace is hidden by its legend") {
+    test("a click on its legend hides a trace") {
         path { viewer ->
             viewer.board.change { Board(graphs.take(1)) }
             waitForPictures(viewer)
@@ -220,7 +220,7 @@ class XyPaneSpec : FunSpec({
         }
     }
 
-    test("volts over amperes are dots with the battery's resistance") {
+    test("volts over amperes are drawn as dots, with the battery's resistance") {
         val match = sample("qualification-42.bag")
         runDesktopComposeUiTest(1100, 500) {
             val viewer = viewerOf(match)
@@ -232,10 +232,10 @@ class XyPaneSpec : FunSpec({
     }
 })
 
-/** What the first graph shows. */
+/** Returns the content of the first graph. */
 private fun pictureOf(viewer: Viewer) = xyPictureOf(viewer.board.state.graphs[0], viewer.compared.drawn)
 
-/** Where a place on the field is on a plot of [width] by [height] pixels that shows all of it. */
+/** Returns the pixel of a place on the field, on a plot of [width] by [height] pixels that shows the whole field. */
 private fun placeOf(viewer: Viewer, x: Double, y: Double, width: Int, height: Int): Offset {
     val plane = pictureOf(viewer).seen(null, width.toDouble(), height.toDouble())!!
     return Offset(plane.xScale(width.toDouble()).placeOf(x).toFloat(), plane.yScale(height.toDouble()).placeOf(y).toFloat())

@@ -30,7 +30,7 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 internal class ArgumentParser {
-    /** What the command line asks for: to do something, or to print something and exit. */
+    /** The request of a command line: to make pages, or to print a text and exit. */
     sealed interface Result {
         /** Make pages. */
         class Run(val arguments: Arguments) : Result

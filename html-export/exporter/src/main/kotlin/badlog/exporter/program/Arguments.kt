@@ -5,17 +5,16 @@ import badlog.files.ResultPlace
 import java.nio.file.Path
 
 /**
- * What the command line asks for.
+ * The arguments of the command line.
  *
- * @property paths the inputs, and possibly the output, in order; at least one.
+ * @property paths the inputs, and possibly the output, in order; empty only if there are [emptyPages].
  * @property out the folder for all pages, or the only page; null to put them beside their inputs.
  * @property attachments files to put into each page.
  * @property compared logs that each page draws over its own.
  * @property hasRules whether the pages run rules.
- * @property field the field of all pages, a file in the format of WPILib's dashboards; null for those beside the
- * logs.
- * @property video a video of the match for the only page; null for none.
- * @property emptyPages the pages without a log to make as well, by their names.
+ * @property field the field of all pages, a file in the format of WPILib's dashboards; null to use the files beside the logs.
+ * @property video a video of the match for the only page; null if there is none.
+ * @property emptyPages the networks of the pages without a log to make as well, by the pages' names.
  * @property opensPage whether to open a page in the browser.
  */
 internal class Arguments(
@@ -29,6 +28,6 @@ internal class Arguments(
     val emptyPages: Map<String, PageNetwork>,
     val opensPage: Boolean,
 ) {
-    /** Returns where the page without a log goes that is called [name]. */
+    /** Returns the path of the page without a log named [name]. */
     fun emptyPage(name: String): Path = (out?.takeIf { it.isFolder }?.path ?: Path.of("")).resolve(name).toAbsolutePath().normalize()
 }

@@ -26,12 +26,12 @@ import java.nio.file.Path
 internal typealias Export = (input: Path, page: Path, additions: PageAdditions, progress: Progress) -> ExportReport
 
 /**
- * The command line: makes the requested pages, prints where they are, and reports what went wrong.
+ * The command line: makes the requested pages, prints their paths, and reports problems.
  *
  * @param out receives one line for each page: its absolute path.
- * @param err receives all other messages for people.
+ * @param err receives all other messages.
  * @param isTerminal whether [err] is a terminal, which can show a progress bar.
- * @param exporterOf creates the function that exports, with these attachments in each page, and these logs compared.
+ * @param exporterOf returns the function that exports, with these attachments in each page, and these logs compared.
  * @param open opens a page in the browser; returns false if that failed.
  */
 internal class BadlogHtml(
@@ -51,7 +51,7 @@ internal class BadlogHtml(
     private val rulesOfFolder = HashMap<Path, FolderRules>()
     private val problemsBeside = HashSet<String>()
 
-    /** Does what [arguments] ask for. Call it once. */
+    /** Runs the program with [arguments]. Call it once. */
     fun run(arguments: List<String>): ExitCode = when (val parsed = ArgumentParser().parse(arguments)) {
         is ArgumentParser.Result.Run -> export(parsed.arguments)
         is ArgumentParser.Result.Say -> ExitCode.WHOLE.also { out.println(parsed.text) }
@@ -132,7 +132,7 @@ internal class BadlogHtml(
                 fail(e.message)
             }
         } catch (e: Throwable) {
-            // Whatever it is, the other files should still get their pages.
+            // Whatever the failure is, the other files should still get their pages.
             fail(ReadResult.NotRead.of(job.input, e).sentence)
         }
     }

@@ -1,7 +1,7 @@
 package badlog.exporter.program
 
 /**
- * How `badlog-html` ended, for scripts.
+ * The exit codes of `badlog-html`, for scripts.
  *
  * @property code the exit code of the process.
  */
@@ -15,6 +15,6 @@ internal enum class ExitCode(val code: Int) {
     /** The arguments are invalid. */
     USAGE(2),
 
-    /** Pages were made, but some inputs have lost data or no page. */
+    /** Pages were made, but some inputs lost data or have no page. */
     SALVAGED(3),
 }

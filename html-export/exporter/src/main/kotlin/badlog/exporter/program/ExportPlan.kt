@@ -15,8 +15,7 @@ internal class ExportPlan(private val arguments: Arguments) {
     private class Input(val file: Path, val isFound: Boolean)
 
     /**
-     * Returns the pages to make, in the order of the arguments, and within a folder in the order of its files'
-     * names.
+     * Returns the pages to make, in the order of the arguments, and within a folder by name.
      *
      * @throws badlog.exporter.ExportException if a folder cannot be read.
      */
@@ -72,7 +71,7 @@ internal class ExportPlan(private val arguments: Arguments) {
     private companion object {
         val PAGES = listOf(".html", ".htm")
 
-        /** What lies beside logs in a repository. */
+        /** The extensions of files that accompany logs in a repository. */
         val SOURCES = setOf("md", "gradle", "lockfile", "java", "kt", "kts", "py", "cpp", "h", "json", "toml", "xml", "yml", "properties")
     }
 }

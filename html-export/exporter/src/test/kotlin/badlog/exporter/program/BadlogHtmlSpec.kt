@@ -29,7 +29,7 @@ import kotlin.io.path.writeBytes
 import kotlin.io.path.writeText
 
 class BadlogHtmlSpec : FunSpec({
-    test("one input: its page stands beside it and is named on the standard output") {
+    test("the page of one input is beside it, and its path is printed on the standard output") {
         inFolder { folder ->
             val ended = run(folder.with("match.bag"))
             ended.code shouldBe ExitCode.WHOLE
@@ -39,7 +39,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("input and output, as the original has them, with all of its flags") {
+    test("input and output are accepted as by the original, with all of its flags") {
         inFolder { folder ->
             val notes = folder.with("notes.txt", "hello")
             val ended = run("-tcg", "-o", "-a", notes, folder.with("match.bag"), folder / "page")
@@ -80,7 +80,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("with --compare, each page has the other log's bytes, but none its own once more") {
+    test("with --compare, each page has the other log's bytes, but not its own a second time") {
         inFolder { folder ->
             val other = folder.with("best.bag", "Time,A\n0,1\n")
             run("--compare", other, folder.with("match.bag"), "--out", folder / "match.html").code shouldBe ExitCode.WHOLE
@@ -94,7 +94,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("a page begins with the layout beside its log, by the type of its match; a mistake in it is said once, and leaves nothing out") {
+    test("a page begins with the layout beside its log, by type of match; a mistake in it is reported once, and every page is made") {
         inFolder { folder ->
             val layouts = ArrayList<String?>()
             val export: Export = { input, page, additions, progress ->
@@ -124,7 +124,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("a page carries the field that was named, or the one beside its log; a mistake in the named one stops before any work") {
+    test("a page has the named field, otherwise the one beside its log; a mistake in the named one stops before any work") {
         inFolder { folder ->
             val log = folder.with("a.bag")
             val field = """{"field-image":"f.png","field-corners":{"top-left":[0,0],"bottom-right":[4,2]},"field-size":[54,27],"field-unit":"foot"}"""
@@ -145,7 +145,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("a page names the video in its folder or below, and may play that alone; any other is refused, and why is said") {
+    test("a page names the video in or below its folder, and may play only that; any other video is refused with the reason") {
         inFolder { folder ->
             val log = folder.with("a.bag")
             val video = (folder / "video").createDirectory().with("match 1.mp4", "a video")
@@ -167,7 +167,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("what is salvaged has a page, and exit code 3") {
+    test("a salvaged log has a page, and exit code 3") {
         inFolder { folder ->
             val ended = run(folder.with("cut.bag", CUT_BAG), folder.with("whole.bag"))
             ended.code shouldBe ExitCode.SALVAGED
@@ -177,7 +177,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("what cannot be made beside what can: exit code 3; alone: 1") {
+    test("a missing input has exit code 3 if another page was made, and 1 if none was") {
         inFolder { folder ->
             val missing = folder / "nix.bag"
             run(folder.with("a.bag"), missing, folder / "a.bag").code shouldBe ExitCode.SALVAGED
@@ -188,7 +188,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("nonsense is reported when it was named, and leaves nothing") {
+    test("a file of nonsense is reported if it was named, and has no page") {
         inFolder { folder ->
             (folder / "x.bag").writeBytes(byteArrayOf(1, 2, 3))
             val ended = run(folder / "x.bag")
@@ -222,7 +222,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("of several pages the newest input's is opened, and no browser is not a failure") {
+    test("the newest input's page is opened, and a missing browser is not a failure") {
         inFolder { folder ->
             folder.with("old.bag").setLastModifiedTime(FileTime.fromMillis(1_000_000))
             folder.with("new.bag").setLastModifiedTime(FileTime.fromMillis(3_000_000))
@@ -234,14 +234,14 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("wrong usage has exit code 2 and says what is wrong") {
+    test("wrong usage is reported with exit code 2") {
         run().code shouldBe ExitCode.USAGE
         run("--nix", "a").err shouldContain "--nix"
         run("a", "--out").code shouldBe ExitCode.USAGE
         run("--nix", "a").err shouldContain "badlog-html --help"
     }
 
-    test("help and version are answers, not errors") {
+    test("help and version have exit code 0") {
         val help = run("--help")
         help.code shouldBe ExitCode.WHOLE
         val text = help.lines.joinToString("\n")
@@ -255,7 +255,7 @@ class BadlogHtmlSpec : FunSpec({
         inFolder { folder -> run("--", folder.with("@a.bag")).code shouldBe ExitCode.WHOLE }
     }
 
-    test("a page has the rules of the packs beside its log, and one that cannot be used is reported") {
+    test("a page has the rules of the packs beside its log, and an unusable pack is reported") {
         inFolder { folder ->
             val log = folder.with("a.bag")
             (folder / "ours.badlog-rules").createDirectory()

@@ -19,9 +19,9 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
 
-/** Where pages are written, and of which files. */
+/** The places of pages, and the files that have pages. */
 class PagePlacesSpec : FunSpec({
-    test("an output is one by its ending, whether it exists or not") {
+    test("a path with a page's ending is the output, whether it exists or not") {
         inFolder { folder ->
             folder.with("a.bag")
             for (name in listOf("p.html", "p.htm", "P.HTM")) {
@@ -34,7 +34,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("an output without such an ending is replaced by the second run") {
+    test("a second run replaces an output without such an ending") {
         inFolder { folder ->
             folder.with("a.bag")
             repeat(2) { run(folder / "a.bag", folder / "page").lines shouldContainExactly listOf("${folder / "page"}") }
@@ -42,7 +42,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("any other second path is an input: what exists stays as it is") {
+    test("any other second path is an input, and an existing file stays unchanged") {
         inFolder { folder ->
             folder.with("a.bag")
             for (name in listOf("b.bag", "b", "b.csv")) {
@@ -52,7 +52,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("a log whose name is mistyped is missed, not made") {
+    test("a mistyped log is reported as missing, and is not taken for the output") {
         inFolder { folder ->
             folder.with("a.bag")
             for (name in listOf("nix.bag", "nix.badbag", "nix.CSV", "nix.bag.gz", "nix.wpilog")) {
@@ -66,7 +66,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("a folder: every log right in it, whatever its name, and nothing else") {
+    test("a folder has a page of every log directly in it, whatever its name, and of nothing else") {
         inFolder { folder ->
             for (name in listOf("b.bag", "A", "log.bag1519", "c.csv", ".hidden", "page.html", "README.md", "build.gradle")) folder.with(name)
             (folder / "z.gz").writeBytes(gzip(BAG.encodeToByteArray()))
@@ -90,7 +90,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("pages of equal names in one folder do not collide") {
+    test("pages of equal names in one folder get different names") {
         inFolder { folder ->
             val second = (folder / "second").createDirectory().with("a.bag")
             val third = (folder / "third").createDirectory().with("A.bag")
@@ -101,7 +101,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("no page takes the place of an input") {
+    test("no page replaces an input") {
         inFolder { folder ->
             run(folder.with("a"), folder.with("a.html"), folder.with("b")).code shouldBe ExitCode.WHOLE
             (folder / "a.html").readText() shouldBe BAG
@@ -110,7 +110,7 @@ class PagePlacesSpec : FunSpec({
         }
     }
 
-    test("an output folder of several pages that is a file") {
+    test("a file as the output folder of several pages is reported") {
         inFolder { folder ->
             val ended = run(folder.with("a.bag"), folder.with("b.bag"), "--out", folder.with("file"))
             ended.code shouldBe ExitCode.NOTHING

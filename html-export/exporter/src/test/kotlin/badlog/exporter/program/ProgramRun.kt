@@ -10,12 +10,12 @@ import kotlin.io.path.div
 import kotlin.io.path.name
 import kotlin.io.path.writeText
 
-/** How the program ended. */
+/** The result of a run of the program. */
 internal class Ended(val code: ExitCode, out: String, val err: String, val opened: List<Path>) {
     val lines = out.lines().filter { it.isNotEmpty() }
 }
 
-/** Makes pages, but of a file with this [name] it fails as no exporter should. */
+/** Returns an exporter that makes pages, but fails unexpectedly for a file with this [name]. */
 private fun failingOn(name: String) = { attachments: List<Path>, compared: List<Path> ->
     val exporter = HtmlExporter(attachments, compared)
     val export: Export = { input, page, additions, progress ->
@@ -25,7 +25,7 @@ private fun failingOn(name: String) = { attachments: List<Path>, compared: List<
     export
 }
 
-/** Runs the program, in whose exporter the file called [failsOn] causes a defect; [canOpen] whether a browser can be started. */
+/** Runs the program. The file [failsOn] causes a defect in its exporter; [canOpen] is whether a browser can be started. */
 internal fun run(vararg arguments: Any, canOpen: Boolean = true, failsOn: String = ""): Ended {
     val out = ByteArrayOutputStream()
     val err = ByteArrayOutputStream()

@@ -23,9 +23,11 @@ import kotlin.js.Promise
 public fun penPictures(): Array<String> = (PEN_PRIMITIVES.keys + PEN_TEXTS.keys).toTypedArray()
 
 /**
- * Promises how much the canvas that the page's pen draws picture [name] on differs from a blank one, and how much from the browser's picture of
- * the SVG that the common pen writes: each the mean difference of a color's part, from 0 to 255. For a text, there follows for each of them by
- * how many pixels it covers another rectangle than the one as wide as the page's pen measures; NaN if it covers none.
+ * Promises two differences for the picture [name] on a canvas of the page's pen. They are those from a blank canvas, and from the browser's
+ * picture of the common pen's SVG.
+ *
+ * Each is the mean difference of a color component, 0 to 255. For a text, two more numbers follow, for the canvas and for the SVG: the
+ * pixels by which the covered rectangle differs from the rectangle that the page's pen measures; NaN if the text covers nothing.
  */
 @OptIn(ExperimentalJsExport::class)
 @JsExport
@@ -43,23 +45,23 @@ public fun penDifferences(name: String): Promise<Array<Double>> = imageOf(PRIMIT
     }
 }.unsafeCast<Promise<Array<Double>>>()
 
-/** Returns what draws picture [name]: besides the primitives there are the texts, whose letters are the same in one browser. */
+/** Returns the drawing of picture [name]: a primitive or a text, whose letters are the same within one browser. */
 private fun drawingOf(name: String): Pen.(PenImage) -> Unit = PEN_PRIMITIVES[name] ?: { PEN_TEXTS.getValue(name).writeWith(this) }
 
-/** Promises the image at [address], when it can be drawn. */
+/** Promises the image at [address] once it can be drawn. */
 private fun imageOf(address: String): Promise<HTMLImageElement> {
     val image = document.createElement("img").unsafeCast<HTMLImageElement>()
     image.src = address
     return image.asDynamic().decode().unsafeCast<Promise<Unit>>().then { image }
 }
 
-/** Returns what [draw] draws on white. */
+/** Returns the drawing of [draw] on white. */
 private fun picture(draw: (CanvasRenderingContext2D) -> Unit): PenPicture {
     val context = newContext()
     context.fillStyle = "#fff"
     context.fillRect(0.0, 0.0, PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble())
     draw(context)
-    // Red, green, blue and opacity, which is that of the white below.
+    // Red, green, blue and opacity; the opacity is the white background's.
     val parts = context.getImageData(0.0, 0.0, PRIMITIVE_WIDTH.toDouble(), PRIMITIVE_HEIGHT.toDouble()).data.unsafeCast<ByteArray>()
     fun part(at: Int) = parts[at].toInt() and 0xFF
     return PenPicture(IntArray(PRIMITIVE_WIDTH * PRIMITIVE_HEIGHT) { (part(4 * it) shl 16) or (part(4 * it + 1) shl 8) or part(4 * it + 2) })

@@ -6,7 +6,7 @@ import badlog.rules.incident.Incident
 import badlog.viewer.state.FindingRequest
 
 /**
- * Does what actions ask of the page about findings.
+ * Performs the requests of actions that concern findings.
  *
  * @param onShow shows the evidence of a finding.
  * @param onPin adds the graphs of a finding to the board.
@@ -18,7 +18,7 @@ internal class FindingRequests(
     private val onShow: (FindingRequest.Show) -> Unit,
     private val onPin: (Finding, Incident?) -> Unit,
 ) {
-    /** Does what [request] asks for. */
+    /** Performs [request]. */
     fun perform(request: FindingRequest) = when (request) {
         is FindingRequest.Show -> {
             onShow(request)
@@ -37,7 +37,7 @@ internal class FindingRequests(
 
         FindingRequest.SaveSignals -> signals.save()
 
-        // The evidence has buttons of its own, and the rules of a page do not change.
+        // The evidence has its own buttons, and the rules of a page are fixed.
         FindingRequest.Keep, is FindingRequest.Add, FindingRequest.RunRules -> Unit
     }
 }

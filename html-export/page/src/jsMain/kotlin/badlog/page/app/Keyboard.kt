@@ -11,7 +11,7 @@ import kotlinx.browser.document
 import org.w3c.dom.Element
 import org.w3c.dom.events.KeyboardEvent
 
-/** The keys that work wherever nothing is being typed. */
+/** The keyboard shortcuts of the page, active unless text is being typed. */
 internal class Keyboard(
     private val search: SearchBox,
     private val evidence: EvidenceSection,
@@ -55,7 +55,7 @@ internal class Keyboard(
     }
 
     private companion object {
-        /** The labels of keys that have other names in browsers. */
+        /** The labels of keys for which browsers use other names. */
         val LABELS = mapOf("ArrowLeft" to "←", "ArrowRight" to "→", "ArrowUp" to "↑", "ArrowDown" to "↓", "=" to "+", "−" to "-")
         val TYPING = setOf("INPUT", "SELECT", "TEXTAREA")
     }

@@ -10,10 +10,10 @@ import org.w3c.dom.Element
 
 /** The part of the page that a link points at: the board, a finding, or a graph. */
 internal class LinkGoal(private val board: BoardSection, private val inSight: GraphsInSight, private val findings: FindingsSection) {
-    /** What has the keyboard's focus because a link points at it. */
+    /** The element that has the keyboard's focus because a link points at it. */
     private var focused: Element? = null
 
-    /** Brings what [address] points at into sight, and gives it the keyboard's focus; [isAgain] if that was done before. */
+    /** Brings the target of [address] into sight and focuses it; [isAgain] if that was done before. */
     fun go(address: PageAddress, isAgain: Boolean) {
         if (address.board != null && address.finding == null) {
             board.bringIntoSight()
@@ -24,7 +24,7 @@ internal class LinkGoal(private val board: BoardSection, private val inSight: Gr
         focus(address, isAgain)
     }
 
-    /** Gives it the focus, unless somebody has gone on since it was done before. */
+    /** Focuses the target, unless the focus has moved since it was done before. */
     private fun focus(address: PageAddress, isAgain: Boolean) {
         val isElsewhere = isAgain && document.activeElement.let { it !== document.body && it !== focused }
         // A page in a frame leaves the focus to the page around it.

@@ -7,23 +7,22 @@ import badlog.page.view.Scene
 import badlog.viewer.shown.cursor.spokenAt
 import org.w3c.dom.HTMLElement
 
-/** Announces screen readers where a key has moved the cursor, and what is there; nobody else sees it. */
+/** Announces cursor moves by keys, and the values there, to screen readers only. */
 internal class LiveRegion(private val scene: Scene, private val lines: () -> List<GraphSeries>) {
     val element: HTMLElement = element("div", "spoken") {
         id = "spoken"
         setAttribute("role", "status")
     }
 
-    /** Announces the place of the cursor that keys move, and the values there. */
+    /** Announces the position of the cursor that keys move, and the values there. */
     fun announceCursor() {
         val x = scene.cursor.now.moving ?: return
         element.showText(spokenAt(lines(), x, scene.xText(x)))
     }
 
-    /** Announces [text]. */
     fun announce(text: String) = element.showText(text)
 
-    /** Announces [found], what was found at the cursor. */
+    /** Announces [found], the finding at the cursor. */
     fun announceFinding(found: String) {
         val x = scene.cursor.now.pinned ?: return
         if (found.isNotEmpty()) element.showText("${scene.xText(x)}: $found")

@@ -10,10 +10,10 @@ import badlog.viewer.shown.folder.Changes
 import org.w3c.dom.HTMLElement
 
 /**
- * What is unlike the matches before the shown log, and the graph of one of these differences over the last match that shows the same.
+ * The differences between the shown log and the matches before it.
  *
- * @param page the page of the log, which is left when another one is opened.
- * @param onShow called with the difference that a person wants to see; shows its graph.
+ * @param page the page of the log, which is left when another log is opened.
+ * @param onShow shows the graph of a difference.
  */
 internal class LogChanges(
     private val opening: LogOpening,
@@ -25,10 +25,10 @@ internal class LogChanges(
 ) {
     private var now = Changes<OpenedLog>()
 
-    /** The differences that are known so far. */
+    /** The differences known so far. */
     val differences: List<Finding> get() = now.differences
 
-    /** Finds them, again whenever more of the list is known; [onChange] is called when they differ. */
+    /** Finds the differences, again whenever more of the list is known. [onChange] is called when they change. */
     fun start(onChange: () -> Unit) {
         fun find() {
             val before = now
@@ -39,7 +39,7 @@ internal class LogChanges(
         opening.onRead(::find)
     }
 
-    /** Shows the graph of [difference] over the last match that shows the same. */
+    /** Shows the graph of [difference] over the last earlier match that has the same number. */
     fun draw(difference: Finding) {
         onShow(difference)
         now.previous[difference]?.let(::compareWith)

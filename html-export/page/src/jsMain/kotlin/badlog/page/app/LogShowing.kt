@@ -44,13 +44,13 @@ internal class ShownLog(
 internal class LogShowing(private val root: PageRoot, private val source: PageSource, private val opening: () -> LogOpening) {
     private var page: LogPage? = null
 
-    /** The formulas of the log that is shown, or is to be shown when they are calculated. */
+    /** The formulas of the log that is shown, or will be shown once they are calculated. */
     private var calculating: Formulas? = null
 
-    /** The colors of all logs. */
+    /** The theme, one for all logs. */
     val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
 
-    /** Shows [log], which has grown since it was shown, at its newest moment, and else as the reader has left it. */
+    /** Shows [log], which has grown since it was shown, at its newest moment, and otherwise as the reader left it. */
     fun showGrown(log: ShownLog, additions: PageAdditions?) {
         val left = page?.left
         val top = window.scrollY
@@ -58,11 +58,11 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     }
 
     /**
-     * Shows [log] with what the page was [given] for it.
+     * Shows [log] with the additions [given] to the page for it.
      *
-     * @param showsWorst whether to go to the worst finding when the rules have run.
-     * @param left what stays of the page that showed less of this log; null for a log that was not shown before.
-     * @param onLaidOut called each time when more of the page is laid out.
+     * @param showsWorst whether to go to the worst finding once the rules have run.
+     * @param left the state of the page that showed less of this log; null for a log that was not shown before.
+     * @param onLaidOut called each time more of the page is laid out.
      */
     fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: LeftPage? = null, onLaidOut: () -> Unit = {}) {
         val about = log.about
@@ -73,7 +73,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         val signals = (additions?.rules ?: RuleSet.NONE).signals
         val layout = GivenLayout.of(additions?.layout)
         val definitions = joined(layout.formulas, additions?.virtualTopics.orEmpty())
-        // The findings of a hook have the x axis of the exporter.
+        // The findings of a hook have the exporter's x axis.
         val hasFound = additions != null && (additions.hooks.isNotEmpty() || additions.findings.isNotEmpty())
         val again = { root.guarded { show(log, given, showsWorst) } }
         val axis = AxisChoice(log.read, about.fileKey, mayAsk = !hasFound, onChange = again)
@@ -86,14 +86,14 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         setPageState("loading")
         calculating?.cancel()
         calculating = formulas
-        // Somebody may go somewhere else meanwhile.
+        // The reader may leave meanwhile.
         PageEvents.onEnd(formulas::cancel)
         formulas.onFailure = root::failUnexpectedly
         val linked = if (left == null) pageAddressOf(window.location.hash).formulas else emptyList()
         formulas.start(linked) {
             root.guarded { show(makePage, left, onLaidOut) { it.complete(formulas.given, log.compared(), showsWorst) } }
         }
-        // What a log has grown by is drawn at once, since it may grow again before several slices are done.
+        // New samples are drawn at once, because the log may grow again before several slices are done.
         if (left != null) formulas.finish()
     }
 
@@ -101,7 +101,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         root.clear()
         val shown = makePage()
         page = shown
-        // Nothing may hold a log that is not shown.
+        // Nothing may keep a log in memory that is not shown.
         PageEvents.onEnd {
             page = null
             calculating = null
@@ -113,7 +113,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         // After the browser's next frame.
         window.requestAnimationFrame {
             window.setTimeout({
-                // Somebody may have gone on in the meantime.
+                // The reader may have left in the meantime.
                 if (page === shown) {
                     root.guarded {
                         complete(shown)

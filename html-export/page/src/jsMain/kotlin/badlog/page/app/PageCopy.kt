@@ -12,7 +12,7 @@ import kotlin.js.Promise
 /**
  * Copies of the page with the logs that it compares.
  *
- * @param copyWith makes one with the compared files, without those that were removed.
+ * @param copyWith makes a copy with the compared files, without the removed ones.
  */
 internal class PageCopy(
     private val about: About,
@@ -21,7 +21,7 @@ internal class PageCopy(
     private val compareBar: CompareBar,
     private val copyWith: (compared: List<File>, removed: List<File>) -> Promise<Blob>,
 ) {
-    /** Saves one. */
+    /** Saves a copy. */
     fun save() {
         val compared = comparison.files + compareBar.waiting
         Promise.resolve(Unit).then { copyWith(compared, comparison.removed) }

@@ -13,7 +13,7 @@ import badlog.viewer.shown.finding.FoundInLog
 import kotlinx.browser.window
 
 /**
- * Runs the rules of [additions] over the log, and shows in [section] what they find beside what is [embedded] in the page.
+ * Runs the rules of [additions] over the log and shows their findings in [section], beside those [embedded] in the page.
  *
  * @param file the name of the log's file.
  * @param isShown returns whether the log's page is still shown.
@@ -25,24 +25,24 @@ internal class PageRules(
     private val section: FindingsSection,
     private val isShown: () -> Boolean,
 ) {
-    /** What they found so far; null until they have run. */
+    /** The findings so far; null until the rules have run. */
     var found: LogFindings? = null
         private set
 
-    /** When they had run, on the browser's clock, in ms. */
+    /** The time when the rules had run, on the browser's clock, in ms. */
     var ranAt: Double = 0.0
         private set
 
-    /** Goes on from what was found in the log before it had grown. */
+    /** Continues from the findings in the log before it had grown. */
     fun continueFrom(left: LeftPage) {
         left.found?.let(::take)
         ranAt = left.ranAt
     }
 
     /**
-     * Runs them on [logged], a little later if they ran just before: a log that is followed is drawn more often than rules run over it.
+     * Runs the rules on [logged], at the earliest [PAUSE] ms after their last run. A followed log is drawn more often.
      *
-     * @param onFound called with what they found, and the incidents in it, when it is listed.
+     * @param onFound called with the findings and their incidents once they are listed.
      */
     fun start(logged: LogView, onFound: (LogFindings, List<Incident>) -> Unit) {
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
@@ -78,7 +78,7 @@ internal class PageRules(
     }
 
     private companion object {
-        /** Milliseconds between two runs over a log that is followed. */
+        /** The minimum number of milliseconds between two runs over a log that is followed. */
         const val PAUSE = 400
     }
 }

@@ -13,14 +13,14 @@ internal class ReaderParts(
     private val modules: ModulesPanel,
     private val board: BoardSection,
 ) {
-    /** What is open. */
+    /** The parts that are open. */
     val now: OpenedParts
         get() {
             val statistics = board.cards.withIndex().filter { it.value.hasStatistics }.map { it.index + 1 }
             return OpenedParts(search.text, values.isOpen, modules.isOpen, statistics)
         }
 
-    /** Opens what [wanted] says; what is open besides stays so. */
+    /** Opens the parts in [wanted]; other open parts stay open. */
     fun open(wanted: OpenedParts) {
         if (wanted.search.isNotEmpty()) search.show(wanted.search)
         if (wanted.hasValues && !values.isOpen) values.toggle()

@@ -17,7 +17,7 @@ import badlog.viewer.state.FindingAction
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** The parts of the page that a search looks through; those below the board are in [content]. */
+/** The parts of the page that a search covers; those below the board are in [content]. */
 internal class SearchedParts(
     private val board: BoardSection,
     private val folders: FolderList,
@@ -29,10 +29,10 @@ internal class SearchedParts(
     private val values: CursorPanel,
     private val content: HTMLElement,
 ) {
-    /** Says that nothing was found. */
+    /** The notice that nothing matches the search. */
     val nothingFound: HTMLElement = element("p", "nothing-found", "Nothing matches. Escape clears the search.").apply { isHidden = true }
 
-    /** Shows what [query] finds, and brings it into sight. */
+    /** Shows the matches of [query] and brings them into sight. */
     fun show(query: Query): Hits {
         board.filter(query)
         val inFolders = folders.filter(query)

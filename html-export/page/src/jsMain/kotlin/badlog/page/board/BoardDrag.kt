@@ -19,8 +19,8 @@ import org.w3c.dom.pointerevents.PointerEvent
 import kotlin.math.abs
 
 /**
- * Drags a graph by its title with a mouse: onto another graph, to combine the two; or between those of the board, to put it there. Touch
- * and keyboard users have the menus for that.
+ * Drags a graph by its title with the mouse. Dropped on another graph, it is combined with that; dropped between graphs of the board, it is
+ * placed there. Touch and keyboard users have menus instead.
  */
 internal class BoardDrag(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
     private var dragged: GraphCard? = null
@@ -65,7 +65,7 @@ internal class BoardDrag(private val board: PageBoard, private val graphs: Visib
         aim(card, y, document.elementFromPoint(x, y))
     }
 
-    /** Finds out what dropping the graph here would do, and shows it. */
+    /** Determines and shows the effect of dropping the graph here. */
     private fun aim(card: GraphCard, y: Double, below: Element?) {
         drop = null
         val own = section.itemOf(card.element)

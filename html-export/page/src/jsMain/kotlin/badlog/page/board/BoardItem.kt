@@ -55,7 +55,7 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
     private fun seenOtherwise(graph: BoardGraph) =
         graph.copy(xRange = null, yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
 
-    /** Shows the part of it that [query] finds. */
+    /** Shows the cards that match [query], and hides the others. */
     fun filter(query: Query) {
         for (card in cards) card.element.isHidden = !card.filter(query)
         element.isHidden = cards.all { it.element.isHidden }

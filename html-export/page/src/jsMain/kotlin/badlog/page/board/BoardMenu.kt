@@ -10,8 +10,9 @@ import badlog.viewer.session.GraphOffer
 import badlog.viewer.session.GraphOffers
 
 /**
- * Returns the menu entries for [graph], one of those of [board], which [item] shows; [topics] can be added to it. The log has these
- * [poses].
+ * Returns the menu entries for [graph] of [board], which [item] shows.
+ *
+ * [topics] is the dialog that adds topics to it; [poses] are those of the log.
  */
 internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
     val offers = GraphOffers(board.now, graph, poses)

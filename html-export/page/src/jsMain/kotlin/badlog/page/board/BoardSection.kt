@@ -23,7 +23,7 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * The graphs that the reader put together, and actions for all of them.
+ * The section with the graphs that the reader put together, and actions for all of them.
  *
  * @param layouts the buttons that save the board and open another one.
  */
@@ -70,25 +70,26 @@ internal class BoardSection(
         show()
     }
 
-    /** All its cards, in order. */
+    /** All cards of the board, in order. */
     val cards: List<GraphCard> get() = items.flatMap { it.cards }
 
-    /** Returns the graph of the board that contains [part] of the page; null for none. */
+    /** Returns the graph of the board that contains the element [part]; null if there is none. */
     fun itemOf(part: HTMLElement): BoardItem? = items.find { it.element.contains(part) }
 
     /**
-     * Returns the graph of the board at height [y] in the window, and how far below its top that is, as a fraction of its height; null for
-     * none.
+     * Returns the graph of the board at height [y] in the window; null if there is none.
+     *
+     * The second value is the distance of [y] from the graph's top, as a fraction of its height.
      */
     fun itemAt(y: Double): Pair<BoardItem, Double>? = items.firstNotNullOfOrNull { item ->
         val box = item.element.getBoundingClientRect()
         if (y in box.top..box.bottom) item to (y - box.top) / box.height else null
     }
 
-    /** Returns the graph after [item]; null for none. */
+    /** Returns the id of the graph after [item]; null if there is none. */
     fun after(item: BoardItem): Int? = items.getOrNull(items.indexOf(item) + 1)?.spec?.id
 
-    /** Gives the keyboard focus to the graph with the id [id], or else to the button that adds graphs. */
+    /** Focuses the graph with the id [id], otherwise the button that adds graphs. */
     fun focus(id: Int?) = items.find { it.spec.id == id }?.cards?.first()?.focus() ?: add.focus()
 
     /** Scrolls to the graph with the id [id] if less than half of it is in sight. */
@@ -98,13 +99,13 @@ internal class BoardSection(
         if ((box.top + box.bottom) / 2 !in 0.0..window.innerHeight.toDouble()) moved.bringIntoSight()
     }
 
-    /** Shows only those of its graphs that [query] finds. */
+    /** Shows only the graphs that match [query]. */
     fun filter(query: Query) {
         this.query = query
         showFound()
     }
 
-    /** Scrolls to it. */
+    /** Scrolls to the board. */
     fun bringIntoSight() = element.bringIntoSight()
 
     private fun show() {

@@ -16,14 +16,14 @@ import badlog.viewer.text.unitText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 
-/** The dialog in which a person adds topics of the log by name to the board, or to one of its graphs. */
+/** The dialog that adds topics by name to the board, or to one of its graphs. */
 internal class TopicDialog(private val scene: Scene) {
     private val board = scene.board
     private lateinit var input: HTMLInputElement
     private lateinit var list: HTMLElement
     private lateinit var rest: HTMLElement
 
-    /** The graph that topics are added to; null for graphs of their own. */
+    /** The graph that receives the topics; null to give each topic its own graph. */
     private var graph: Int? = null
 
     private val dialog = Dialog("topic-dialog", "topic-dialog") {
@@ -46,7 +46,7 @@ internal class TopicDialog(private val scene: Scene) {
         input.addEventListener("input", { list() })
     }
 
-    /** Opens it for the graph of the board with the id [graph], or for new graphs. */
+    /** Opens the dialog for the board's graph with the id [graph]; null for new graphs. */
     fun open(graph: Int? = null) {
         if (dialog.isOpen) return
         this.graph = graph
@@ -65,7 +65,7 @@ internal class TopicDialog(private val scene: Scene) {
             query.matches("$name ${line?.let { unitText(it.unit) }.orEmpty()}", line?.let { scene.traitsOf(it, query) }.orEmpty())
         }
         list.textContent = ""
-        // Paths and XY plots are graphs of their own.
+        // Paths and XY plots are always graphs of their own.
         val graphs = if (graph == null) pathGraphs(scene.paths.poses, query) + xyGraphs(numbers(), input.value) else emptyList()
         graphs.forEach(::addGraph)
         for (name in found.take(MOST)) {

@@ -24,7 +24,7 @@ import org.w3c.dom.HTMLSelectElement
 import org.w3c.dom.asList
 import org.w3c.files.File
 
-/** The compared logs, each with its color and offset, and how they are aligned; hidden if there are none. */
+/** The compared logs with their colors and offsets, and their alignment; hidden if there are none. */
 internal class CompareBar(private val comparison: PageComparison, private val notice: Notice) {
     private lateinit var alignment: HTMLSelectElement
     private lateinit var logs: HTMLElement
@@ -59,7 +59,7 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         isHidden = true
     }
 
-    /** Opens a log. */
+    /** The button that opens a log to compare. */
     val button: HTMLElement = element("div", "downloads") {
         addButton("", "", "Draw another log over this one; or drop it on the page") { input.click() }.apply {
             id = "compare-button"
@@ -82,7 +82,7 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         comparison.onChange(::list)
     }
 
-    /** The files that wait to be read. */
+    /** The files that are not read yet. */
     val waiting: List<File> get() = unread.flatMap { it.files }
 
     /** Reads the logs in [files], one after the other, and compares them. */
@@ -96,7 +96,7 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         val log = unread.firstOrNull()
         if (log == null) {
             notice.endProgress()
-            // Said at the end, for the progress of the others would hide it.
+            // Shown at the end, because the progress of the other logs would replace it.
             notice.say(*failures.toTypedArray())
             failures.clear()
             return

@@ -16,7 +16,7 @@ import badlog.viewer.shown.comparison.namesBeside
 import org.w3c.files.File
 
 /**
- * The logs that are compared with the page's own, in the order in which they came, and where they are on x.
+ * The logs compared with the page's own, in the order in which they were added, and their offsets on x.
  *
  * @param file the name of the page's own file.
  */
@@ -30,13 +30,13 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     private val gone = ArrayList<File>()
     private val listeners = ArrayList<() -> Unit>()
 
-    /** The page's own formulas, and those of its reader, when the others' lines were calculated. */
+    /** The view with the page's own formulas when the lines of the others were calculated. */
     private var calculated: LogView? = null
     private val lines = HashMap<Int, BoardLines>()
 
     val alignment: Alignment get() = offsets.alignment
 
-    /** The logs, as they are drawn. */
+    /** The compared logs as they are drawn. */
     var drawn: List<ComparedLog> = emptyList()
         private set
 
@@ -49,13 +49,13 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
         listeners += listener
     }
 
-    /** The files of the logs. */
+    /** The files of the compared logs. */
     val files: List<File> get() = logs.flatMap { it.files }
 
     /** The files of logs that were removed. */
     val removed: List<File> get() = gone
 
-    /** Adds [log], read as [recording]; one from the same place makes way for it. */
+    /** Adds [log], read as [recording]; it replaces a log from the same place. */
     fun add(log: OpenedLog, recording: Recording) {
         for (same in logs.filter { it.path == log.path }) gone += same.files
         logs.removeAll { it.path == log.path }
@@ -71,20 +71,20 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
         show()
     }
 
-    /** Removes all. */
+    /** Removes all compared logs. */
     fun clear() {
         gone += files
         logs.clear()
         show()
     }
 
-    /** Aligns all by [wanted]. */
+    /** Aligns all logs by [wanted]. */
     fun alignBy(wanted: Alignment) {
         offsets = offsets.alignedBy(wanted, OPEN, moments())
         show()
     }
 
-    /** Moves the log at [index] of [drawn] to [offset], by hand. */
+    /** Moves the log at [index] of [drawn] to [offset], as set by hand. */
     fun move(index: Int, offset: Double) {
         offsets = offsets.moved(logs[index].id, offset, OPEN, moments())
         show()

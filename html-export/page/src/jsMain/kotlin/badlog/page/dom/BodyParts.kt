@@ -4,7 +4,7 @@ import org.khronos.webgl.Uint8Array
 import org.w3c.fetch.Response
 import kotlin.js.Promise
 
-/** Promises the bytes of [response], in parts as they arrive, each of which is passed to [onPart]; rejected if the rest does not arrive. */
+/** Promises the bytes of [response] in parts. Each part is passed to [onPart] as it arrives. Rejected if the rest does not arrive. */
 internal fun partsOf(response: Response, onPart: (Uint8Array) -> Unit): Promise<List<Uint8Array>> {
     val reader = response.asDynamic().body.getReader().unsafeCast<StreamReader>()
     val parts = ArrayList<Uint8Array>()
@@ -17,7 +17,7 @@ internal fun partsOf(response: Response, onPart: (Uint8Array) -> Unit): Promise<
     return next()
 }
 
-/** The browser's reader of a body that arrives. */
+/** The browser's reader of a body that arrives in parts. */
 private external interface StreamReader {
     fun read(): Promise<StreamPart>
 }

@@ -5,8 +5,8 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 
 /**
- * Scrolls to this element. Anything in between is laid out only when it comes near, and may turn out taller than estimated, so
- * this is repeated once it is laid out. Scrolls only this page, not another one that shows it in a frame.
+ * Scrolls to this element, again once the page is laid out. Elements in between are laid out only when they come near, and may be taller
+ * than estimated. Scrolls only this page, not a page that shows it in a frame.
  */
 internal fun Element.bringIntoSight() {
     fun scroll() {
@@ -18,5 +18,5 @@ internal fun Element.bringIntoSight() {
     window.requestAnimationFrame { window.requestAnimationFrame { scroll() } }
 }
 
-/** Gives this element the keyboard's focus. Nothing scrolls. */
+/** Focuses this element without scrolling. */
 internal fun Element.focusInPlace() = asDynamic().focus(json("preventScroll" to true)).unsafeCast<Unit>()

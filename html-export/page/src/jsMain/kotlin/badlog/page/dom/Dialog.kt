@@ -3,10 +3,10 @@ package badlog.page.dom
 import org.w3c.dom.HTMLElement
 
 /**
- * A dialog with a title, which its button, Escape and a click beside it close.
+ * A dialog with a title, closed by its button, Escape, or a click outside it.
  *
- * @param className the class of its element, besides the one that all dialogs have.
- * @param build makes what is below the title.
+ * @param className the class of its element, in addition to the class of all dialogs.
+ * @param build adds the content below the title.
  */
 internal class Dialog(id: String, className: String = "", title: String = "", build: HTMLElement.() -> Unit) {
     private lateinit var heading: HTMLElement
@@ -22,7 +22,7 @@ internal class Dialog(id: String, className: String = "", title: String = "", bu
         addEventListener("click", { if (it.target == this) close() })
     }
 
-    /** What it is called, also for those who hear it. */
+    /** The title, also its accessible name. */
     var title: String = ""
         set(value) {
             field = value
@@ -36,7 +36,7 @@ internal class Dialog(id: String, className: String = "", title: String = "", bu
         this.title = title
     }
 
-    /** Opens it; it must be closed. */
+    /** Opens the dialog, which must be closed. */
     fun open() {
         element.asDynamic().showModal()
     }

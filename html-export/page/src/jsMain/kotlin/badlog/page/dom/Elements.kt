@@ -24,8 +24,8 @@ internal fun HTMLElement.add(tag: String, className: String = "", text: String =
 }
 
 /**
- * Adds [name] in one line as the last child of this element. If there is no room for all of it, it loses its beginning, because the ends
- * of long names tell them apart. Returns the element that has it as its text.
+ * Adds [name] in one line as the last child of this element, and returns the element with its text. If there is no room for all of it, its
+ * beginning is cut off, because long names differ at their ends.
  */
 internal fun HTMLElement.addName(name: String = "", className: String = ""): HTMLElement =
     // Within its own direction, a slash at the beginning stays there.

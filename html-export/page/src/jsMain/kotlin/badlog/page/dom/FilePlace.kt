@@ -2,7 +2,7 @@ package badlog.page.dom
 
 import org.w3c.files.File
 
-/** Where the file was, with the names of its folders; null unless the page found that out itself. */
+/** The path of the file with its folders; null unless the page determined it itself. */
 internal var File.place: String?
     get() = asDynamic().place as String?
     set(value) {

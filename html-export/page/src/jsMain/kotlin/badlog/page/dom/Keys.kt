@@ -3,10 +3,10 @@ package badlog.page.dom
 import org.w3c.dom.Element
 import org.w3c.dom.events.KeyboardEvent
 
-/** Whether it is typed into something, or pressed in a dialog. */
+/** Whether the key is typed into a field, or pressed in a dialog. */
 internal val KeyboardEvent.isTyped: Boolean
     get() = target.unsafeCast<Element?>()?.closest("dialog, input:not([type=checkbox], [type=radio]), textarea, select") != null
 
-/** Returns whether it is the key of the lowercase [letter] alone, and not typed into something. */
+/** Returns whether it is the lowercase [letter] alone, and is not typed into a field. */
 internal fun KeyboardEvent.isPlain(letter: String): Boolean =
     key.lowercase() == letter && !ctrlKey && !metaKey && !altKey && !shiftKey && !isTyped

@@ -2,19 +2,16 @@ package badlog.page.dom
 
 import kotlinx.browser.localStorage
 
-/**
- * What the browser stores between visits. Pages on a disk may not be allowed to store anything: then nothing is
- * stored.
- */
+/** The browser's storage between visits. Pages on a disk may not be allowed to store anything; then nothing is stored. */
 internal object LocalStorage {
-    /** Returns what was stored under [key], or null. */
+    /** Returns the text stored under [key]; null if there is none. */
     operator fun get(key: String): String? = try {
         localStorage.getItem("badlog:$key")
     } catch (_: Throwable) {
         null
     }
 
-    /** Returns the keys that begin with [start] and under which something is stored. */
+    /** Returns the stored keys that begin with [start]. */
     fun keys(start: String): List<String> = try {
         val own = List(localStorage.length) { localStorage.key(it).orEmpty() }.filter { it.startsWith("badlog:$start") }
         own.map { it.removePrefix("badlog:") }
@@ -22,16 +19,16 @@ internal object LocalStorage {
         emptyList()
     }
 
-    /** Removes what is stored under [key]. */
+    /** Removes the text stored under [key]. */
     fun remove(key: String) {
         try {
             localStorage.removeItem("badlog:$key")
         } catch (_: Throwable) {
-            // Nothing is stored where that is forbidden.
+            // Nothing is stored where storing is forbidden.
         }
     }
 
-    /** Stores [text] under [key], if that is allowed. */
+    /** Stores [text] under [key] if storing is allowed. */
     operator fun set(key: String, text: String) {
         try {
             localStorage.setItem("badlog:$key", text)

@@ -11,14 +11,14 @@ import org.w3c.dom.events.KeyboardEvent
 /**
  * An entry of a menu.
  *
- * @property label what it does.
- * @property isChecked whether it is currently on; null for an action that is done once.
+ * @property label the text of the entry, which names its action.
+ * @property isChecked whether it is currently on; null for a one-time action.
  */
 internal class MenuEntry(val label: String, val isChecked: Boolean? = null, val action: () -> Unit)
 
 /**
- * Opens a menu with [entries] at the height of [button], as a child of [host], which must be positioned and not clip its content. Arrow
- * keys move within it; Escape, or moving the focus elsewhere, closes it.
+ * Opens a menu with [entries] below [button], as a child of [host]. The host must be positioned and not clip its content. Arrow keys move
+ * within it; Escape, or moving the focus elsewhere, closes it.
  */
 internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<MenuEntry>) {
     val menu = element("div", "menu card") { setAttribute("role", "menu") }
@@ -53,7 +53,7 @@ internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<Menu
     })
     menu.addEventListener("focusout", { event ->
         val next = event.unsafeCast<FocusEvent>().relatedTarget.unsafeCast<Node?>()
-        // Pressing outside it gives the focus to nothing.
+        // A click outside the menu leaves nothing focused.
         if (next == null || !menu.contains(next)) window.setTimeout({ if (!menu.contains(document.activeElement)) close() }, 0)
     })
     button.setAttribute("aria-expanded", "true")

@@ -8,7 +8,7 @@ internal external class IntersectionObserver(callback: (entries: Array<Intersect
     fun unobserve(target: Element)
 }
 
-/** What an [IntersectionObserver] reports about one element. */
+/** The report of an [IntersectionObserver] about one element. */
 internal external interface IntersectionObserverEntry {
     val target: Element
     val isIntersecting: Boolean

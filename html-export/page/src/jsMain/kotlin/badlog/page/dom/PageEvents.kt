@@ -3,7 +3,7 @@ package badlog.page.dom
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.EventTarget
 
-/** What the shown log listens to outside its own elements, and what works for it. Both end when something else is shown. */
+/** The shown log's listeners outside its own elements, and its work. Both end when something else is shown. */
 internal object PageEvents {
     private var lasting = newController()
     private val ends = ArrayList<() -> Unit>()
@@ -12,16 +12,16 @@ internal object PageEvents {
     fun on(target: EventTarget, type: String, listener: (Event) -> Unit) =
         target.addEventListener(type, listener, json("signal" to lasting.signal))
 
-    /** Calls [listener] at the next event of [type], if it comes before the [end]. */
+    /** Calls [listener] at the next event of [type] on [target], unless [end] comes first. */
     fun once(target: EventTarget, type: String, listener: (Event) -> Unit) =
         target.addEventListener(type, listener, json("signal" to lasting.signal, "once" to true))
 
-    /** Calls [work] once, at the [end]. */
+    /** Calls [work] once, at the next [end]. */
     fun onEnd(work: () -> Unit) {
         ends += work
     }
 
-    /** Ends all listening, and all work. */
+    /** Ends all listeners and all work. */
     fun end() {
         lasting.abort()
         lasting = newController()

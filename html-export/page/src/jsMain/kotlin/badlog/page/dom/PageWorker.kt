@@ -12,7 +12,7 @@ private val address by lazy {
     URL.createObjectURL(Blob(arrayOf(script), BlobPropertyBag("text/javascript")))
 }
 
-/** Starts a worker that runs the page's own script, called [name], or returns null if the browser's rules for pages on a disk forbid it. */
+/** Starts a worker named [name] that runs the page's own script. Returns null if the browser forbids it for pages on a disk. */
 internal fun startWorker(name: String = ""): Worker? = try {
     Worker(address, json("name" to name).unsafeCast<WorkerOptions>())
 } catch (_: Throwable) {

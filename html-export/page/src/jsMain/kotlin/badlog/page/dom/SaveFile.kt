@@ -14,7 +14,7 @@ internal fun saveFile(content: Blob, name: String) {
     document.body?.appendChild(link)
     link.click()
     link.remove()
-    // The browser reads the bytes after the click; no event says when it is done.
+    // The browser reads the bytes after the click, and no event reports that it is done.
     window.setTimeout({ URL.revokeObjectURL(link.href) }, SAVING_MILLISECONDS)
 }
 

@@ -5,7 +5,7 @@ import kotlinx.browser.window
 import org.w3c.files.File
 
 /**
- * What the page knows about its embedded file.
+ * The facts that the page holds about its embedded file.
  *
  * @property name the file's name.
  * @property isCompressed whether the file itself is a gzip stream, possibly a cut one.
@@ -15,8 +15,8 @@ import org.w3c.files.File
  * @property version the version of badlog that made the page.
  * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
  * @property isServed whether the page comes from a web server on a robot, whose logs it lists.
- * @property isOnWeb whether it comes from a web site: it opens logs that links name, and those that other programs hand over.
- * @property fileKey identifies this file for what the browser remembers about it.
+ * @property isOnWeb whether the page comes from a web site; it then opens logs from links and from other programs.
+ * @property fileKey identifies this file in the browser's storage.
  */
 internal class About(
     val name: String,
@@ -32,7 +32,7 @@ internal class About(
     val fileKey: String = "$name:$inflatedBytes",
 ) {
     companion object {
-        /** Returns what is known of [files], which a person opened on a page that [version] of badlog made, remembered under [fileKey]. */
+        /** Returns the facts about [files], opened on a page made by badlog [version] and stored under [fileKey]. */
         fun of(files: List<File>, version: String, fileKey: String): About = About(
             name = files[0].name,
             isCompressed = false,
@@ -45,7 +45,7 @@ internal class About(
             fileKey = fileKey,
         )
 
-        /** Reads it from the page. Returns null if the page is incomplete. */
+        /** Reads the facts from the page. Returns null if the page is incomplete. */
         fun find(): About? {
             val text = document.getElementById("about")?.textContent ?: return null
             val json = try {

@@ -5,8 +5,9 @@ import badlog.protocol.fromJson
 import kotlinx.browser.document
 
 /**
- * Returns what the page contains besides the recording; null if this browser cannot read it, for example because it is too long for a
- * string.
+ * Returns the page's content besides the recording.
+ *
+ * Null if this browser cannot read it, for example because it is too long for a string.
  */
 internal fun findAdditions(): PageAdditions? {
     val element = document.getElementById("additions") ?: return PageAdditions()

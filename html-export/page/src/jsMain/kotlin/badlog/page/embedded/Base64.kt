@@ -26,7 +26,7 @@ internal object Base64 {
         return Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
     }
 
-    /** Returns the same without the browser's decoder, which browsers before 2025 do not have. */
+    /** Returns the same as [decode] without the browser's decoder, which browsers before 2025 lack. */
     fun decodeByTable(text: String): ByteArray {
         var characters = text.length
         while (characters > 0 && text[characters - 1] == '=') characters--

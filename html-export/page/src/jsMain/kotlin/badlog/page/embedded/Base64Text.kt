@@ -5,17 +5,18 @@ import org.w3c.dom.Node
 import org.w3c.dom.Text
 
 /**
- * The base64 text of an [element], piece by piece. It can be hundreds of megabytes long, in one text node or in
- * thousands, so it is never concatenated. More of it may arrive while the page is being loaded.
+ * The base64 text of an [element], piece by piece. It can be hundreds of megabytes long, in one text node or in thousands, so it is never
+ * concatenated. More of it may arrive while the page loads.
  */
 internal class Base64Text(private val element: Element) {
     private var node: Node? = null
     private var offset = 0
 
     /**
-     * Returns the next piece of a line: all of it, but not so many characters that it would take long; a multiple of four
-     * characters, if more may follow. The last piece of a line ends with its line feed; each line can be decoded without the lines before
-     * it. Null if there is no more, or not yet.
+     * Returns the next piece of a line; null if there is no more, or not yet.
+     *
+     * A piece has at most [PIECE] characters, and a multiple of four if more may follow. The last piece of a line ends with its line feed.
+     * Each line can be decoded without the lines before it.
      */
     fun next(): String? {
         var piece = ""

@@ -4,7 +4,7 @@ import org.khronos.webgl.Int8Array
 import org.khronos.webgl.Uint8Array
 import org.w3c.files.Blob
 
-/** Collects the parts of a file, and from time to time passes them to the browser's blob store, which may be on disk. */
+/** Collects the parts of a file. From time to time it passes them to the browser's blob store, which may be on disk. */
 internal class BlobParts {
     private var blob = Blob()
     private var parts = ArrayList<Any>()

@@ -6,7 +6,7 @@ import org.w3c.dom.asList
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** Returns the files of the logs in this page that it compares with its own; rejected if one was damaged. */
+/** Returns the files in this page of the logs compared with its own; rejected if one was damaged. */
 internal fun comparedFiles(): Promise<List<File>> {
     val files = document.querySelectorAll("script.compared").asList().map { node ->
         val element = node.unsafeCast<Element>()

@@ -1,12 +1,12 @@
 package badlog.page.embedded
 
-/** Removes the JSON line from the chunks of a bag, which leaves its CSV part. Blank lines before it are removed, too. */
+/** Removes the JSON line, and blank lines before it, from the chunks of a bag, which leaves its CSV part. */
 internal class CsvPart(private val hasHeaderLine: Boolean) {
     private var isInHeader = hasHeaderLine
     private var sawHeader = false
     private var sawReturn = false
 
-    /** Returns the part of [chunk], the next one of the file, that belongs to the CSV part. */
+    /** Returns the CSV part of [chunk], the next chunk of the file. */
     fun filter(chunk: ByteArray): ByteArray {
         if (!isInHeader && !sawReturn) return chunk
         var at = 0

@@ -15,8 +15,9 @@ internal class EmbeddedFile(private val element: Element) {
     }
 
     /**
-     * Returns the bytes that the page's gzip stream inflates to; [filter] may remove some of each chunk. Fails if a stream that is read to
-     * its end was damaged.
+     * Returns the bytes that the page's gzip stream inflates to; [filter] may remove bytes from each chunk.
+     *
+     * Fails if [expectedBytes] is not given and the browser found an error in the stream.
      */
     fun inflated(
         expectedBytes: Double = Double.POSITIVE_INFINITY,

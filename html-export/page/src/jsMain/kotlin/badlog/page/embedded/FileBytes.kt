@@ -8,13 +8,13 @@ import org.w3c.fetch.Response
 import org.w3c.files.Blob
 import kotlin.js.Promise
 
-/** The bytes with which a gzip stream begins. */
+/** The first bytes of every gzip stream. */
 internal val GZIP: ByteArray = byteArrayOf(0x1f, 0x8b.toByte())
 
-/** What ends a script of a page. */
+/** The end tag of the page's scripts. */
 internal const val END: String = "</script>"
 
-/** The number of bytes that are read at once; a multiple of three, so that their base64 texts are one. */
+/** The number of bytes read at once; a multiple of three, so that base64 pads only the last piece. */
 internal const val PIECE: Int = 3 shl 20
 
 /** Returns the bytes from [from] until [until] of [file], or until its end. */
@@ -29,7 +29,6 @@ internal fun packed(content: Blob): Promise<Blob> {
     return Response(stream).blob()
 }
 
-/** Returns [bytes] in base64. */
 internal fun base64(bytes: ByteArray): String {
     val all = bytes.unsafeCast<Int8Array>().let { Uint8Array(it.buffer, it.byteOffset, it.length) }
     return (0 until all.length step ARGUMENTS).joinToString("") { from ->
@@ -38,5 +37,5 @@ internal fun base64(bytes: ByteArray): String {
     }
 }
 
-/** The number of arguments that a function takes in any browser; a multiple of three. */
+/** The number of arguments that a function accepts in every browser; a multiple of three. */
 private const val ARGUMENTS = 24_576

@@ -3,7 +3,7 @@ package badlog.page.embedded
 /**
  * A canonical Huffman code (RFC 1951, 3.2.2).
  *
- * @param lengths the number of bits of each symbol, 0 for one that does not occur.
+ * @param lengths the number of bits of each symbol; 0 for a symbol that does not occur.
  */
 internal class HuffmanCode(lengths: ByteArray) {
     /** The number of symbols of each length, up to [MAX_LENGTH]. */

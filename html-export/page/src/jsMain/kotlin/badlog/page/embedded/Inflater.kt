@@ -1,8 +1,8 @@
 package badlog.page.embedded
 
 /**
- * Inflates gzip as RFC 1951 and 1952 describe it, for what the browser's `DecompressionStream` cannot read: streams
- * of several members, and the readable part of cut ones. Needs the whole compressed file in memory.
+ * Inflates gzip (RFC 1951 and 1952) where the browser's `DecompressionStream` fails. That is for streams of several members, and for the
+ * readable part of cut streams. Needs the whole compressed file in memory.
  *
  * @param sink receives the inflated bytes, in pieces.
  */
@@ -28,11 +28,11 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
     )
     private val fixedDistances = HuffmanCode(ByteArray(30) { 5 })
 
-    /** Whether it ended too early, or was damaged. */
+    /** Whether the input ended too early or was damaged. */
     var isCut = false
         private set
 
-    /** Inflates everything that can be read. */
+    /** Inflates all bytes that can be read. */
     fun run() {
         try {
             while (at < input.size && skipHeader()) {
@@ -73,7 +73,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
                 else -> throw DamageException()
             }
         } while (!isLast)
-        // Whole bytes that were read ahead belong to what follows.
+        // Whole bytes that were read ahead belong to the trailer.
         at -= bitCount / 8
     }
 
@@ -185,7 +185,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
     }
 
     private companion object {
-        /** At least the 32 kB that a match may refer back to. */
+        /** At least the 32 kB to which a match may refer back. */
         const val PIECE = 1 shl 16
         const val TRAILER = 8
         const val CHECKSUM = 2
@@ -196,7 +196,7 @@ internal class Inflater(private val input: ByteArray, private val sink: (ByteArr
         val LENGTH_BITS = IntArray(29) { if (it < 8 || it == 28) 0 else it / 4 - 1 }
         val DISTANCE_BITS = IntArray(30) { if (it < 4) 0 else it / 2 - 1 }
 
-        // Each code begins where the previous one ends; only the last length, the longest, has a code outside this scheme.
+        // Each code begins where the previous one ends; only the last length, the longest, does not follow this scheme.
         val LENGTHS = startsOf(LENGTH_BITS, 3).also { it[28] = 258 }
         val DISTANCES = startsOf(DISTANCE_BITS, 1)
 

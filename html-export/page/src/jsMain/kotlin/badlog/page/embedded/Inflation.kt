@@ -5,11 +5,10 @@ import org.khronos.webgl.Uint8Array
 import kotlin.js.Promise
 
 /**
- * Inflates a gzip stream that is pushed to it in pieces, with the browser's own `DecompressionStream`.
+ * Inflates a gzip stream that arrives in pieces, with the browser's own `DecompressionStream`.
  *
- * Reads while it writes, and never needs a clean end: the streams of robots are never closed, and a stream that is
- * closed too early discards what it holds. If the browser stops within a stream of several members, [Inflater]
- * does the rest.
+ * Reads while it writes, and never needs a clean end: robots never close their streams, and a stream closed too early discards its buffer.
+ * If the browser stops within a stream of several members, [Inflater] does the rest.
  *
  * @param expectedBytes the number of bytes to inflate; reading stops there.
  * @param isWhole whether the stream is known to be a single, complete member, so that it may be closed.
@@ -20,7 +19,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
     private val writer: dynamic = stream.writable.getWriter()
     private val reader: dynamic = stream.readable.getReader()
 
-    // Kept for streams that the browser may not read to their end; those are the small ones that robots write.
+    // Kept for streams that the browser may not read to the end; robots write these, and they are small.
     private val pieces = ArrayList<ByteArray>()
     private var hasEnded = false
     private var hasStopped = false
@@ -31,7 +30,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
     var inflatedBytes = 0.0
         private set
 
-    /** Whether the browser found an error in the stream, which has a checksum of its own. */
+    /** Whether the browser found an error in the stream, which has its own checksum. */
     var hasFailed = false
         private set
 
@@ -91,7 +90,7 @@ internal class Inflation(private val expectedBytes: Double, private val isWhole:
         sink(bytes)
     }
 
-    // A cut stream never signals its end: it is over when nothing comes for a while after its last piece.
+    // A cut stream never signals its end. It is over if nothing arrives for a while after its last piece.
     private fun waitForQuiet(bytes: Double) {
         js("setTimeout")({
             if (inflatedBytes == bytes) stop() else waitForQuiet(inflatedBytes)

@@ -2,12 +2,12 @@ package badlog.page.embedded
 
 import badlog.protocol.Crc32
 
-/** The CRC-32 of each line of an embedded file, from its bytes in order, to compare with those that the exporter wrote. */
+/** The CRC-32 of each line of an embedded file, to compare with the checksums that the exporter wrote. */
 internal class LineSums {
     private val crc = Crc32()
     private val sums = ArrayList<Int>()
 
-    /** The sum of each line that has ended. */
+    /** The sum of each complete line. */
     val all: List<Int> get() = sums
 
     /** Adds [bytes], the next piece of a line; [isLast] ends the line. */
@@ -18,11 +18,11 @@ internal class LineSums {
         crc.reset()
     }
 
-    /** Adds the [sum] of the next line, which was calculated elsewhere. */
+    /** Adds the [sum] of the next line, if it was calculated elsewhere. */
     fun add(sum: Int) {
         sums += sum
     }
 
-    /** Returns whether these are all lines, and nothing was changed in them. */
+    /** Returns whether the sums equal those [expected], so that no line is missing or changed. */
     fun fit(expected: Array<Int>): Boolean = sums == expected.asList()
 }

@@ -6,17 +6,17 @@ import kotlin.js.Promise
 
 /** The bytes of the log that is shown, for downloads and copies. */
 internal interface LogBytes {
-    /** Returns the bytes of its files, one after the other, exactly as they were when they were exported or opened. */
+    /** Returns the bytes of the log's files, one after the other, exactly as they were exported or opened. */
     fun original(): Promise<Blob>
 
-    /** Returns its text, of which [filter] may remove some of each chunk; null if only what was read from it can be saved. */
+    /** Returns the log's text; [filter] may remove bytes from each chunk. Null if only the recording can be saved. */
     fun text(filter: (ByteArray) -> ByteArray): Promise<Blob>?
 
-    /** Returns what a page holds of it: the log itself and the facts about it, as markup; null if this page already does. */
+    /** Returns the log and the facts about it as markup for a page; null if this page already holds them. */
     fun toMarkup(): Promise<Blob>?
 }
 
-/** The log [element] in this page, about which it says [about]. */
+/** The log [element] of this page, with the facts [about] it. */
 internal class EmbeddedLog(private val about: About, element: Element) : LogBytes {
     private val file = EmbeddedFile(element)
 

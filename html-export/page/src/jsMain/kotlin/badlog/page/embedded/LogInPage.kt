@@ -6,7 +6,7 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Returns the files of the log that [page], a page of badlog, holds; null if it holds none. Rejected if it was changed since it was
+ * Returns the files of the log in [page], a page of badlog; null if it contains none. Rejected if the log was changed since it was
  * exported. Only a piece of the page is in memory at a time.
  */
 internal fun logIn(page: File): Promise<List<File>?> = PageScan(page).run()
@@ -15,7 +15,7 @@ private class PageScan(private val page: File) {
     private val gzip = BlobParts()
     private val sums = LineSums()
 
-    /** What was read of the page and not understood yet. */
+    /** The text read so far but not scanned yet. */
     private var rest = ""
     private var isInLog = false
     private var hasLog = false
@@ -28,7 +28,7 @@ private class PageScan(private val page: File) {
             begin < 0 || isInLog -> error(DAMAGED)
 
             else -> {
-                // Read again as UTF-8, in which the page is written.
+                // Read again as UTF-8, the encoding of the page.
                 val end = page.asDynamic().slice(page.size.toDouble() - rest.length + begin + ABOUT.length)
                 end.text().unsafeCast<Promise<String>>().then { filesOf(JSON.parse<dynamic>(it.substringBefore('<'))) }
             }
@@ -59,7 +59,7 @@ private class PageScan(private val page: File) {
     private fun scan() {
         if (!isInLog && !hasLog) {
             val begin = rest.indexOf(LOG)
-            // A name may have this sign, but no quotes.
+            // A name may contain “>”, but no quotes.
             val end = rest.indexOf("\">", maxOf(begin, 0))
             if (begin < 0 || end < 0) return forget()
             rest = rest.substring(end + 2)
@@ -81,7 +81,7 @@ private class PageScan(private val page: File) {
         forget()
     }
 
-    /** Forgets all but the end of what was read: a tag may have been cut in two. */
+    /** Keeps only the end of the text read so far, because a tag may have been cut in two. */
     private fun forget() {
         rest = rest.takeLast(LONGEST)
     }
@@ -91,13 +91,13 @@ private class PageScan(private val page: File) {
         const val ABOUT = "id=\"about\">"
         const val DAMAGED = "the log in it was damaged in copying"
 
-        /** Longer than any facts about a log. */
+        /** Longer than the facts about any log. */
         const val LONGEST = 1 shl 20
 
-        /** The characters of base64 for three bytes. */
+        /** The number of base64 characters for three bytes. */
         const val GROUP = 4
 
-        /** One character for each byte. */
+        /** Decodes each byte as one character. */
         val LATIN: dynamic = js("new TextDecoder('latin1')")
     }
 }

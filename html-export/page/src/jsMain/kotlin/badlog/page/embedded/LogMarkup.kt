@@ -7,8 +7,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Returns the markup by which a page holds the log in [files], the same that the exporter writes: its gzip stream in base64, and the facts
- * about it. A gzipped file is held as it is.
+ * Returns the markup for the log in [files], the same as the exporter's. It consists of the log's gzip stream in base64, and the facts
+ * about it. A gzipped file is embedded unchanged.
  *
  * @param version the version of badlog that wrote this page.
  */
@@ -44,17 +44,17 @@ private fun markupOf(gzip: Blob, facts: dynamic): Promise<Blob> {
     val sums = LineSums()
     return scriptOf(gzip, "id", "recording", facts.name as String, sums).then { script ->
         facts.crc32 = sums.all.toTypedArray()
-        // Whatever a file is called, it must not end the script.
+        // A file name must not end the script.
         val text = JSON.stringify(facts.unsafeCast<Any>()).replace("<", "\\u003c")
         Blob(arrayOf<dynamic>(script, "<script type=\"application/json\" id=\"about\">$text$END\n"))
     }
 }
 
-/** Returns the markup by which a page holds [file], a file of a log that it compares with its own. */
+/** Returns the markup for [file], a file of a compared log. */
 internal fun markupOfCompared(file: File): Promise<Blob> =
     packed(file).then { scriptOf(it, "class", "compared", file.name, LineSums()) }.unsafeCast<Promise<Blob>>()
 
-/** Returns the script that holds [gzip] of the file [name]; its checksums become those of [sums]. */
+/** Returns the script that holds [gzip], the file [name]; its checksums are added to [sums]. */
 private fun scriptOf(gzip: Blob, attribute: String, value: String, name: String, sums: LineSums): Promise<Blob> {
     val carrier = element("script")
     carrier.setAttribute("type", "application/octet-stream")

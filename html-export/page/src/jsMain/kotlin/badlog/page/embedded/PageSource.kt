@@ -13,10 +13,10 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * The text of this page as it was exported, for a copy of it. Everything is still in the document: the program, which the page's policy
- * demands letter for letter, and the log.
+ * The text of this page as it was exported, for a copy. The document still contains all of it: the program, which the page's policy
+ * requires letter for letter, and the log.
  *
- * @param root the part of the page that its program fills; still as it was exported.
+ * @param root the element that the program fills; still as it was exported.
  */
 internal class PageSource(root: Element) {
     private val waiting = root.outerHTML
@@ -24,10 +24,10 @@ internal class PageSource(root: Element) {
     /**
      * Returns a copy of this page with [notes] and with [layout], the text of a layout file. Fails if the page's own additions are damaged.
      *
-     * @param rules what to look for, if the page's reader has changed it; null for the page's own.
-     * @param opened the log to hold instead of the page's own, see [LogBytes.toMarkup]; null for the page's own.
+     * @param rules the rules, if the page's reader has changed them; null for the page's own.
+     * @param opened the markup of a log that replaces the page's own, see [LogBytes.toMarkup]; null for the page's own.
      * @param compared the files of the logs that are compared with it.
-     * @param removed those that are not any more; all others that the page holds are copied as they are.
+     * @param removed the files of logs that are no longer compared; the other compared logs in the page are copied unchanged.
      */
     fun copyWith(
         notes: NoteHistory,
@@ -58,9 +58,9 @@ internal class PageSource(root: Element) {
     private fun copyWith(additions: String, opened: Blob?, compared: Array<Blob>, removed: List<Element>): Blob {
         val copy = BlobParts()
         copy.add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n")
-        // The program and its style follow the style that the page has from the beginning.
+        // The program and its style come after the page's first style element.
         val head = checkNotNull(document.head).children.asList()
-        // A copy is a file, which asks nothing of a network, wherever the page came from.
+        // A copy is a file, which never uses a network, wherever the page came from.
         for (element in head.take(head.indexOfFirst { it.tagName == "STYLE" } + 1)) copy.add(element.outerHTML.replace(NETWORK, "") + "\n")
         copy.add("</head>\n<body>\n")
         for (element in checkNotNull(document.body).children.asList()) {
@@ -77,7 +77,7 @@ internal class PageSource(root: Element) {
 
                 else -> {
                     if (element.id == "packed") copy.addAdditions(additions)
-                    // The facts about the log are the end of a page.
+                    // The facts about the log end a page.
                     if (element.id == "about") compared.forEach(copy::add)
                     copy.addScript(element)
                 }
@@ -106,10 +106,10 @@ internal class PageSource(root: Element) {
     }
 
     private companion object {
-        /** The scripts of a page that are not about its log. */
+        /** The scripts of a page that do not depend on its log. */
         val PROGRAM = setOf("packed", "unpacking")
 
-        /** What a policy allows a page that a server has. */
+        /** The part of the policy that allows a served page to use the network. */
         val NETWORK = Regex("connect-src [^;]*; ")
 
         const val NO_ADDITIONS = """{"virtual":[],"findings":[],"hooks":[]}"""

@@ -21,7 +21,7 @@ import org.w3c.files.BlobPropertyBag
 internal val Scene.figureNotes: FigureNotes
     get() = FigureNotes.of(if (view.title == null) "" else fileName, xAxis, range.now, cursor.now, clocks, findings)
 
-/** Returns menu entries that save the [parts] as a picture whose file is named after [name]. */
+/** Returns menu entries that save the [parts] as a picture in a file named after [name]. */
 internal fun imageEntries(scene: Scene, name: String, parts: () -> List<(Sheet) -> Unit>): List<MenuEntry> {
     fun Sheet.draw() = figure(scene.view.title ?: scene.fileName, scene.figureNotes, parts())
     return listOf(
@@ -37,7 +37,7 @@ internal fun imageEntries(scene: Scene, name: String, parts: () -> List<(Sheet) 
 internal fun pictureOf(scene: Scene, parts: List<(Sheet) -> Unit>, onReady: (Blob) -> Unit) =
     pngOf(WIDTH, { figure(scene.view.title ?: scene.fileName, scene.figureNotes, parts) }, onReady)
 
-/** Returns what [draw] draws as SVG. */
+/** Returns the drawing of [draw] as SVG. */
 internal fun svgOf(width: Int, draw: Sheet.() -> Unit): String {
     val ruler = CanvasPen(newCanvas())
     // A page may show several drawings, and the names of their parts must differ.
@@ -46,7 +46,7 @@ internal fun svgOf(width: Int, draw: Sheet.() -> Unit): String {
     return pen.document(width.toDouble(), sheet.height, PenColors.LIGHT[Shade.SURFACE])
 }
 
-/** Draws the same as PNG, in the resolution of the screen, and passes it to [onReady]. */
+/** Draws [draw] as PNG, in the resolution of the screen, and passes it to [onReady]. */
 private fun pngOf(width: Int, draw: Sheet.() -> Unit, onReady: (Blob) -> Unit) {
     val ratio = window.devicePixelRatio
     val context = newCanvas()
@@ -64,10 +64,10 @@ private fun pngOf(width: Int, draw: Sheet.() -> Unit, onReady: (Blob) -> Unit) {
 private fun newCanvas(): CanvasRenderingContext2D =
     document.createElement("canvas").unsafeCast<HTMLCanvasElement>().getContext("2d").unsafeCast<CanvasRenderingContext2D>()
 
-/** Returns the name of a file with [part] of a log. */
+/** Returns the name of a file with the [part] of a log. */
 internal fun fileNameOf(scene: Scene, part: String, ending: String): String {
     val stem = scene.fileName.removeSuffix(".gz").substringBeforeLast('.')
-    // Slashes make folders, and some systems do not allow the others in a name.
+    // Slashes make folders, and some systems forbid the other characters in names.
     return "$stem $part".map { if (it < ' ' || it in "\\/:*?\"<>|") '_' else it }.joinToString("").take(MAX_NAME_LENGTH).trim() + ending
 }
 

@@ -12,15 +12,15 @@ import org.w3c.files.FilePropertyBag
 import kotlin.js.Promise
 
 /**
- * Sends [text], with a picture of [parts]: with the system's own dialog where there is one, as on phones; otherwise through the clipboard; or
- * else it is saved.
+ * Sends [text] with a picture of [parts] in the first way that works. The ways are the system's own dialog, as on phones; the clipboard;
+ * and saving the picture as a file.
  */
 internal fun sendMoment(scene: Scene, text: String, parts: List<(Sheet) -> Unit>) = pictureOf(scene, parts) { picture ->
     val name = fileNameOf(scene, "moment", ".png")
     val file = File(arrayOf<dynamic>(picture), name, FilePropertyBag(type = "image/png"))
     val message = json("files" to arrayOf(file), "text" to text)
     shared(message).then({}, { problem ->
-        // A person who closes the system's dialog wants nothing else.
+        // A reader who closes the system's dialog wants nothing else.
         if (problem.asDynamic().name == "AbortError") return@then
         copied(picture, text).then({ scene.notice.say("Picture and text copied: paste them into a message.") }, {
             saveFile(picture, name)

@@ -12,12 +12,12 @@ import kotlin.js.Date
 import kotlin.js.Promise
 
 /**
- * Promises the table of [draft] as a file. It is made in slices, so that the page stays responsive: if one slice is not enough, [notice] shows
- * the progress. Closing the notice cancels the work; the result is then null.
+ * Promises the table of [draft] as a file; null if the work is canceled. It is made in slices, so that the page stays responsive. If one
+ * slice is not enough, [notice] shows the progress; closing the notice cancels the work.
  */
 internal fun fileOf(draft: CsvDraft, notice: Notice): Promise<Blob?> = Promise { resolve, _ -> TableSlices(draft, notice, resolve).next() }
 
-/** Saves the table of [draft] under [name], and says how its rows were made if the log has none. */
+/** Saves the table of [draft] under [name], and shows how its rows were made if the log has none. */
 internal fun saveTable(scene: Scene, name: String, draft: CsvDraft) {
     fileOf(draft, scene.notice).then { file ->
         if (file == null) return@then
@@ -35,7 +35,7 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
     private val parts = ArrayList<Blob>()
     private var row = 0
 
-    /** The number of rows made at a time: a row may have one cell, or thousands. */
+    /** The number of rows made at a time, because a row may have one cell or thousands. */
     private var rows = 1
     private var isCancelled = false
 

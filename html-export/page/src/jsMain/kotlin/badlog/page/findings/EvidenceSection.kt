@@ -29,11 +29,11 @@ import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
- * One place of a finding: what was found there, what to look at next, and the graphs that show it, together on a screen. Hidden until
- * a person goes to one.
+ * The evidence of a finding at one place: its sentences, the next step, and its graphs, together on one screen. Hidden until a person goes
+ * to a finding.
  *
- * @param onStep called when a person wants to see another place of the same finding, with the number of places to advance.
- * @param onSend called when a person wants to send what is shown, with its sentences.
+ * @param onStep called to go to another place of the same finding, with the number of places to advance.
+ * @param onSend called to send the shown evidence, with its sentences.
  */
 internal class EvidenceSection(
     private val scene: Scene,
@@ -81,15 +81,14 @@ internal class EvidenceSection(
         isHidden = true
     }
 
-    /** Whether it is shown. */
     val isOpen: Boolean get() = !element.isHidden
 
     /** The cards of the graphs that it shows. */
     val cards: List<GraphCard> get() = drawn
 
     /**
-     * Shows what was found at [place]; if it is part of [incident], also all evidence of that; and if that [isWhole], what happened from its
-     * cause on.
+     * Shows the finding at [place], with all evidence of its [incident] if there is one. If [isWhole], shows the sentences of the whole
+     * incident.
      */
     fun show(place: FindingPlace<Finding>, incident: Incident?, isWhole: Boolean) {
         val finding = place.finding
@@ -120,7 +119,7 @@ internal class EvidenceSection(
         element.isHidden = true
     }
 
-    /** Moves its graphs to the board. */
+    /** Moves the graphs to the board. */
     private fun keep() {
         val kept = board.graphs
         draw(Board())

@@ -11,10 +11,10 @@ import badlog.signals.vocabulary.SignalVocabulary
 import org.w3c.files.Blob
 
 /**
- * Lets a person say which topic of [log] is a signal that rules lack.
+ * Lets a person assign topics of [log] to signals that rules lack.
  *
- * @param signals the names of signals that the page knows.
- * @param onChange called when a signal has another topic: everything depends on it.
+ * @param signals the vocabulary of the page.
+ * @param onChange called when a signal has another topic, because everything depends on it.
  */
 internal class SignalChoice(
     private val log: LogView,
@@ -25,10 +25,10 @@ internal class SignalChoice(
     /** The topics that can be a signal. */
     val topics: List<String> by lazy { log.recording.topics.filter { it.kind != TopicKind.EMPTY }.map { it.name } }
 
-    /** The topic of each signal that a reader named. */
+    /** The topic of each signal that the reader assigned. */
     val assigned: Map<String, String> = AssignedSignals.of(log.recording).associate { it.key to it.value }
 
-    /** Makes [topic] the signal [signal], or says why it cannot be that. */
+    /** Assigns [topic] to [signal], or shows why that is impossible. */
     fun assign(signal: String, topic: String) {
         val refusal = refusalOf(signal, topic, log, signals.assigning(signal, topic))
         if (refusal != null) return notice.say(refusal)
@@ -36,12 +36,12 @@ internal class SignalChoice(
         onChange()
     }
 
-    /** Makes [signal] what it was before. */
+    /** Restores the original topic of [signal]. */
     fun forget(signal: String) {
         AssignedSignals.forget(signal)
         onChange()
     }
 
-    /** Saves what was assigned as a file, for the folder of logs. */
+    /** Saves the assignments as a file for the folder of logs. */
     fun save() = saveFile(Blob(arrayOf(AssignedSignals.fileOf(AssignedSignals.of(log.recording)))), "badlog-signals.toml")
 }

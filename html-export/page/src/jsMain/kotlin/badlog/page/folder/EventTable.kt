@@ -57,13 +57,13 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
         showFound()
     }
 
-    /** The number of events, or of those found. */
+    /** The number of listed events. */
     val foundCount: Int get() = found.size
 
-    /** Gives it the keyboard focus, so that keys scroll it. */
+    /** Focuses the list, so that keys scroll it. */
     fun focus() = scroll.focusInPlace()
 
-    /** Shows the events that [query] finds, and returns their number. */
+    /** Shows the events that match [query], and returns their number. */
     fun filter(query: Query): Int {
         found = if (query.isEmpty) log.events else log.events.filterIndexed { i, _ -> query.matchesLowercase(haystacks[i], EVENT) }
         showFound()

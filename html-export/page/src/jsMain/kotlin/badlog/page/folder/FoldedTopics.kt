@@ -20,8 +20,8 @@ import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 
 /**
- * The topics of a large log that no graph shows: constant ones as a table of names and values, and the names of topics without
- * samples. Each list opens when a person opens it, or when a search finds something in it.
+ * The topics of a large log that no graph shows. One list has the names and values of constant topics, another the names of topics without
+ * samples. A list opens on request, or when it contains matches of a search.
  *
  * @param draw adds a graph to its folder.
  * @param onDraw called with each graph that was added.
@@ -44,7 +44,7 @@ internal class FoldedTopics(outline: LogOutline, private val scene: Scene, draw:
         for (list in listOf(constants, empty)) if (list.size > 0) appendChild(list.element)
     }
 
-    /** Shows what [query] finds. */
+    /** Shows the rows that match [query]. */
     fun filter(query: Query): Hits = Hits(topics = constants.filter(query, scene) + empty.filter(query, scene))
 
     private class Row(val element: HTMLElement, val name: String, val haystack: String, makeTraits: () -> Set<Trait>) {

@@ -15,13 +15,13 @@ import badlog.viewer.shown.search.Query
 import org.w3c.dom.HTMLElement
 
 /**
- * All folders, the root folder first, then one for each hook. The page remembers for the file which ones are closed.
+ * All folders: the root folder first, each hook's folder last. The browser remembers the closed folders of each file.
  *
  * @param fileKey identifies the file.
- * @param outline what is drawn initially, and what is only listed.
- * @param onDraw called with each graph that is drawn because a person asked for it, [onLeave] with each that is
- * removed.
- * @param origin what calculated a graph, if it was not logged; otherwise empty.
+ * @param outline the graphs that are drawn initially, and those that are only listed.
+ * @param onDraw called with each graph that is drawn on request.
+ * @param onLeave called with each such graph that is removed.
+ * @param origin returns the origin of a graph that was calculated; empty for a logged one.
  */
 internal class FolderList(
     outline: LogOutline,
@@ -55,9 +55,7 @@ internal class FolderList(
         appendChild(folded.element)
     }
 
-    /**
-     * Lays out the folders with the first [graphs] graphs, but not those below: everything laid out delays the display of the first ones.
-     */
+    /** Lays out the folders with the first [graphs] graphs, but not those below, because all layout delays the first graphs. */
     fun layOut(graphs: Int) {
         var above = 0
         for (section in sections) {
@@ -69,12 +67,12 @@ internal class FolderList(
     /** Opens all folders. */
     fun openAll() = setAll(false)
 
-    /** Closes all folders but the root folder. */
+    /** Closes all folders except the root folder. */
     fun closeAll() = setAll(true)
 
-    /** Shows what [query] finds. */
+    /** Shows the parts of the folders that match [query]. */
     fun filter(query: Query): Hits {
-        // A few are drawn at once; many remain a list to select from.
+        // A few matches are drawn at once; many remain a list to select from.
         val drawsListed = sections.sumOf { it.countListed(query) } <= FEW
         var hits = folded.filter(query)
         for (section in sections) hits += section.filter(query, drawsListed)
@@ -94,7 +92,7 @@ internal class FolderList(
         return card
     }
 
-    /** Removes the graph called [name], and its folder if that is then empty. */
+    /** Removes the graph named [name], and its folder if that is then empty. */
     fun remove(name: String): GraphCard? {
         val section = own.find { section -> section.cards.any { it.graph.name == name } } ?: return null
         val card = section.cards.first { it.graph.name == name }
@@ -135,7 +133,7 @@ internal class FolderList(
     private fun remembered() = LocalStorage[key]?.split('\n').orEmpty()
 
     private companion object {
-        /** Up to this many graphs that are only listed are drawn when a search finds them. */
+        /** The maximum number of listed graphs that a search draws. */
         const val FEW = 12
     }
 }

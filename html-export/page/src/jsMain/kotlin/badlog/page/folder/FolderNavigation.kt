@@ -13,7 +13,7 @@ import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
 
-/** Navigation between the folders: a tree beside them on a wide screen, a drop-down in the bar on a narrow one. */
+/** The navigation between the folders. It is a tree beside them on a wide screen, and a drop-down list in the bar on a narrow one. */
 internal class FolderNavigation(private val folders: FolderList) {
     private val links = ArrayList<Pair<HTMLElement, FolderSection>>()
     private val counts = ArrayList<Pair<HTMLElement, FolderSection>>()
@@ -56,7 +56,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         for (folder in FolderTree.of(folders.sections)) tree.addFolder(folder, isOpen)
     }
 
-    /** Shows only links to folders that are visible themselves, and how much is in them; opens all if [isSearching]. */
+    /** Shows only the links to visible folders, with their current counts; opens all branches if [isSearching]. */
     fun update(isSearching: Boolean) {
         for ((link, section) in links) link.isHidden = section.element.isHidden
         for ((count, section) in counts) count.showText(countText(section.count))
@@ -84,7 +84,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         links += link to section
     }
 
-    /** A folder with others in it. */
+    /** A folder that contains other folders. */
     private class Branch(private val folder: FolderTree, private var isOpen: Boolean) {
         private lateinit var toggle: HTMLElement
         lateinit var head: HTMLElement

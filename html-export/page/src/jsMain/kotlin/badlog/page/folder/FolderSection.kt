@@ -20,11 +20,11 @@ import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 
 /**
- * A folder: its values, its event logs, its graphs. All but the root folder can be closed.
+ * A folder with its values, event logs and graphs. All folders except the root can be closed.
  *
- * @param origin what calculated a graph, if it was not logged; otherwise empty.
- * @param listed its graphs that are drawn only on request; [onDraw] is then called with each, [onLeave] with each that is removed.
- * @param hook the program that made everything in it; null for a folder of the recording.
+ * @param origin returns the origin of a graph that was calculated; empty for a logged one.
+ * @param listed the graphs that are drawn only on request; [onDraw] is then called with each, [onLeave] with each that is removed.
+ * @param hook the program that made the folder's content; null for a folder of the recording.
  * @param isClosed whether it is initially closed.
  * @param onToggle called when a person opens or closes it.
  */
@@ -54,26 +54,26 @@ internal class FolderSection(
     /** The graphs, in their order. */
     val cards: List<GraphCard> get() = drawn + undrawn.mapNotNull { it.card }
 
-    /** Its heading. */
+    /** The heading. */
     val caption: String =
         if (hook == null) folder.name.split('/').joinToString(" / ").ifEmpty { "Top level" } else folder.name
 
-    /** A shorter heading for little room. */
+    /** A shorter heading for narrow places. */
     val shortCaption: String get() = if (hook == null) caption else "Hook ${hook.name}"
 
-    /** The names of the folders that contain it, then its own. */
+    /** The names of its parent folders, then its own. */
     val path: List<String> get() = if (hook == null && folder.name.isNotEmpty()) folder.name.split('/') else listOf(shortCaption)
 
     private val size get() = cards.size + undrawn.count { it.card == null } + tables.size + (hook?.figures?.size ?: 0)
 
-    /** The number of items in it; during a search, the number of those found. */
+    /** The number of items in it; during a search, the number of matches. */
     var count: Int = size
         private set(value) {
             field = value
             countLabel?.showText(countText(value))
         }
 
-    /** Whether it was closed by a person. */
+    /** Whether a person closed it; always false for the root folder. */
     var isClosed: Boolean = isClosed && folder.name.isNotEmpty()
         set(value) {
             field = value && folder.name.isNotEmpty()
@@ -99,10 +99,12 @@ internal class FolderSection(
         showOpenness()
     }
 
-    /** Returns how many graphs that are not drawn yet [query] finds. */
+    /** Returns the number of undrawn graphs that match [query]. */
     fun countListed(query: Query): Int = undrawn.count { it.isFoundBy(query) }
 
-    /** Shows what [query] finds in it, and opens it during a search. With [drawsListed], graphs that are normally only listed are drawn. */
+    /**
+     * Shows the items that match [query], and opens the folder during a search. With [drawsListed], also draws listed graphs that match.
+     */
     fun filter(query: Query, drawsListed: Boolean): Hits {
         isSearching = !query.isEmpty
         var graphs = 0
@@ -118,7 +120,7 @@ internal class FolderSection(
         return hits
     }
 
-    /** Opens it and scrolls to [part] of it. */
+    /** Opens the folder and scrolls to [part] of it. */
     fun reveal(part: HTMLElement = element) {
         if (isClosed) {
             isClosed = false
@@ -134,7 +136,6 @@ internal class FolderSection(
         count = size
     }
 
-    /** Removes [card]. */
     fun remove(card: GraphCard) {
         drawn -= card
         card.element.remove()

@@ -4,7 +4,7 @@ package badlog.page.folder
  * A folder in the tree of all folders.
  *
  * @property title its name in the tree; for a folder that contains only one folder, both names.
- * @property section its content; null if only its folders have any.
+ * @property section its content; null if it contains only folders.
  */
 internal class FolderTree private constructor(val title: String, val section: FolderSection?, val folders: List<FolderTree>) {
     /** Its own section and those of its folders. */
@@ -23,7 +23,7 @@ internal class FolderTree private constructor(val title: String, val section: Fo
     }
 
     companion object {
-        /** Returns the folders of [sections], in order; the folder of a hook is separate. */
+        /** Returns the folders of [sections], in order. The folder of a hook is separate. */
         fun of(sections: List<FolderSection>): List<FolderTree> {
             val root = Draft("")
             for (section in sections) {

@@ -15,7 +15,7 @@ import badlog.core.recording.Topic
 import badlog.protocol.HookPart
 import badlog.protocol.PageSeries
 
-/** Returns what [hook] calculated, as a separate folder. */
+/** Returns the results of [hook] as a separate folder. */
 internal fun folderOf(hook: HookPart): Folder = Folder(
     "From the hook ${hook.name}",
     hook.values,
@@ -23,10 +23,10 @@ internal fun folderOf(hook: HookPart): Folder = Folder(
     hook.series.map { Graph(it.name, it.unit, isVirtual = true, isFilled = false, includesZero = false, listOf(lineOf(it))) },
 )
 
-/** Returns whether [hook] returned something that has a section. */
+/** Returns whether [hook] has results to show in a section. */
 internal fun hasSection(hook: HookPart): Boolean = hook.values.isNotEmpty() || hook.series.isNotEmpty() || hook.figures.isNotEmpty()
 
-/** Returns a calculated line: unlike a logged topic with times of its own, it is interpolated from one sample to the next. */
+/** Returns a calculated line. Unlike a logged topic with its own times, it is interpolated between samples. */
 private fun lineOf(series: PageSeries): GraphSeries {
     val samples = series.data.y
     val values = samples.count { it.isFinite() }

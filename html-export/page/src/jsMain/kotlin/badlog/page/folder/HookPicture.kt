@@ -5,10 +5,10 @@ import badlog.page.dom.element
 import badlog.protocol.PageFigure
 import org.w3c.dom.HTMLElement
 
-/** Returns a picture that a hook drew, below its title. */
+/** Returns a picture that a hook drew, with its title above it. */
 internal fun hookPicture(figure: PageFigure): HTMLElement = element("figure", "picture card") {
     add("figcaption", "picture-title", figure.title)
-    // In an image element, any scripts or addresses in it have no effect.
+    // In an image element, scripts and addresses in the picture have no effect.
     val image = add("img")
     image.setAttribute("alt", figure.title)
     image.addEventListener("error", {

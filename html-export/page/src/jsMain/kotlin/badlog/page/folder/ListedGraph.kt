@@ -14,7 +14,7 @@ import badlog.viewer.shown.search.Query
 import org.w3c.dom.HTMLElement
 
 /**
- * A graph that is only listed until a person selects it, or searches for it.
+ * A graph that is only listed until a person selects it or a search matches it.
  *
  * @param make creates its card.
  */
@@ -44,10 +44,10 @@ internal class ListedGraph(private val graph: Graph, private val scene: Scene, p
         }
     }
 
-    /** Returns whether [query] finds it while it is not drawn. */
+    /** Returns whether [query] matches the graph, and no person has selected it. */
     fun isFoundBy(query: Query): Boolean = !isWanted && searched.isFoundBy(query)
 
-    /** Shows it if [query] finds it, drawn if [draws]. Returns whether it was found. */
+    /** Shows the graph if [query] matches it, drawn if [draws]. Returns whether it matches. */
     fun filter(query: Query, draws: Boolean): Boolean {
         val isFound = searched.isFoundBy(query)
         element.isHidden = !isFound

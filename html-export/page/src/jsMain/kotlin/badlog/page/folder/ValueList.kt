@@ -23,7 +23,7 @@ internal class ValueList(values: List<Value>) {
         }
     }
 
-    /** Shows the values that [query] finds, and returns their number. */
+    /** Shows the values that match [query], and returns their number. */
     fun filter(query: Query): Int {
         var found = 0
         for ((row, haystack) in rows) {

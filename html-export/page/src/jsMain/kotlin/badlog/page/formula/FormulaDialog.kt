@@ -16,11 +16,11 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * The dialog in which a person adds, changes and removes formulas.
+ * The dialog that adds, changes and removes formulas.
  *
- * @param onAdd called with a definition that has no mistake.
- * @param onChange called with one of the person's definitions, and its replacement.
- * @param onRemove called with one of the person's definitions that no other one uses.
+ * @param onAdd called with a valid definition.
+ * @param onChange called with one of the reader's definitions, and its replacement.
+ * @param onRemove called with one of the reader's definitions that no other definition uses.
  */
 internal class FormulaDialog(
     private val formulas: Formulas,
@@ -66,14 +66,13 @@ internal class FormulaDialog(
         input.addEventListener("input", { check(isFinal = false) })
         input.addEventListener("keydown", { event ->
             if (event.unsafeCast<KeyboardEvent>().key == "Enter") {
-                // Otherwise the button that has the focus once this is closed would also be pressed.
+                // Otherwise the key would also press the button that has the focus after closing.
                 event.preventDefault()
                 submit()
             }
         })
     }
 
-    /** Opens it. */
     fun open() {
         if (dialog.isOpen) return
         dialog.open()
@@ -104,7 +103,7 @@ internal class FormulaDialog(
         if (replaced == null) onAdd(text) else onChange(replaced, text)
     }
 
-    /** Shows what is wrong, unobtrusively while the person may still be typing. Returns whether there is no mistake. */
+    /** Shows the mistake, unobtrusively while the reader may still be typing. Returns whether there is none. */
     private fun check(isFinal: Boolean): Boolean {
         // Leading spaces must not move the mark.
         val text = input.value.trim()
@@ -113,7 +112,7 @@ internal class FormulaDialog(
         show(reason.orEmpty(), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
         pointer.isHidden = mistake == null
-        // A long formula does not fit, and its mistake is mostly at its end.
+        // A long formula does not fit, and its mistake is usually near its end.
         pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()
         if (isFinal) input.focus()

@@ -13,7 +13,7 @@ import badlog.viewer.state.BoardAction
 import kotlinx.browser.window
 
 /**
- * The graphs of the [formulas] among all others: in the folders, on the board, on the screen.
+ * The graphs of the [formulas] in the folders, on the board and on the screen.
  *
  * @param onChange called before the reader's formulas change.
  * @param linesNow returns all lines that can be drawn.
@@ -28,7 +28,7 @@ internal class FormulaGraphs(
     private val onChange: () -> Unit,
     private val linesNow: () -> BoardLines,
 ) {
-    /** When a calculation that takes longer than a slice began; NaN for none. */
+    /** The time when the first slice of a longer calculation ended; NaN if none is running. */
     private var begun = Double.NaN
 
     init {
@@ -40,7 +40,7 @@ internal class FormulaGraphs(
         PageEvents.onEnd(formulas::cancel)
     }
 
-    /** Adds [definition], which has no mistake. */
+    /** Adds [definition], which must be valid. */
     fun add(definition: String) {
         onChange()
         formulas.addAll(listOf(definition), isRemembered = true) { mistakes ->
@@ -49,10 +49,7 @@ internal class FormulaGraphs(
         }
     }
 
-    /**
-     * Adds those of [definitions], from a link or a layout, that can be calculated here; then calls [then] with sentences that say why
-     * others cannot.
-     */
+    /** Adds the valid ones of [definitions], from a link or a layout. Then calls [then] with the reasons why others are skipped. */
     fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<String>) -> Unit) {
         val others = definitions.filterNot(formulas::has)
         formulas.addAll(others, isRemembered) { mistakes ->
@@ -62,7 +59,7 @@ internal class FormulaGraphs(
         }
     }
 
-    /** Replaces the definition [from] by [to], which has no mistake. */
+    /** Replaces the definition [from] by [to], which must be valid. */
     fun change(from: String, to: String) {
         onChange()
         formulas.finish()
@@ -71,13 +68,13 @@ internal class FormulaGraphs(
         formulas.replace(from, to) {
             names.forEach(::removeGraph)
             for (definition in users + to) graphs.add(folders.add(formulas.graphOf(definition)))
-            // Before the old name becomes unknown, because the board drops what nothing draws.
+            // Done before the old name becomes unknown, because the board drops lines without topics.
             nameIn(to)?.let { board.send(BoardAction.Rename(nameIn(from).orEmpty(), it)) }
             list()
         }
     }
 
-    /** Removes [definition], which no other one uses. */
+    /** Removes [definition], which no other definition uses. */
     fun remove(definition: String) {
         onChange()
         formulas.finish()
@@ -116,7 +113,7 @@ internal class FormulaGraphs(
     }
 
     private companion object {
-        /** Milliseconds before progress is shown. */
+        /** The milliseconds before progress is shown. */
         const val PATIENCE = 500
         const val PERCENT = 100
     }

@@ -6,10 +6,10 @@ import badlog.page.dom.sliceMillis
 import kotlinx.browser.window
 
 /**
- * Calculates the topics of [draft] in slices, so that the page stays responsive. What one slice is enough for is there at once.
+ * Calculates the topics of [draft] in slices, so that the page stays responsive. Work that fits one slice is done at once.
  *
  * @param onProgress called after each slice but the last, with the share of the work that is done.
- * @param onFailure called if there is not enough memory, or for what nobody expects.
+ * @param onFailure called if there is not enough memory, or for an unexpected error.
  * @param done called at the end, unless the work is canceled.
  */
 internal class FormulaSlices(
@@ -22,7 +22,7 @@ internal class FormulaSlices(
     var isOver = false
         private set
 
-    /** Calculates for one slice; a timer then goes on. */
+    /** Calculates for one slice; a timer then continues. */
     fun next() {
         if (isOver) return
         val end = window.performance.now() + sliceMillis(SLICE)
@@ -34,7 +34,6 @@ internal class FormulaSlices(
         if (!isOver) work { true }
     }
 
-    /** Ends the work. */
     fun cancel() {
         isOver = true
     }
@@ -56,7 +55,7 @@ internal class FormulaSlices(
     }
 
     private companion object {
-        /** In milliseconds: a frame has room for it. */
+        /** The milliseconds of a slice, which fits into a frame. */
         const val SLICE = 16
     }
 }

@@ -21,8 +21,8 @@ import badlog.viewer.choices.formula.usersOf
 import badlog.viewer.choices.mergedWith
 
 /**
- * The topics of the page that are calculated from others: those it was made with, and those of its reader, which the browser
- * remembers for the file. Each calculation is done in slices; before a second one begins, the rest of the first is done at once.
+ * The calculated topics of the page: its own, and those of its reader, which the browser remembers for the file. Each calculation is done
+ * in slices. Before a second one begins, the first is finished at once.
  *
  * @property logged the recording as it was logged.
  * @property signals the vocabulary of signals; formulas may use them.
@@ -33,31 +33,31 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     private val key = "formulas:$fileKey"
     private val persons = remembered().toMutableList()
 
-    /** The person's definitions as this tab last read or stored them. */
+    /** The reader's definitions as this tab last read or stored them. */
     private var known = remembered()
     private val formulas = ArrayList<Formula>()
     private var running: FormulaSlices? = null
 
-    /** Called with the share of the work that is done while a calculation takes longer than a slice, and with 1 at its end. */
+    /** Called with the share of the work done while a calculation takes longer than a slice, and with 1 at its end. */
     var onProgress: (Double) -> Unit = {}
 
-    /** Called if a calculation fails, for example for want of memory. */
+    /** Called if a calculation fails, for example because memory runs out. */
     var onFailure: (Throwable) -> Unit = {}
 
-    /** The recording with the topics that could be calculated. */
+    /** The recording with the calculated topics. */
     var view: LogView = logged
         private set
 
     private var named: Pair<LogView, Vocabulary>? = null
 
-    /** The names of the recording's topics and the calculated ones in formulas. Worked out on demand, because it takes a while. */
+    /** The names of recorded and calculated topics in formulas. Computed on demand, because it takes a while. */
     val vocabulary: Vocabulary
         get() {
             val known = named?.takeIf { it.first === view } ?: (view to view.namesWith(signals).vocabulary).also { named = it }
             return known.second
         }
 
-    /** Why some of the given or remembered formulas could not be calculated. */
+    /** The reasons why given or remembered formulas could not be calculated. */
     var errors: List<ExpressionError> = emptyList()
         private set
 
@@ -67,7 +67,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
 
     private val givenNames by lazy { given.namesWith(signals) }
 
-    /** Calculates all, and those that are [linked], as far as they can be calculated; then calls [done]. */
+    /** Calculates the page's, the reader's and the [linked] definitions where possible, then calls [done]. */
     fun start(linked: List<String>, done: () -> Unit) = extend(ofPage) { ofPage ->
         given = view
         extend(persons) { own ->
@@ -76,35 +76,35 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         }
     }
 
-    /** Does the rest of a calculation at once. */
+    /** Finishes a calculation at once. */
     fun finish() {
         while (running?.isOver == false) running?.finish()
     }
 
-    /** Ends a calculation; nothing of it is there. */
+    /** Cancels a calculation and drops its results. */
     fun cancel() {
         running?.cancel()
     }
 
-    /** The person's definitions and those of links, in order of arrival. */
+    /** The definitions of the reader and of links, in order of arrival. */
     val own: List<String> get() = persons
 
-    /** Returns whether [definition] is one of the page, or of the person. */
+    /** Returns whether [definition] belongs to the page or the reader. */
     fun has(definition: String): Boolean = formulas.any { it.definition == definition }
 
     /** The names of the calculated topics. */
     val names: Set<String> get() = formulas.mapNotNullTo(HashSet()) { it.topic?.name }
 
-    /** Returns the formula that calculates [graph], or null if it was logged. */
+    /** Returns the definition that calculates [graph]; null if the graph was logged. */
     fun formulaOf(graph: Graph): String? = formulas.find { it.topic?.name == graph.name }?.definition
 
-    /** Returns the name of the topic that [definition], one of [own], defines; null if it defines none. */
+    /** Returns the name of the topic that [definition] defines; null if it defines none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
     /** The results of all definitions, in the order in which they may use each other. */
     val all: List<Formula> get() = formulas
 
-    /** Returns why [text] is not a valid definition, as a replacement of [replaced] unless that is null; null if it is valid. */
+    /** Returns the mistake in [text] as a definition, which replaces [replaced] unless that is null; null if [text] is valid. */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
         val known = when (replaced) {
             null -> vocabulary
@@ -114,8 +114,8 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     }
 
     /**
-     * Calculates those of [definitions] that have no mistake, then calls [then] with the mistakes of the others. If [isRemembered], they
-     * are remembered with all others.
+     * Calculates the valid ones of [definitions], then calls [then] with the mistakes of the others. If [isRemembered], stores them with
+     * all others.
      */
     fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<ExpressionError>) -> Unit) = extend(definitions) { mistakes ->
         formulas.removeAll { it.topic == null && it.definition in definitions }
@@ -124,7 +124,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         then(mistakes)
     }
 
-    /** Remembers all of [own], and what other tabs have changed meanwhile, which this one calculates when it is opened again. */
+    /** Stores all of [own], merged with changes of other tabs, which this tab calculates only when it is opened again. */
     fun remember() {
         val merged = own.mergedWith(remembered(), known, key = ::keyOf)
         known = own.toList()
@@ -133,7 +133,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
 
     private fun remembered() = LocalStorage[key].orEmpty().split('\n').filter { it.isNotBlank() && it !in ofPage }
 
-    /** Removes [definition], which no other one uses. */
+    /** Removes [definition], which no other definition uses. */
     fun remove(definition: String) {
         finish()
         view = viewWithout(listOf(definition))
@@ -141,7 +141,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         remember()
     }
 
-    /** Calculates [definition], which must have no mistake, in place of [replaced], and those that use it; then calls [then]. */
+    /** Calculates [definition], which must be valid, in place of [replaced], and the definitions that use it; then calls [then]. */
     fun replace(replaced: String, definition: String, then: () -> Unit) {
         finish()
         val users = formulas.usersOf(replaced)
@@ -158,10 +158,10 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         return view.folders.flatMap { it.graphs }.first { it.name == name }
     }
 
-    /** Returns another log as it was logged in a file called [fileName], with the same names for signals. */
+    /** Returns the view of another log, from a file named [fileName], with the same names for signals. */
     fun viewOf(recording: Recording, fileName: String): LogView = LogView.of(recording).withSignals(signals, fileName)
 
-    /** Returns [other] with the same formulas, as far as it has their topics. */
+    /** Returns [other] with the same formulas where it has their topics. */
     fun extended(other: LogView): LogView =
         (ofPage + persons).let { if (it.isEmpty()) other else other.withVirtualTopics(it, signals).view }
 
@@ -172,7 +172,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         persons.removeAll(definitions)
     }
 
-    /** Calculates [definitions] from the topics [from]. When that is done, calls [before] and then [done] with their mistakes. */
+    /** Calculates [definitions] from the topics [from]. Then calls [before], and [done] with the mistakes. */
     private fun extend(
         definitions: List<String>,
         from: () -> LogView = { view },

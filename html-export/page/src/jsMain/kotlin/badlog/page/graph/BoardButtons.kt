@@ -12,9 +12,9 @@ import badlog.viewer.state.GraphChange
 import org.w3c.dom.HTMLElement
 
 /**
- * The buttons among [tools] that put a graph on the board: beside the graphs there, or into one of them.
+ * The buttons among [tools] that put a graph on the board, on its own or into another graph.
  *
- * @param look returns the graph as it looks now.
+ * @param look returns the graph with its current settings.
  */
 internal class BoardButtons(tools: HTMLElement, private val scene: Scene, private val look: () -> BoardGraph) {
     private val add: HTMLElement = tools.addIconButton("add-to-graph", Icon.PLUS, "Add to graph…") { offerGraphs() }
@@ -24,10 +24,10 @@ internal class BoardButtons(tools: HTMLElement, private val scene: Scene, privat
     /** Puts the graph on the board, or removes it. */
     fun togglePin() = scene.store.send(GraphChange.Toggle(look()))
 
-    /** Shows whether it is on the board. */
+    /** Shows whether the graph is on the board. */
     fun update() = pin.setAttribute("aria-pressed", scene.board.now.has(look()).toString())
 
-    /** Offers the graphs of the board, so that this one can be added to one of them. */
+    /** Lists the graphs of the board to which this one can be added. */
     private fun offerGraphs() {
         val titled = scene.board.now.run { graphs.zip(shortTitles) }
         val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look().lines) }.take(PageBoard.MOST_OFFERED)

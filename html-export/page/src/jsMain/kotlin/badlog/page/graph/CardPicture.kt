@@ -13,12 +13,12 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * What a card draws in [host] while that is near the screen: [xy], if it has anything to draw, or else lines or lanes.
+ * The drawing of a card in [host], present while [host] is near the screen. It shows [xy] if that is not empty, otherwise lines or lanes.
  *
  * @param lines returns the current lines of the graph.
- * @param look returns its current settings.
- * @param onY called with the part of the visible y that is to be shown; null for all of it.
- * @param onPlot called when lines or lanes are about to be drawn, so that the legend and the statistics show the same.
+ * @param look returns the graph's current settings.
+ * @param onY called with the part of the visible y to show; null for all of it.
+ * @param onPlot called before lines or lanes are drawn, so that the legend and the statistics show the same.
  */
 internal class CardPicture(
     private val host: HTMLElement,
@@ -34,22 +34,21 @@ internal class CardPicture(
     private var resizing: ResizeObserver? = null
     private var shown: GraphContent? = null
 
-    /** Whether it is out of date. */
+    /** Whether the drawing is out of date. */
     private var isStale = false
 
-    /** Whether it was drawn after its cursors were placed. */
+    /** Whether the drawing is newer than the places of its cursors. */
     private var isMisplaced = false
 
-    /** Whether it is drawn. */
     val isDrawn: Boolean get() = plot != null || xy?.canvas != null
 
     /** The y axes that were drawn last. */
     val axes: List<PlotAxis> get() = shown?.plot?.axes.orEmpty()
 
-    /** The width available for drawing it, in CSS pixels. */
+    /** The width available for the drawing, in CSS pixels. */
     val room: Int get() = host.clientWidth
 
-    /** If it is not drawn, creates it, [width] CSS pixels wide. Call [refresh] and [placeCursors] afterwards. */
+    /** Creates the drawing if it is missing, [width] CSS pixels wide. Call [refresh] and [placeCursors] afterwards. */
     fun approach(width: Int = room) {
         if (isDrawn || width == 0) return
         if (xy != null && !xy.isEmpty) {
@@ -80,7 +79,7 @@ internal class CardPicture(
         }.also { it.observe(host) }
     }
 
-    /** Returns what lines or lanes show now. */
+    /** Returns the current content of lines or lanes. */
     fun newContent(): GraphContent = GraphContent(lines(), scene, look)
 
     /** Releases the resources for drawing. */
@@ -90,7 +89,7 @@ internal class CardPicture(
             xy.leave(host)
         }
         if (plot == null) return
-        // Keeps its height, so that the page does not move below the reader.
+        // Keeps the height, so that the page does not move below the reader.
         host.style.height = "${host.clientHeight}px"
         resizing?.disconnect()
         host.textContent = ""
@@ -99,7 +98,7 @@ internal class CardPicture(
         overlay = null
     }
 
-    /** Draws it again with the current colors. */
+    /** Draws again with the current colors. */
     fun repaint() {
         if (!isDrawn) return
         leave()
@@ -107,7 +106,7 @@ internal class CardPicture(
         redraw()
     }
 
-    /** Whether part of it is on the screen. */
+    /** Whether part of the drawing is on the screen. */
     val isOnScreen: Boolean
         get() {
             if (!isDrawn) return false
@@ -115,12 +114,12 @@ internal class CardPicture(
             return box.bottom > 0 && box.top < window.innerHeight
         }
 
-    /** Marks it as out of date because the visible range has changed. */
+    /** Marks the drawing as out of date because the visible range has changed. */
     fun outdate() {
         isStale = isDrawn
     }
 
-    /** Draws what is visible now, unless it is up to date. */
+    /** Draws the visible range, unless the drawing is up to date. */
     fun refresh() {
         if (!isStale) return
         isStale = false
@@ -129,20 +128,20 @@ internal class CardPicture(
         plot?.redraw()
     }
 
-    /** Puts the cursors at their places in what is drawn. */
+    /** Moves the cursors to their places in a drawing that has changed. */
     fun placeCursors() {
         if (isMisplaced) overlay?.update()
         isMisplaced = false
     }
 
-    /** Moves the cursors to their places. Returns whether it has lines or lanes. */
+    /** Moves the cursors to their places. Returns whether lines or lanes are drawn. */
     fun updateCursor(): Boolean {
         xy?.updateCursor()
         overlay?.update()
         return overlay != null
     }
 
-    /** Draws it again if it is drawn. */
+    /** Draws again if the graph is drawn. */
     fun redraw() {
         isStale = true
         refresh()

@@ -9,7 +9,7 @@ import badlog.viewer.draw.plot.PlotFrame
 import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
-/** The cursors over one plot: their lines, a dot on each curve where values are read, and the event and finding under the cursor. */
+/** The cursors over one plot: their lines, a dot on each curve, and the event and finding under the cursor. */
 internal class CursorOverlay(
     colors: List<Int>,
     private val scene: Scene,
@@ -23,7 +23,7 @@ internal class CursorOverlay(
     private val findingLabel = plot.over.add("div", "finding-label")
     private val dots = colors.map { plot.over.add("div", "cursor-dot line-${it % LINE_COLORS}") }
 
-    /** Moves everything to where the cursors are now. */
+    /** Moves all elements to the current places of the cursors. */
     fun update() {
         val cursors = scene.cursor.now
         val frame = plot.frameOver

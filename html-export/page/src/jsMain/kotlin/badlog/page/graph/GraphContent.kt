@@ -22,9 +22,9 @@ import badlog.viewer.draw.plot.dotAt
 import badlog.viewer.draw.plot.plotOf
 
 /**
- * What a graph shows inside its frame: the lines of [card], or its lanes of states, which keep their places when they are hidden.
+ * The content of a graph's frame: the lines of [card], or its lanes of states. Lanes keep their places when they are hidden.
  *
- * @param look the current settings of the graph.
+ * @param look returns the current settings of the graph.
  */
 internal class GraphContent(private val card: CardLines, private val scene: Scene, private val look: () -> BoardGraph) {
     private class Line(override val series: GraphSeries, override val color: Int) : GraphLine {
@@ -42,7 +42,7 @@ internal class GraphContent(private val card: CardLines, private val scene: Scen
     private val lanes = if (card.graph.showsStates) series.map(::Lane) else emptyList()
     private var drawn = emptyList<Line>()
 
-    /** What was shown last. */
+    /** The plot that was shown last. */
     var plot: Plot = Plot(emptyList(), emptyList(), emptyList(), laneShare = 0.0)
         private set
 
@@ -53,8 +53,9 @@ internal class GraphContent(private val card: CardLines, private val scene: Scen
     val height: Int = if (card.graph.showsStates) lanesHeight(card.graph) else look().height ?: GraphHeight.MEDIUM.pixels
 
     /**
-     * Returns what is visible in [frame], whose pixels are [ratio] for each CSS pixel, with as many points as [columns] need. It is valid
-     * until the next call.
+     * Returns the plot visible in [frame], with as many points as [columns] need. It is valid until the next call.
+     *
+     * [ratio] is the number of frame pixels for each CSS pixel.
      */
     fun plotIn(frame: PlotFrame, columns: PixelColumns, ratio: Double): Plot {
         val now = look()
@@ -73,7 +74,7 @@ internal class GraphContent(private val card: CardLines, private val scene: Scen
         return plot
     }
 
-    /** Returns where in [frame] the dot of a cursor at [x] is on line [index] of the graph; null for none. */
+    /** Returns the place in [frame] of a cursor's dot at [x] on the line [index]; null if there is none. */
     fun dotAt(index: Int, x: Double, frame: PlotFrame): Pair<Double, Double>? {
         val line = lines.getOrNull(index) ?: return null
         val place = drawn.indexOf(line)
@@ -81,5 +82,5 @@ internal class GraphContent(private val card: CardLines, private val scene: Scen
     }
 }
 
-/** Returns the height of the plot of [graph], which shows states, with its axis, in CSS pixels. */
+/** Returns the height of the plot and axis of [graph], which shows states, in CSS pixels. */
 internal fun lanesHeight(graph: Graph): Int = LaneLook.HEIGHT * graph.series.size + PlotMargins.HEIGHT

@@ -10,7 +10,7 @@ import badlog.viewer.draw.plot.drawCursors
 import badlog.viewer.draw.plot.drawPlot
 import badlog.viewer.draw.plot.drawSamples
 
-/** Draws [content] with the cursors upon it, and the title of x below. */
+/** Draws [content] with the cursors over it and the title of x below. */
 internal fun drawGraphPlot(sheet: Sheet, content: GraphContent, scene: Scene) {
     val now = scene.range.now
     val colors = PenColors.LIGHT
@@ -18,7 +18,7 @@ internal fun drawGraphPlot(sheet: Sheet, content: GraphContent, scene: Scene) {
         val frame = PlotMargins.frameOf(sheet.width, content.height, now, pen.density)
         val plot = content.plotIn(frame, PixelColumns(frame.width.toInt()), pen.density)
         pen.drawPlot(frame, plot, scene.marks, colors, PlotMargins.BOTTOM * pen.density)
-        // The pointer's accidental place does not belong in a figure.
+        // A figure must not show where the pointer happens to be.
         pen.drawCursors(frame, scene.cursor.now.withoutPointer, colors)
         scene.cursor.now.pinned?.let { pen.drawSamples(frame, plot, content.drawnLines, it, colors) }
     }

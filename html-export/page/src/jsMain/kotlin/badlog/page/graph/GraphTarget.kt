@@ -12,9 +12,9 @@ import badlog.viewer.text.lengthText
 import org.w3c.dom.HTMLElement
 
 /**
- * What gestures over a graph change; shows in [over], which covers the graph's frame, what a drag has covered.
+ * The target of gestures over a graph. It shows the range of a drag in [over], which covers the graph's frame.
  *
- * @param onY called with the part of the visible y that is to be shown; null for all of it.
+ * @param onY called with the part of the visible y to show; null for all of it.
  */
 internal class GraphTarget(over: HTMLElement, private val scene: Scene, override val lineShare: Double, private val onY: (Span?) -> Unit) :
     SceneTarget(scene) {

@@ -4,7 +4,7 @@ import badlog.page.dom.bringIntoSight
 import kotlinx.browser.window
 import org.w3c.dom.DOMRect
 
-/** Brings one of [cards], the graphs of the page from top to bottom, into sight. */
+/** Scrolls to [cards], the graphs of the page from top to bottom, and focuses them. */
 internal class GraphsInSight(private val cards: () -> List<GraphCard>) {
     /** Scrolls to the first graph if none is on the screen, so that the cursor is visible. */
     fun showAny() {
@@ -13,12 +13,12 @@ internal class GraphsInSight(private val cards: () -> List<GraphCard>) {
         boxes.firstOrNull()?.first?.bringIntoSight()
     }
 
-    /** Gives the first graph on the screen the focus. Nothing scrolls. */
+    /** Focuses the first graph on the screen, without scrolling. */
     fun focusAny() {
         cards().find { isOnScreen(it.element.getBoundingClientRect()) }?.focusInPlace()
     }
 
-    /** Gives the first graph the focus, past all that stands above it. */
+    /** Focuses the first graph, and skips everything above it. */
     fun focusFirst() {
         val first = cards().firstOrNull { it.element.getBoundingClientRect().height > 0 } ?: return
         first.element.bringIntoSight()
@@ -28,7 +28,7 @@ internal class GraphsInSight(private val cards: () -> List<GraphCard>) {
     private fun isOnScreen(box: DOMRect) = box.height > 0 && box.bottom > MIN_VISIBLE && box.top < window.innerHeight - MIN_VISIBLE
 
     private companion object {
-        /** The number of pixels of a graph that are enough to see its cursor. */
+        /** The number of visible pixels of a graph that suffice to see its cursor. */
         const val MIN_VISIBLE = 120
     }
 }

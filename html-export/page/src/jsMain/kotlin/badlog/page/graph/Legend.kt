@@ -26,8 +26,8 @@ import org.w3c.dom.HTMLElement
  * The lines of a graph by name and color, each with its value at the cursor, read from the original samples.
  *
  * @param colors the index of each line's color.
- * @param statesOf returns how long and how often a lane was in each state.
- * @param onToggle called with the index of a line that a person wants to hide or show.
+ * @param statesOf returns the number and duration of a lane's states, as text.
+ * @param onToggle called with the index of a line to hide or show.
  */
 internal class Legend(
     private val graph: Graph,
@@ -59,7 +59,7 @@ internal class Legend(
         }
     }
 
-    /** Shows which lines are drawn, according to [isShown], and on which axis. */
+    /** Shows the drawn lines, according to [isShown], and the axis of each. */
     fun show(isShown: BooleanArray) {
         entries.forEachIndexed { index, entry -> entry.setAttribute("aria-pressed", isShown[index].toString()) }
         if (graph.showsStates) return
@@ -70,10 +70,10 @@ internal class Legend(
         for (axis in axes) for (line in axis.lines) units[line].showText(axis.side.legendOf(axis.unit))
     }
 
-    /** Lists only the lines that are [found]; all for null. */
+    /** Lists only the lines that are [found]; null lists all. */
     fun list(found: List<Boolean>?) = entries.forEachIndexed { index, entry -> entry.isHidden = found?.get(index) == false }
 
-    /** Shows the values at [cursor], whose x is in [xUnit]; compared where there is a second one. */
+    /** Shows the values at [cursor], with x in [xUnit]; compares them if there is a second cursor. */
     fun update(cursor: Cursor, xUnit: String) {
         cursors = cursor.now
         this.xUnit = xUnit
@@ -86,7 +86,7 @@ internal class Legend(
         return series.comparisonText(a, b, xUnit, sampleText)
     }
 
-    /** Returns what it says about the lines that are drawn, with their colors if it [hasColors]. */
+    /** Returns the texts of the drawn lines, with their colors if [hasColors]. */
     fun shown(hasColors: Boolean): List<LegendEntry> =
         entries.indices.filter { entries[it].getAttribute("aria-pressed") == "true" }.map { i ->
             val texts = listOf(names[i], values[i].textContent, units[i].textContent).filterNot { it.isNullOrEmpty() }
@@ -97,7 +97,7 @@ internal class Legend(
 /** Returns the names of the lines of [graph] in a legend. */
 internal fun legendNames(graph: Graph): List<String> = shortNames(graph.series.map { if (it.isDerived) it.name else it.topic.name })
 
-/** Returns the full name, and what else the file says about the topic. */
+/** Returns the full name of [graph], with the type and metadata of its first topic. */
 internal fun hintOf(graph: Graph): String {
     val topic = graph.series[0].topic
     return listOf(graph.name, topic.type, topic.metadata).filter { it.isNotEmpty() }.joinToString("\n")

@@ -15,10 +15,9 @@ import kotlin.math.round
 
 /** One graph, [width] CSS pixels wide: a canvas with a frame and axes, and [content] inside, drawn by [redraw]. */
 internal class PlotCanvas(private val scene: Scene, private val content: GraphContent, host: HTMLElement, private var width: Int) {
-    /** The picture. */
     val canvas: HTMLCanvasElement = host.add("canvas").unsafeCast<HTMLCanvasElement>()
 
-    /** The element over the frame, which takes the pointer. */
+    /** The element over the frame that receives the pointer's events. */
     val over: HTMLElement = host.add("div", "plot-frame")
 
     private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
@@ -26,14 +25,14 @@ internal class PlotCanvas(private val scene: Scene, private val content: GraphCo
     private var columns = PixelColumns(1)
     private lateinit var frame: PlotFrame
 
-    /** The frame in CSS pixels, measured from its own corner. Asking the browser for it would make it lay out the whole page. */
+    /** The frame in CSS pixels, relative to its own corner. Calculated, because the browser would lay out the whole page to answer. */
     val frameOver: PlotFrame get() = PlotFrame(0.0, 0.0, frame.width / ratio, frame.height / ratio, scene.range.now)
 
     init {
         fit()
     }
 
-    /** Draws what is visible now. */
+    /** Draws the visible range. */
     fun redraw() {
         frame = frame.showing(scene.range.now)
         val plot = content.plotIn(frame, columns, ratio)
@@ -41,7 +40,6 @@ internal class PlotCanvas(private val scene: Scene, private val content: GraphCo
         CanvasPen(context).drawPlot(frame, plot, scene.marks, scene.palette.colors, PlotMargins.BOTTOM * ratio)
     }
 
-    /** Draws at another width. */
     fun resize(newWidth: Int) {
         if (newWidth == width || newWidth < MIN_WIDTH) return
         width = newWidth

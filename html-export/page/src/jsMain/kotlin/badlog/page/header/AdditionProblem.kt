@@ -5,17 +5,14 @@ import badlog.page.formula.Formulas
 import badlog.protocol.PageAdditions
 
 /**
- * What is wrong with something that the page shows besides the recording; the recording itself is complete.
+ * A problem with an addition of the page; the recording itself is complete.
  *
  * @property message a sentence.
  * @property pointer lines in a fixed-width font that point at the mistake, or null.
  */
 internal class AdditionProblem(val message: String, val pointer: String? = null)
 
-/**
- * Returns everything that is wrong with [additions], which are null if they cannot be read, with [layout], and with the definitions of
- * [formulas].
- */
+/** Returns all problems with [additions], [layout], and the definitions of [formulas]. The additions are null if they cannot be read. */
 internal fun additionProblems(formulas: Formulas, additions: PageAdditions?, layout: GivenLayout): List<AdditionProblem> {
     val problems = ArrayList<AdditionProblem>()
     if (additions == null) {

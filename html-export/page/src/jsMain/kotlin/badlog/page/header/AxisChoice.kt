@@ -11,10 +11,10 @@ import badlog.signals.timeColumn
 import org.w3c.dom.HTMLElement
 
 /**
- * The choice of the x axis for a log that names none: its rows, or its time column. The browser remembers it for the file.
+ * The choice of the x axis for a log that does not name one: its rows, or its time column. The browser remembers it for the file.
  *
  * @param fileKey identifies the file.
- * @param onChange called when another axis was selected: everything depends on it.
+ * @param onChange called when another axis was selected, because everything depends on it.
  * @param mayAsk whether the page can be drawn over a different axis than its exporter used.
  */
 internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, private val onChange: () -> Unit) {
@@ -25,7 +25,7 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, pri
     /** The log over the selected axis. */
     val recording: Recording = if (column != null && chosen == TIME) read.over(column) else read
 
-    /** The element that asks, or says what was selected; null if there is nothing to select. */
+    /** The element with the question or the selected axis; null if there is nothing to select. */
     val element: HTMLElement? = if (column == null || chosen == ROWS) {
         null
     } else {

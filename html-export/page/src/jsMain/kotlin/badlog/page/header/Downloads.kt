@@ -22,7 +22,7 @@ import org.w3c.files.Blob
 import kotlin.js.Promise
 
 /**
- * The buttons that save files: the original, byte for byte, its samples as CSV, and whatever else is in the page.
+ * The buttons that save files: the original, byte for byte; its samples as CSV; and the page's other files.
  *
  * @param bytes the bytes of the file.
  * @param read the recording read from it.
@@ -46,7 +46,7 @@ internal class Downloads(private val about: About, private val bytes: LogBytes, 
         }
         val csvName = if (about.name.lowercase().endsWith(".csv")) about.name else "${about.name}.csv"
         addDownload("download-csv", Icon.TABLE, "CSV", "Save the samples for a spreadsheet", csvName) { csv() }
-        // They belong to the page's own log.
+        // Attachments belong to the page's own log.
         val attachments = if (bytes is EmbeddedLog) document.querySelectorAll("script.attachment").asList() else emptyList()
         attachments.forEachIndexed { index, node ->
             val carrier = node.unsafeCast<HTMLElement>()
@@ -57,10 +57,12 @@ internal class Downloads(private val about: About, private val bytes: LogBytes, 
         }
     }
 
-    /** Returns the ending, in which the two files of one log differ: `.dslog` and `.dsevents`. */
+    /** Returns the extension, by which the two files of one log differ: `.dslog` and `.dsevents`. */
     private fun ending(name: String): String = ".${name.removeSuffix(".gz").substringAfterLast('.')}"
 
-    /** For an undamaged file with rows, its own text; for others what was read, so that damaged parts are left out or repaired. */
+    /**
+     * Returns the file's own text if it has rows and no damage. Otherwise returns the recording, with damaged parts skipped or repaired.
+     */
     private fun csv(): Promise<Blob?> {
         val own = if (read.isSalvaged || !read.format.hasRows) null else bytes.text(CsvPart(read.headerLine != null)::filter)
         return own ?: fileOf(CsvDraft.ofAll(LogView.of(read)), notice)

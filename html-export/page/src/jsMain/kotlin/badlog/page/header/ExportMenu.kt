@@ -14,7 +14,7 @@ import badlog.viewer.shown.table.CsvDraft
 import org.w3c.dom.HTMLElement
 
 /**
- * The menu of what can be exported: this page with its notes, on paper, as pictures, as tables.
+ * The menu of exports: a copy of this page with its notes, print, pictures and tables.
  *
  * @param onCopy saves a copy of the page.
  * @param board returns the graphs of the board.

@@ -10,7 +10,7 @@ import badlog.viewer.text.bytesText
 import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 
-/** Returns the facts about the file of [view], whose topics are those of [recording], and its original header. */
+/** Returns the facts about the file of [view], with the topics of [recording], and its original header. */
 internal fun infoSection(view: LogView, recording: Recording, about: About): HTMLElement = element("section", "info card") {
     id = "info"
     add("h2", "", "Info")
@@ -46,7 +46,7 @@ private fun problemsOf(view: LogView): String {
 private fun HTMLElement.addHeader(line: String) {
     add("details") {
         add("summary", "", "Header of the file (JSON)")
-        // Filled when it is opened: for a thousand topics, it is a long text to lay out.
+        // Filled when it is opened, because the header of a thousand topics takes long to lay out.
         addEventListener("toggle", {
             if (querySelector("pre") == null) add("pre", "header-json", indented(line)).setAttribute("tabindex", "0")
         })

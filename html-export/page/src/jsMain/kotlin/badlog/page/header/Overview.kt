@@ -19,8 +19,8 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
 /**
- * The whole recording as a strip, with its modes, events and findings, and the visible part. Dragging moves that
- * part or one of its edges, or selects a new part.
+ * The whole recording as a strip, with its modes, events and findings, and the visible part. Dragging moves the visible part or one of its
+ * edges, or selects a new part.
  */
 internal class Overview(private val scene: Scene) {
     private lateinit var marks: HTMLCanvasElement
@@ -74,7 +74,7 @@ internal class Overview(private val scene: Scene) {
 
     private fun percent(x: Double) = "${(x - full.from) / full.width * 100}%"
 
-    /** Shows what a drag would grab, and the findings that the pointer is on. */
+    /** Shows the effect of a drag, and the findings under the pointer. */
     private fun point(at: PlotPointer) {
         val x = gestures.placeAt(at)
         element.title = findingText(scene.findings.at(x, full.width * REACH), x)
@@ -85,7 +85,7 @@ internal class Overview(private val scene: Scene) {
         /** The mouse pointer over each handle. */
         val CURSORS = listOf("ew-resize", "ew-resize", "grab", "crosshair")
 
-        /** The maximum distance between the pointer and a mark that it points at, as a fraction of the strip. */
+        /** The maximum distance between the pointer and the mark under it, as a fraction of the strip. */
         const val REACH = 0.005
     }
 }

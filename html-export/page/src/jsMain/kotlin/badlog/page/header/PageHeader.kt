@@ -13,7 +13,7 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 import org.w3c.dom.HTMLElement
 
-/** Returns the header: the file, what was [logged], and what can be done with it. */
+/** Returns the header: the file, facts about the [logged] recording, and the [tools]. */
 internal fun pageHeader(scene: Scene, about: About, logged: Recording, tools: List<HTMLElement>): HTMLElement =
     element("header", "page-head") {
         val view = scene.view

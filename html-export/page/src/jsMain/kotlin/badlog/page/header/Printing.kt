@@ -13,11 +13,11 @@ import org.w3c.dom.Element
 import org.w3c.dom.HTMLElement
 
 /**
- * Prints the page: in light colors, findings and the graphs of the board first, redrawn for the width of the paper, and none split
- * between two pages. The other graphs follow on request, or if the board is empty.
+ * Prints the page in light colors, findings and the graphs of the board first. The graphs are redrawn for the width of the paper and never
+ * split between two pages. The other graphs follow on request, or if there are no graphs on board and evidence.
  *
- * @param first the graphs of board and evidence.
- * @param others the graphs of the folders.
+ * @param first returns the graphs of board and evidence.
+ * @param others returns the graphs of the folders.
  * @param onPrint called before and after printing, with whether the page is laid out for paper.
  */
 internal class Printing(
@@ -30,7 +30,7 @@ internal class Printing(
     private var isWhole = false
     private var wasDark = false
 
-    /** Says which part of the log is on the paper. */
+    /** The text that names the printed part of the log. */
     val element: HTMLElement = element("p", "paper unit")
 
     init {

@@ -16,10 +16,10 @@ import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
- * What was wrong in the file: a summary line that unfolds to a list. Lost data is listed at once; on a phone, where it would push all graphs
- * off the first screen, when asked for, and on paper.
+ * The problems in the file: a summary line that unfolds to a list. On a wide screen and on paper, the list is open from the beginning if it
+ * has 1 to [MAX_OPENED] errors. On a phone it opens on request, because it would push all graphs off the first screen.
  *
- * @param additions problems with what else the page shows, which are also listed at once; on a phone if there is little else in the list.
+ * @param additions problems with the page's additions, which also open the list; on a phone only if the list is short.
  */
 internal class ProblemStrip(private val view: LogView, private val additions: List<AdditionProblem> = emptyList()) {
     private val errors = view.count(Severity.ERROR)
@@ -55,7 +55,7 @@ internal class ProblemStrip(private val view: LogView, private val additions: Li
         open(if (isNarrow) additions.isNotEmpty() && errors + warnings <= MAX_OPENED_ON_PHONE else isListedAtOnce)
     }
 
-    /** Lists on paper, where nothing can be unfolded, what a wide screen lists at once. */
+    /** Lists on paper, where nothing unfolds, the problems that a wide screen lists at once. */
     fun print(isOnPaper: Boolean) {
         if (isOnPaper) wasOpen = !list.isHidden
         open(wasOpen || (isOnPaper && isListedAtOnce))

@@ -12,7 +12,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
-/** The search box. [search] is called after each change, and returns what was found. */
+/** The search box. [search] is called after each change, and returns the matches. */
 internal class SearchBox(private val search: (Query) -> Hits) {
     private lateinit var input: HTMLInputElement
     private lateinit var count: HTMLElement
@@ -42,7 +42,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         })
     }
 
-    /** What is searched for; empty for nothing. */
+    /** The searched text; empty if there is no search. */
     val text: String get() = input.value
 
     /** Searches for [text]. */
@@ -51,13 +51,13 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         run()
     }
 
-    /** Gives it the keyboard focus. */
+    /** Focuses the box and selects its text. */
     fun focus() {
         input.focus()
         input.select()
     }
 
-    /** Shows everything again. */
+    /** Ends the search, so that the page shows everything again. */
     fun clear() {
         if (input.value.isEmpty()) input.blur()
         show("")
@@ -68,7 +68,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
         if (Query(input.value).asksFor(Trait.FINDING)) run()
     }
 
-    /** Repeats the search: the graphs were replaced. */
+    /** Repeats the search because the graphs were replaced. */
     fun again() {
         if (text.isNotEmpty()) run()
     }
@@ -81,7 +81,7 @@ internal class SearchBox(private val search: (Query) -> Hits) {
     }
 
     private companion object {
-        /** From this window width on, in CSS pixels, the style sheet gives the box more room. */
+        /** The maximum window width, in CSS pixels, at which the style sheet keeps the box short. */
         const val SHORT_WIDTH = 1100
     }
 }

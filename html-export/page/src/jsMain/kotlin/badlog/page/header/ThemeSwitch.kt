@@ -8,7 +8,7 @@ import badlog.page.view.Palette
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** Light, dark, or the system's theme; remembered. [onChange] is called after each change of colors. */
+/** The choice of light colors, dark colors or the system's theme, which the browser remembers. [onChange] is called after each change. */
 internal class ThemeSwitch(private val onChange: () -> Unit) {
     private enum class Theme(val icon: Icon, val text: String) {
         AUTO(Icon.AUTO, "Colors: follow the system"),

@@ -20,7 +20,7 @@ import badlog.viewer.text.word
 import org.w3c.dom.HTMLElement
 
 /**
- * The visible range, the cursor's place and what happened there, always on the screen.
+ * The bar with the visible range, the cursor's place and the events there, always on the screen.
  *
  * @param ways links to parts of the page.
  * @param link copies a link to the current view.
@@ -73,10 +73,10 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
         update()
     }
 
-    /** Redraws it with the current colors. */
+    /** Redraws the bar with the current colors. */
     fun repaint() = overview.drawMarks()
 
-    /** Links to the pinned cursor, since the pointer passes over other times on its way to the link. */
+    /** Links to the pinned cursor, because the pointer passes over other times on its way to the link. */
     private fun showLink(pinned: Double?) {
         cursor.title = if (pinned == null) "Click a graph to pin the cursor, and link to its time" else "Link to this time"
         val link = pinned?.let { PageAddress(it, finding = scene.visitedAt(it)).toText() }

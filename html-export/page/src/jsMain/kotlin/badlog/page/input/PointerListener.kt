@@ -12,10 +12,10 @@ import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * Passes what a mouse or fingers do over an element on to [gestures]. A vertical swipe is left to the browser, and scrolls the page.
+ * Passes gestures of a mouse or of fingers over an element to [gestures]. The browser handles vertical swipes, which scroll the page.
  *
- * @param frame returns where in the window the frame is that the gestures are over.
- * @param onHover called with the place of a pointer that is not pressed.
+ * @param frame returns the position in the window of the frame under the gestures.
+ * @param onHover called with the position of a pointer that is not pressed.
  */
 internal class PointerListener(
     private val over: HTMLElement,
@@ -86,7 +86,7 @@ internal class PointerListener(
             event.clientY - box.top,
             box.width,
             box.height,
-            // When it was made: a busy page may handle it later.
+            // The time of the event itself, because a busy page may handle it later.
             event.timeStamp.toDouble(),
             event.shiftKey,
             event.altKey,

@@ -6,24 +6,24 @@ import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.boardLayoutOf
 
 /**
- * The layouts that the browser keeps, by name, for all logs and pages. Each has a place of its own there, so that two tabs do not overwrite
- * each other's.
+ * The layouts that the browser stores by name, for all logs and pages. Each is stored separately, so that two tabs do not overwrite each
+ * other's layouts.
  */
 internal class KeptLayouts {
-    /** The name of the one whose graphs the reader asked for last; null for none. */
+    /** The name of the layout that was shown or kept last; null if there is none. */
     var shown: String? = null
 
     /** Their names, in order. */
     val names: List<String> get() = LocalStorage.keys(KEY).map { it.removePrefix(KEY) }.sortedBy { it.lowercase() }
 
-    /** Returns the one called [name]; null where it is gone, or cannot be read. */
+    /** Returns the layout named [name]; null if it was removed or cannot be read. */
     operator fun get(name: String): BoardLayout? = try {
         LocalStorage[KEY + name]?.let { boardLayoutOf(name, it) }
     } catch (_: BoardException) {
         null
     }
 
-    /** Keeps [layout] as [name], instead of one of that name. Returns false if the browser does not let the page, or has no room. */
+    /** Stores [layout] as [name] and replaces a layout of that name. Returns false if the browser forbids it or has no room. */
     fun keep(name: String, layout: BoardLayout): Boolean {
         val text = BoardLayout(layout.board, formulas = layout.formulas).toJson()
         LocalStorage[KEY + name] = text
@@ -32,7 +32,7 @@ internal class KeptLayouts {
         return isKept
     }
 
-    /** Forgets the one called [name]. */
+    /** Removes the layout named [name]. */
     fun remove(name: String) {
         LocalStorage.remove(KEY + name)
         if (shown == name) shown = null

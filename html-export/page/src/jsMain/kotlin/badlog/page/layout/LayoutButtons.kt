@@ -17,11 +17,11 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * The buttons that save the board to a layout file and open one; the window uses the same files.
+ * The buttons that save the board as a layout file and open one. The window uses the same files.
  *
  * @param name the log's name.
- * @param layoutNow returns what to save.
- * @param dialog keeps it under a name in the browser.
+ * @param layoutNow returns the layout to save.
+ * @param dialog stores layouts by name in the browser.
  * @param onOpen called with the opened layout.
  */
 internal class LayoutButtons(

@@ -15,9 +15,9 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * The dialog in which a person keeps the board under a name, and goes to boards kept before; a key goes through them as well.
+ * The dialog that stores the board under a name and shows stored boards. A key steps through them as well.
  *
- * @param layoutNow returns what to keep.
+ * @param layoutNow returns the layout to store.
  * @param onSwitch called with a layout to show, and its name.
  */
 internal class LayoutDialog(
@@ -49,32 +49,31 @@ internal class LayoutDialog(
         name.addEventListener("keydown", {
             val key = it.unsafeCast<KeyboardEvent>()
             if (key.key == "Enter" && !key.isComposing) {
-                // Otherwise it would also press the button that opened the dialog, which gets the focus back.
+                // Otherwise the key would also press the button that opened the dialog, which gets the focus back.
                 it.preventDefault()
                 keep()
             }
         })
     }
 
-    /** Opens it. */
     fun open() {
         if (dialog.isOpen) return
         list()
         dialog.open()
         name.value = kept.shown.orEmpty()
         name.focus()
-        // Typing another name keeps another layout.
+        // The reader can type another name at once, which stores another layout.
         name.select()
     }
 
-    /** Shows the layout that is [steps] after the one shown last. */
+    /** Shows the layout [steps] after the one shown last. */
     fun step(steps: Int) {
         val next = keptLayoutAfter(kept.names, kept.shown, steps)
         if (next == null) notice.say(noLayoutKept("keep the board as one with the button “Layouts” above it")) else switchTo(next)
     }
 
     private fun switchTo(name: String) {
-        // Also if it cannot be read: the key then goes on from it.
+        // Set even if the layout cannot be read, so that the key continues from there.
         kept.shown = name
         val layout = kept[name] ?: return notice.say("The layout “$name” cannot be read any more; keep it again.")
         onSwitch(layout, name)

@@ -11,10 +11,10 @@ import badlog.viewer.state.BoardAction
 import badlog.viewer.state.PlaceAction
 
 /**
- * The board, with the formulas, as a layout that is kept, downloaded, opened and switched to.
+ * The board with the formulas as a layout, for storing, downloading, opening and switching.
  *
  * @param log the name of the log's file.
- * @param startBoard returns the graphs that the log begins with.
+ * @param startBoard returns the graphs with which the log begins.
  * @param onOpen called when a layout is shown.
  */
 internal class PageLayouts(
@@ -31,7 +31,7 @@ internal class PageLayouts(
 
     val buttons: LayoutButtons = LayoutButtons(log, scene.notice, ::now, dialog) { open(it, "Opened the layout.") }
 
-    /** What is shown, as a layout. */
+    /** Returns the current view as a layout. */
     fun now(): BoardLayout = BoardLayout(board.now, scene.range.now.takeIf { scene.range.isZoomed }, formulas.own)
 
     private fun switchTo(layout: BoardLayout, name: String) {

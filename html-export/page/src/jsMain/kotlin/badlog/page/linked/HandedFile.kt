@@ -8,17 +8,17 @@ import org.w3c.files.Blob
 import org.w3c.files.File
 
 /**
- * Another program that opened this page may hand over a log, as it does to Perfetto: it sends `PING` until it gets `PONG`, then an object
- * `{badlog: {buffer, fileName}}`. Nothing else is ever sent back, and nothing is read before a person has agreed.
+ * A log that another program, which opened this page, hands over by Perfetto's protocol. The program sends `PING` until it receives `PONG`,
+ * then an object `{badlog: {buffer, fileName}}`. Nothing else is ever sent back, and nothing is read before a person has agreed.
  *
- * @property origin whose program it is, as the browser knows it.
+ * @property origin the origin of the program, as reported by the browser.
  */
 internal class HandedFile private constructor(val origin: String, private val bytes: Any, val name: String) {
-    /** Returns it as a file. */
+    /** Returns the log as a file. */
     fun file(): File = File(arrayOf(bytes), name)
 
     companion object {
-        /** Calls [onHanded] with what is handed over, as long as nothing else is shown. */
+        /** Calls [onHanded] with each log handed over, until something else is shown. */
         fun await(onHanded: (HandedFile) -> Unit) = PageEvents.on(window, "message") { event ->
             val message = event.unsafeCast<MessageEvent>()
             val sender: dynamic = message.source
@@ -26,14 +26,17 @@ internal class HandedFile private constructor(val origin: String, private val by
             when {
                 sender == null || sender == window -> Unit
 
-                // An array of it equals it, too.
+                // An array with the text equals the text, too.
                 jsTypeOf(handed) == "string" && handed == "PING" -> sender.postMessage("PONG", addressOf(message.origin))
 
                 else -> read(message.origin, handed?.badlog)?.let(onHanded)
             }
         }
 
-        /** A program without an origin, such as a file's, can only be addressed as anybody; it learns no more than that this is a page. */
+        /**
+         * Returns the target for an answer. A program without an origin, such as a file, can only be addressed as `*`; it learns only that
+         * this is a page.
+         */
         private fun addressOf(origin: String) = if (origin == "null") "*" else origin
 
         private fun read(origin: String, handed: dynamic): HandedFile? {

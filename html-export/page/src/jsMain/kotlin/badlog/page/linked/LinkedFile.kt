@@ -10,19 +10,19 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * A file on the web that a link to this page names, as in `#url=https://example.org/match.bag`. Its host is asked, and any to which that forwards,
- * without cookies and without saying where the reader comes from.
+ * A file on the web named by a link to this page, as in `#url=https://example.org/match.bag`. Its host, and any host it redirects to,
+ * receives the request without cookies and without a referrer.
  */
 internal class LinkedFile private constructor(private val address: URL) {
     private val abort = js("new AbortController()")
 
-    /** Who is asked. */
+    /** The host that receives the request. */
     val host: String get() = address.host
 
     /** The name of the file. */
     val name: String = fileNameOf(decoded(address.pathname.substringAfterLast('/')))
 
-    /** Fetches it, and tells [onProgress] the fraction that has arrived; rejected with a sentence. */
+    /** Downloads the file and passes the fraction that has arrived to [onProgress]; rejected with a sentence. */
     fun fetch(onProgress: (Double) -> Unit): Promise<File> {
         val options = json("credentials" to "omit", "referrerPolicy" to "no-referrer", "signal" to abort.signal).unsafeCast<RequestInit>()
         return window.fetch(address.href, options).catch<Response> { fail(NOT_SENT) }.then { response ->
@@ -42,7 +42,7 @@ internal class LinkedFile private constructor(private val address: URL) {
         }.unsafeCast<Promise<File>>()
     }
 
-    /** Stops it. */
+    /** Stops the download. */
     fun cancel() {
         abort.abort()
     }
@@ -67,12 +67,12 @@ internal class LinkedFile private constructor(private val address: URL) {
         private const val TOO_LARGE = "It is larger than 500 MB. Download it, and open it here."
         private const val KEY = "url="
 
-        /** Returns the file that the page's own address names; null for none, and for an address that may not be asked. */
+        /** Returns the file in the page's own address; null if there is none, or if its host may not be asked. */
         fun inAddress(): LinkedFile? {
             val named = window.location.hash.removePrefix("#").split('&').firstOrNull { it.startsWith(KEY) } ?: return null
             return try {
                 val address = URL(decoded(named.removePrefix(KEY)))
-                // A page's policy forbids all others.
+                // The page's policy forbids all others.
                 if (address.protocol == "https:" || address.origin == window.location.origin) LinkedFile(address) else null
             } catch (_: Throwable) {
                 null

@@ -15,7 +15,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLTextAreaElement
 import org.w3c.dom.events.KeyboardEvent
 
-/** The dialog in which a person writes and changes [notes], and the button that opens it. */
+/** The dialog that writes and changes [notes], and the button that opens it. */
 internal class NoteDialog(private val scene: Scene, private val notes: PageNotes) {
     private lateinit var text: HTMLTextAreaElement
 
@@ -35,7 +35,7 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
                 addButton("", "Save note", "Save the note (Enter)") { save() }.id = "save-note"
             }
         }
-        // By the browser's own Escape, too.
+        // The browser's own Escape key closes the dialog, too.
         addEventListener("close", { notes.change { cancelled() } })
     }
 

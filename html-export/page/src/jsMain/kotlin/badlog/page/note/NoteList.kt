@@ -17,9 +17,9 @@ import badlog.viewer.text.fixedText
 import org.w3c.dom.HTMLElement
 
 /**
- * The notes about moments of the recording, each with a link to the moment; hidden if there are none.
+ * The notes about moments of the recording, each with a link to its moment; hidden if there are none.
  *
- * @param onEdit called with a note that the reader wants to change.
+ * @param onEdit called with a note to change.
  */
 internal class NoteList(private val scene: Scene, private val notes: PageNotes, private val onEdit: (Note) -> Unit) {
     private val decimals = decimalsFor(scene.range.full.width)
@@ -42,7 +42,7 @@ internal class NoteList(private val scene: Scene, private val notes: PageNotes, 
         list()
     }
 
-    /** Shows the notes that [query] finds, and returns their number. */
+    /** Shows the notes that match [query], and returns their number. */
     fun filter(query: Query): Int {
         this.query = query
         val found = list()

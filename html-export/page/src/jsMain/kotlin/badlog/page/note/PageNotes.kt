@@ -12,21 +12,21 @@ import badlog.viewer.choices.note.toLines
 import kotlin.js.Date
 
 /**
- * The notes about moments of the recording: those that the page was made with, and what its reader has changed, which the browser remembers
- * for the file. Other tabs may show the same page, or a copy of it.
+ * The notes about moments of the recording: the page's own, with the reader's changes. The browser remembers the changes for the file.
+ * Other tabs may show the same page, or a copy of it.
  *
- * @param given what the page was made with.
+ * @param given the additions that the page was made with.
  */
 internal class PageNotes(fileKey: String, private val given: PageAdditions) {
     private val key = "note-changes:$fileKey"
     private val keyBefore = "notes:$fileKey"
     private val listeners = ArrayList<() -> Unit>()
 
-    /** All that this tab knows of; more than is stored if the browser stores nothing. */
+    /** All changes that this tab knows; more than is stored if the browser stores nothing. */
     var history: NoteHistory = withStored(given.noteChanges)
         private set
 
-    /** The notes, and the one that is being written. */
+    /** The notes, and the draft of one. */
     var now: Notebook = Notebook(history.notes)
         private set
 
@@ -35,7 +35,7 @@ internal class PageNotes(fileKey: String, private val given: PageAdditions) {
         listeners += listener
     }
 
-    /** Changes them by [step], and remembers changed notes, with what other tabs have changed meanwhile. */
+    /** Changes the notes by [step], and stores changed notes together with changes of other tabs. */
     fun change(step: Notebook.() -> Notebook) {
         val changed = now.step()
         now = changed
@@ -53,13 +53,13 @@ internal class PageNotes(fileKey: String, private val given: PageAdditions) {
     private fun withStored(changes: List<NoteChange>) =
         NoteHistory.of(given.notes, changesBefore() + noteChangesOf(LocalStorage[key].orEmpty()).changes + changes)
 
-    /** Returns the changes that pages of an older badlog remember: the notes that they were made with, and what became of those. */
+    /** Returns the changes to notes that pages of an older badlog stored, as the notes before and after. */
     private fun changesBefore(): List<NoteChange> {
         val text = LocalStorage[keyBefore] ?: return emptyList()
         return try {
             val (before, after) = listOf(text.substringBefore(SEPARATOR), text.substringAfter(SEPARATOR)).map(::notesOfJson)
             val own = NoteHistory.of(given.notes, given.noteChanges)
-            // A copy of such a page was made with what is a change there.
+            // For a copy of such a page, changes of the original page are given notes.
             val known = before + own.notes.filter { note -> note !in before && after.count { it.x == note.x } == 1 }
             var count = 0
             own.changesTo(after, known, author = "", { timeAfter(it, 0.0) }) { "$BEFORE${count++}" }
@@ -72,13 +72,13 @@ internal class PageNotes(fileKey: String, private val given: PageAdditions) {
         /** JSON never contains it. */
         const val SEPARATOR = '\u0000'
 
-        /** Begins the ids of what an older badlog remembers, and may still change. */
+        /** The start of the ids of changes stored by an older badlog, which may still change them. */
         const val BEFORE = "before-"
 
         /** The end of the years with four digits. */
         const val LATEST = 253_402_300_799_999.0
 
-        /** Returns the time [now], in milliseconds, or what follows [last] if the clock of another computer is ahead. */
+        /** Returns the time [now], in ms; or the time after [last] if another computer's clock is ahead. */
         fun timeAfter(last: String?, now: Double): String =
             Date(minOf(LATEST, maxOf(now, if (last == null) now else Date.parse(last) + 1))).toISOString()
     }

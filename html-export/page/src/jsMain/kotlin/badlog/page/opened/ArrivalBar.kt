@@ -16,21 +16,21 @@ import org.w3c.dom.events.FocusEvent
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * Says at the lower edge of the page, whatever it shows, which log has arrived and what is wrong in it, until somebody shows it or puts it off.
+ * The announcement of a new log and its worst finding. It is at the lower edge of every screen, until a person shows or postpones the log.
  *
- * @param onShow called when a person wants to see that log.
- * @param onLater called when a person wants to see it later.
+ * @param onShow called to show that log.
+ * @param onLater called to postpone it.
  */
 internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
     private lateinit var text: HTMLElement
     private val element = element("aside", "arrival is-empty") {
         setAttribute("aria-label", "New log")
-        // Screen readers speak what appears in an element that was there before.
+        // Screen readers announce text that appears in an existing element.
         text = add("p") { setAttribute("role", "status") }
         addButton("", "Show", "Show the new log and the worst in it (A)", onShow).id = "show-arrival"
         addButton("", "Later", "Hide this; the log stays in the list") {
             onLater()
-            // The button is gone, and the keyboard's focus with it.
+            // The button is gone, and with it the keyboard's focus.
             (before?.takeIf { it.isConnected } ?: document.getElementById("go-back"))?.unsafeCast<HTMLElement>()?.focus()
         }.id = "leave-arrival"
         addEventListener("focusin", {
@@ -42,14 +42,14 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
     private val size = ResizeObserver { page.style.setProperty(HEIGHT, "${element.offsetHeight}px") }
     private val press = { event: Event -> press(event.unsafeCast<KeyboardEvent>()) }
 
-    /** Puts it on the page; nothing is seen of it yet. */
+    /** Adds the bar to the page, still hidden. */
     fun start() {
         document.body?.appendChild(element)
         size.observe(element)
         document.addEventListener("keydown", press)
     }
 
-    /** Takes it from the page. */
+    /** Removes the bar from the page. */
     fun stop() {
         element.remove()
         size.disconnect()
@@ -57,7 +57,7 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
         document.removeEventListener("keydown", press)
     }
 
-    /** Shows the latest of [arrivals], or nothing. */
+    /** Shows the latest of [arrivals], or hides the bar. */
     fun show(arrivals: Arrivals<OpenedLog>) {
         val match = arrivals.latest
         val log = match?.worst
@@ -66,7 +66,7 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
         say(log?.title.orEmpty(), if (match == null || log == null) "" else arrivalText(log, arrivals.waiting.size - match.logs.size))
     }
 
-    /** Says [sentence], which begins with [title]; that may be written from right to left. */
+    /** Shows [sentence], which begins with [title]. The title may be written from right to left. */
     private fun say(title: String, sentence: String) {
         if (text.textContent == sentence) return
         text.textContent = ""

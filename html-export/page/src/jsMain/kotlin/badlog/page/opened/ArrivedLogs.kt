@@ -3,25 +3,25 @@ package badlog.page.opened
 import badlog.page.served.Download
 
 /**
- * Fetches logs that have arrived on the page's server, one after the other, so that rules can run over them.
+ * Fetches new logs from the page's server, one after the other, so that rules can run over them.
  *
- * @param onFetched called with each, whose bytes are here now.
+ * @param onFetched called with each log once its bytes are here.
  */
 internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
     private val waiting = LinkedHashMap<String, OpenedLog>()
     private var download: Download? = null
 
-    /** Fetches [log], too, unless it is so large that a person has to ask for it. */
+    /** Adds [log] to the queue, unless it is so large that only a person may request it. */
     fun add(log: OpenedLog) {
         if (log.size <= MAX_BYTES) waiting[log.path] = log
     }
 
-    /** No longer waits for the log at [path], which has changed since or is gone. */
+    /** Removes the log at [path] from the queue because it has changed or is gone. */
     fun remove(path: String) {
         waiting.remove(path)
     }
 
-    /** Fetches those that wait; again those that the server refused, as a robot that is enabled does. */
+    /** Fetches the waiting logs, again those that the server refused, as the server of an enabled robot does. */
     fun fetch() {
         val log = waiting.values.firstOrNull() ?: return
         if (download != null) return
@@ -38,7 +38,7 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         }, {
             if (download !== started) return@then
             download = null
-            // It must not keep those behind it from coming.
+            // A refused log must not delay the logs behind it.
             if (waiting[log.path] === log) {
                 waiting.remove(log.path)
                 waiting[log.path] = log
@@ -46,21 +46,21 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         })
     }
 
-    /** Leaves the network to what a person opens, until the next [fetch]. */
+    /** Leaves the network to the logs that a person opens, until the next [fetch]. */
     fun pause() {
         val started = download ?: return
         download = null
         started.cancel()
     }
 
-    /** Ends it. */
+    /** Empties the queue and stops fetching. */
     fun stop() {
         waiting.clear()
         pause()
     }
 
     private companion object {
-        /** What a robot's server sends in some 20 s. */
+        /** The bytes that a robot's server sends in some 20 s. */
         const val MAX_BYTES = 20_000_000L
     }
 }

@@ -8,7 +8,7 @@ import badlog.viewer.shown.battery.BatteryColumn
 import badlog.viewer.shown.battery.BatterySeason
 import org.w3c.dom.HTMLElement
 
-/** The batteries of a folder's logs, and which to use next; hidden if no log names one. */
+/** The batteries of a folder's logs, with the one to use next; hidden if no log names a battery. */
 internal class BatteryTable {
     private var shown = emptyList<List<String>>()
 
@@ -23,7 +23,7 @@ internal class BatteryTable {
         val columns = BatteryColumn.of(seasons)
         val advised = BatteryAdvice.of(seasons).all.map { it.text }
         val texts = seasons.map { season -> columns.map { it.text(season).orEmpty() } }
-        // The list is renewed several times a second while logs are read.
+        // The list is updated several times a second while logs are read.
         val now = texts + listOf(advised)
         if (now == shown) return
         shown = now

@@ -10,12 +10,12 @@ import org.w3c.dom.Worker
 import kotlin.js.Promise
 
 /**
- * Reads the logs of a folder and runs [rules] over them: in workers if the browser allows them, otherwise on the page, one log after the
+ * Reads the logs of a folder and runs [rules] over them. Uses workers if the browser allows them, otherwise the page, one log after the
  * other.
  *
- * @param cache keeps what was learned.
+ * @param cache stores the results.
  * @param next returns the log to read next; null when all have been read.
- * @param onKnown called with a log of which more is known.
+ * @param onKnown called with a log that has new results.
  * @param onLost called with a log that was not read after all.
  */
 internal class FolderReading(
@@ -27,11 +27,11 @@ internal class FolderReading(
 ) {
     private val workers = ArrayList<Worker>()
 
-    /** How often it was stopped: what was begun before is over. */
+    /** The number of calls of [stop], which invalidate work begun before. */
     private var turn = 0
     private var isReadingHere = false
 
-    /** Starts, or goes on, because there is more to read, or after [stop]. */
+    /** Starts reading, or continues because there are more logs or after [stop]. */
     fun start() {
         repeat((window.navigator.hardwareConcurrency.toInt() - 1).coerceIn(1, MAX_WORKERS) - workers.size) { startWorker() }
         readHereIfAlone()
@@ -115,7 +115,7 @@ internal class FolderReading(
     }
 
     private companion object {
-        /** Each may hold a whole log. */
+        /** The maximum number of workers, because each may hold a whole log. */
         const val MAX_WORKERS = 3
     }
 }

@@ -25,15 +25,15 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * The logs of a folder: what their names say at once, the rest as they are read.
+ * The list of a folder's logs: the facts in their names at once, the rest as they are read.
  *
- * @param logs the logs; those that turn out to be none are not listed.
- * @param rules those that run over each.
- * @param settings returns what can be changed on every page.
- * @param again the same folder; null if the page can look into it once.
- * @param onLeave called when a person wants something else.
+ * @param logs the logs; files that turn out not to be logs are not listed.
+ * @param rules the rules that run over each log.
+ * @param settings returns the settings that every page has.
+ * @param again the same folder; null if the page can look into it only once.
+ * @param onLeave called to open something else.
  * @param onRead called with each log when the rules have run over it.
- * @param onOpen called with the log to open, those to compare with it, and whether to show the worst that was found.
+ * @param onOpen called with the log to open, the logs to compare with it, and whether to show the worst finding.
  */
 internal class FolderScreen(
     logs: List<OpenedLog>,
@@ -62,7 +62,7 @@ internal class FolderScreen(
     /** The logs that have changed since the folder was opened. */
     private val fresh = HashSet<String>()
 
-    /** Logs that a person has seen since the list was shown, before they arrived. */
+    /** The logs that a person has opened since the list was last shown, before they arrived. */
     private val seen = HashSet<String>()
     private val arrived = ArrivedLogs {
         keep(it)
@@ -130,7 +130,7 @@ internal class FolderScreen(
     /** The listed logs, in order. */
     val visible: List<OpenedLog> get() = listing.visible
 
-    /** Goes on reading: it is shown again. */
+    /** Shows the list again and continues reading. */
     fun resume() {
         tools.appendChild(settings())
         isShown = true
@@ -144,18 +144,17 @@ internal class FolderScreen(
         }
     }
 
-    /** Gives the keyboard's focus to [log]. */
+    /** Focuses the entry of [log]. */
     fun focus(log: OpenedLog) {
         if (isPit) pit.focus(log) else document.getElementById("open:${log.path}")?.unsafeCast<HTMLElement>()?.focus()
     }
 
-    /** Returns whether [log] is one of its logs. */
     fun has(log: OpenedLog): Boolean = log.path in known
 
-    /** Returns [log] as it is now: it may have grown, or its bytes may be here, since it was listed. */
+    /** Returns the current state of [log], which may have grown or been fetched since it was listed. */
     fun latest(log: OpenedLog): OpenedLog = known[log.path] ?: log
 
-    /** Takes over that the bytes of [log] are here now, so that it can be read, too. */
+    /** Stores [log], whose bytes are now here, so that it can be read. */
     fun keep(log: OpenedLog) {
         known[log.path] = log
         arrived.remove(log.path)
@@ -163,20 +162,20 @@ internal class FolderScreen(
         listing = listing.copy(entries = known.values.toList())
     }
 
-    /** Returns how [log] differs from the matches before it, as far as they have been read. */
+    /** Returns the differences between [log] and the matches before it that have been read. */
     fun changesOf(log: OpenedLog): Changes<OpenedLog> {
         val own = latest(log)
         val others = logsOfRobots(known.values.toList(), OpenedLog::isOnlyOfLogs).filter { !it.isGray && it.found?.rules != null }
         return changesOf(own, earlierThan(own, others.filter { it.path != own.path }), rules) { it.numbers }
     }
 
-    /** Remembers that a person sees [log], which is then not new, even if rules have not run over it. */
+    /** Records that a person sees [log], which is then not new, even if rules have not run over it. */
     fun see(log: OpenedLog) {
         if (arrivals.isNew(latest(log))) seen += log.path
         change(arrivals.without(log.path))
     }
 
-    /** Stops reading, because a log is being read that a person wants to see. Logs that arrive are read when that is shown. */
+    /** Stops reading, because a person opens a log. Logs that arrive are read once it is shown. */
     fun pause() {
         isShown = false
         reading.stop()
@@ -184,7 +183,7 @@ internal class FolderScreen(
         for (log in known.values) if (log.isUnread && watch?.isGrowing(log.path) != true) unread += log.path
     }
 
-    /** Ends it: something else is shown, and will be. */
+    /** Ends all work, because something else is shown from now on. */
     fun end() {
         pause()
         watch?.stop()
@@ -219,7 +218,7 @@ internal class FolderScreen(
         }
         val (here, elsewhere) = look.complete.mapNotNull(known::get).partition { it.isHere }
         here.mapTo(unread) { it.path }
-        // WPILib's server, which lists no times, sends at full speed, whether the robot is enabled or not: there, only a person asks for a log.
+        // WPILib's server, which lists no times, sends at full speed even while the robot is enabled. Its logs are fetched only on request.
         elsewhere.filter { it.modified > 0 && arrivals.isNew(it) }.forEach(arrived::add)
         fresh += look.complete
         arrived.fetch()
@@ -229,7 +228,7 @@ internal class FolderScreen(
         showLater()
     }
 
-    /** Follows what has arrived. */
+    /** Updates the arrivals. */
     private fun follow() = change(arrivals.knowing(known.values.toList()))
 
     private fun change(changed: Arrivals<OpenedLog>) {
@@ -257,10 +256,10 @@ internal class FolderScreen(
 
     private fun openWorst(log: OpenedLog) = onOpen(latest(log), emptyList(), true)
 
-    /** What is seen first is read first. */
+    /** Returns the next log to read; the first visible ones come first. */
     private fun nextToRead(): OpenedLog? {
         val path = when {
-            // Beside a log that is shown, only what is announced.
+            // While a log is shown, only the logs to announce are read.
             !isShown -> unread.firstOrNull { it in fresh }
 
             else -> listing.visible.firstOrNull { it.path in unread }?.path ?: unread.firstOrNull()
@@ -277,12 +276,12 @@ internal class FolderScreen(
         showLater()
     }
 
-    /** Rows come in quicker than anybody reads. */
+    /** Shows the list after [PAUSE], because results arrive faster than anyone reads. */
     private fun showLater() {
         if (timer != 0) return
         timer = window.setTimeout({
             timer = 0
-            // A button that is being pressed must not be replaced by a new one.
+            // A button must not be replaced while it is pressed.
             if (table.isPressed || pit.isPressed) showLater() else list(listing.copy(entries = known.values.toList()))
         }, PAUSE)
     }

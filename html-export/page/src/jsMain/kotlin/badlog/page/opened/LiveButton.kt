@@ -7,15 +7,15 @@ import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
 /**
- * Follows the shown log while the page's server writes it, if a person wants that.
+ * The button that follows the shown log while the page's server writes it.
  *
- * @param shown returns the log that is shown; null for none.
- * @param onGrown called with that log and what is in it now.
+ * @param shown returns the log that is shown; null if there is none.
+ * @param onGrown called with that log and its current recording.
  */
 internal class LiveButton(private val shown: () -> OpenedLog?, private val onGrown: (OpenedLog, Recording) -> Unit) {
     private var following: Following? = null
 
-    /** The state of the shown log; null if no log is shown. Whoever follows it stays at the end of each that is shown. */
+    /** The state of the shown log's page; null if no log is shown. While following, each new page stays at the end of the log. */
     var store: PageStore? = null
         set(value) {
             field = value
@@ -30,7 +30,7 @@ internal class LiveButton(private val shown: () -> OpenedLog?, private val onGro
         }
     }
 
-    /** No longer follows. */
+    /** Stops following. */
     fun stop() {
         following?.stop()
     }
@@ -41,14 +41,14 @@ internal class LiveButton(private val shown: () -> OpenedLog?, private val onGro
         val from = store ?: return
         following = Following(log, address, onGrown) { why ->
             following = null
-            // Each page has its own.
+            // Each page has its own button.
             val button = document.getElementById(ID) ?: return@Following
             button.setAttribute("aria-pressed", "false")
             if (why != null) button.textContent = "Live: $why"
         }
         document.getElementById(ID)?.apply {
             setAttribute("aria-pressed", "true")
-            // Not what was wrong the last time.
+            // Removes the reason why following ended the last time.
             textContent = "Live"
         }
         following?.start(from)

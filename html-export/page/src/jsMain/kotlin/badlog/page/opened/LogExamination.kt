@@ -12,9 +12,12 @@ import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.foundIn
 import kotlin.js.Promise
 
-/** Finds out what lists show of logs: what they hold, and what [rules] find in them. Used in a worker, or on the page if there is none. */
+/** Reads logs for lists, and runs [rules] over them. Used in a worker, or on the page if there is none. */
 internal class LogExamination(private val rules: RuleSet) {
-    /** Examines [log]; [onKnown] is called with what it holds, and again with what the rules found. Rejected if it cannot be read. */
+    /**
+     * Examines [log]. [onKnown] is called with its summary and, unless lists show it in gray, again with its findings. Rejected if it
+     * cannot be read.
+     */
     fun of(log: OpenedLog, onKnown: (OpenedLog) -> Unit): Promise<Unit> = LogFileReader(log.files) {}.read().then { read ->
         val name = log.fileName
         val view = LogView.of(read.overItsTime()).withSignals(rules.signals, name)

@@ -17,34 +17,34 @@ import kotlin.js.Promise
 import kotlin.math.roundToInt
 
 /**
- * What a large log is about to need, estimated from its beginning.
+ * The memory that a large log needs, estimated from its beginning.
  *
- * @property bytes the memory for all of it.
- * @property fewBytes the memory for [few].
- * @property few the topics that are signals, or that rules look at.
+ * @property bytes the bytes of memory for the whole log.
+ * @property fewBytes the bytes of memory for the topics [few].
+ * @property few the topics that are signals, or that rules use.
  */
 internal class LogNeed private constructor(val bytes: Double, val fewBytes: Double, val few: WantedTopics) {
-    /** Whether this browser may not have so much. */
+    /** Whether this browser may not have that much memory. */
     val isTooMuch: Boolean get() = bytes > most
 
     companion object {
-        /** Smaller files need not be looked at. */
+        /** The size in bytes below which files are not estimated. */
         private const val SMALL = 20e6
         private const val HEAD = 2e6
 
-        /** A page itself, in bytes. */
+        /** The memory of the page itself, in bytes. */
         private const val PAGE = 150e6
 
-        /** Arrays are larger than what is in them while they grow. */
+        /** The factor by which arrays are larger than their content while they grow. */
         private const val GROWTH = 1.5
 
-        /** A browser gives a page a part of its device's memory, of which it shows at most 8 GB. */
+        /** The maximum memory of a page. It is a share of the device's memory, of which browsers report at most 8 GB. */
         private val most: Double get() {
             val memory = window.navigator.asDynamic().deviceMemory as Double?
             return minOf(1.5e9, (memory ?: if (window.matchMedia("(pointer: coarse)").matches) 2.0 else 8.0) * 0.2e9)
         }
 
-        /** Promises it for the log in [files] and [rules]; null for a small log. */
+        /** Promises the estimate for the log in [files] and [rules]; null for a small log. */
         fun of(files: List<File>, rules: RuleSet): Promise<LogNeed?> {
             val size = files.sumOf { it.size.toDouble() }
             if (size < SMALL) return Promise.resolve(null)
@@ -69,5 +69,5 @@ internal class LogNeed private constructor(val bytes: Double, val fewBytes: Doub
     }
 }
 
-/** Returns an amount of memory for people, without digits that an estimate does not have. */
+/** Returns an amount of memory as text, rounded to 10 MB because it is an estimate. */
 internal fun memoryText(bytes: Double): String = "${(bytes / 1e7).roundToInt() * 10} MB"

@@ -29,13 +29,13 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Opens what a person drops or chooses, instead of what is shown.
+ * Opens dropped or chosen files instead of the shown log.
  *
  * @param rules returns the rules of this page.
- * @param settings what can be changed on every page.
- * @param goToStart shows what was there before any log was opened.
+ * @param settings returns the settings that every page has.
+ * @param goToStart shows the screen from before any log was opened.
  * @param show shows a log that was read, with others to compare.
- * @param showGrown shows a log that is shown already, at its newest moment.
+ * @param showGrown shows a log that is already shown, at its newest moment.
  */
 internal class LogOpening(
     private val root: PageRoot,
@@ -54,18 +54,18 @@ internal class LogOpening(
         showGrown(grown, read)
     }
 
-    /** How often a person asked for something: what was asked for before is not shown any more. */
+    /** The number of the latest request; results of earlier requests are no longer shown. */
     private var request = 0
 
-    /** Ends what was begun for the last request. */
+    /** Cancels the work for the last request. */
     private var cancelLast = {}
     private var onRead = {}
 
-    /** Opens the only log in [files], or lists those that there are. */
+    /** Opens the only log in [files], or lists all of them. */
     fun open(files: List<File>) {
         val only = files.singleOrNull()
         val advice = only?.let { adviceFor(it.name) }
-        // One file is asked for by name, whatever that is.
+        // A single file was selected by name, so it may have any name.
         val logs = OpenedLog.logsIn(if (only != null) files else files.filter(OpenedLog::isNamedLikeLog))
         when {
             files.isEmpty() -> return
@@ -78,7 +78,7 @@ internal class LogOpening(
         }
     }
 
-    /** Opens [linked], which a link names; its reader has agreed. */
+    /** Opens [linked], the target of a link, after the reader has agreed. */
     fun open(linked: LinkedFile) {
         val asked = wait(linked.name, linked::cancel)
         linked.fetch(asked.screen::show).then({ if (asked.isLatest) open(listOf(it)) }, {
@@ -107,16 +107,16 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
-    /** Calls [work] when the rules have run over the shown log in the list, too, until something else is shown. */
+    /** Calls [work] when the rules have also run over the shown log in the list, until something else is shown. */
     fun onRead(work: () -> Unit) {
         onRead = work
         PageEvents.onEnd { onRead = {} }
     }
 
-    /** How the shown log differs from the matches before it in its folder. */
+    /** Returns the differences between the shown log and the matches before it in its folder. */
     fun changes(): Changes<OpenedLog> = log?.let { folder?.changesOf(it) } ?: Changes()
 
-    /** Promises [listed], a log of the list, with its bytes, which the page's server may have; rejected with a sentence. */
+    /** Promises the log [listed] with its bytes, downloaded if necessary; rejected with a sentence. */
     fun withBytes(listed: OpenedLog): Promise<OpenedLog> {
         val log = folder?.latest(listed) ?: listed
         if (log.isHere) return Promise.resolve(log)
@@ -125,14 +125,14 @@ internal class LogOpening(
         return download.start().then { fetched -> log.with(fetched).also { folder?.keep(it) } }
     }
 
-    /** Promises what [server] has now; a page that is not seen asks for nothing. */
+    /** Promises the current files of [server]; rejected if the page is hidden, so that it requests nothing. */
     private fun filesNow(server: ServedFolder): Promise<List<File>> = if (document.asDynamic().hidden == true) {
         Promise.reject(Throwable())
     } else {
         server.files().then { it.filter(OpenedLog::isNamedLikeLog) }
     }
 
-    /** The buttons of the shown log's page that lead to others; null for the log that is part of the page. */
+    /** Returns the buttons that lead from the shown log to other logs; null for the page's own log. */
     fun tools(): HTMLElement? {
         val open = log ?: return null
         return element("div", "downloads") {
@@ -175,7 +175,7 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
-    /** Reads [opened], after a question if that may take more memory than there is. */
+    /** Reads [opened]; asks first if it may take more memory than there is. */
     private fun read(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
         val asked = wait(opened.fileName) {}
         fun readAll() = read(opened, compared, showsWorst, wanted = null)
@@ -212,7 +212,7 @@ internal class LogOpening(
         if (folder?.has(opened) == false) endFolder()
         folder?.see(opened)
         document.title = opened.title
-        // A finding of the list was found over the log's time.
+        // The list's findings were found over the log's time.
         show(opened, if (showsWorst) read.overItsTime() else read, compared.flatMap { it.files }, showsWorst)
     }
 
@@ -231,11 +231,11 @@ internal class LogOpening(
     }
 
     private inner class Asked(val screen: LoadingScreen, private val number: Int) {
-        /** Whether nothing else was asked for since. */
+        /** Whether there was no later request. */
         val isLatest: Boolean get() = number == request
     }
 
-    /** Shows that the file [name] is being read; [cancel] ends that. */
+    /** Shows that the file [name] is being read; [cancel] stops reading. */
     private fun wait(name: String, cancel: () -> Unit): Asked {
         live.stop()
         folder?.pause()
@@ -264,7 +264,7 @@ internal class LogOpening(
         acceptFiles(::open)
     }
 
-    /** Lists the logs in [watched], also those that are not there yet. */
+    /** Lists the logs in [watched], and those that appear there later. */
     fun open(watched: WatchedFolder) {
         watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again) }.catch { root.failUnexpectedly(it, back()) }
     }
@@ -285,7 +285,7 @@ internal class LogOpening(
         folder = null
     }
 
-    /** Shows the list from which the log was opened, or else what was there before. */
+    /** Shows the list from which the log was opened, or the start if there is none. */
     private fun goBack() {
         live.stop()
         request++
@@ -311,7 +311,7 @@ internal class LogOpening(
         }
     }
 
-    /** Returns what to do with a file called [name], which holds a log that only other programs can read; null for any other. */
+    /** Returns advice for a file named [name] that only other programs can read; null for all other files. */
     private fun adviceFor(name: String): String? = when (name.substringAfterLast('.').lowercase()) {
         "wpilogxz" -> "It is compressed with xz: unpack it, with 7-Zip for example, or open it in badlog's window."
         "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
@@ -322,7 +322,7 @@ internal class LogOpening(
     private fun isPage(file: File) = file.name.endsWith(".html", ignoreCase = true) || file.name.endsWith(".htm", ignoreCase = true)
 
     private companion object {
-        /** Milliseconds between two looks at the list of a robot, which has other things to do. */
+        /** The milliseconds between two looks at a robot's list; a robot has other work. */
         const val SERVER_PAUSE = 15_000
     }
 }

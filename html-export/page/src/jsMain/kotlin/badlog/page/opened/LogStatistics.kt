@@ -14,7 +14,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLSelectElement
 
-/** A statistic of each topic in several logs, beside each other: over the whole of each log. */
+/** A table that compares one statistic of each topic between several logs, each over its whole length. */
 internal class LogStatistics {
     private var logs = emptyList<OpenedLog>()
     private var statistic = Statistic.MEAN
@@ -37,9 +37,9 @@ internal class LogStatistics {
         isHidden = true
     }
 
-    /** Shows it for [logs] if they are at least one; hides it otherwise. */
+    /** Shows the statistics of [logs]; hidden if there are none. */
     fun show(logs: List<OpenedLog>) {
-        // The list is renewed several times a second while logs are read.
+        // The list is updated several times a second while logs are read.
         if (logs == this.logs) return
         this.logs = logs
         element.isHidden = logs.isEmpty()
@@ -96,7 +96,7 @@ internal class LogStatistics {
     }
 
     private companion object {
-        /** The number of topics shown until a person asks for more. */
+        /** The number of topics added at a time. */
         const val PAGE = 200
     }
 }

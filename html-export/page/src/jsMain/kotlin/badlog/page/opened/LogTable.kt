@@ -18,11 +18,11 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 
 /**
- * A table of logs, with the columns of the window's.
+ * A table of logs, with the columns of the window except [UNSEEN].
  *
  * @param onSort called with the column by which to sort.
  * @param onCheck called when a log is checked or unchecked.
- * @param onOpen called with the log to open, and whether to show the worst that was found in it.
+ * @param onOpen called with the log to open, and whether to show its worst finding.
  */
 internal class LogTable(
     private val onSort: (LogColumn) -> Unit,
@@ -46,13 +46,13 @@ internal class LogTable(
         }
     }
 
-    /** Whether somebody is just pressing something in it. */
+    /** Whether a person is pressing something in the table. */
     val isPressed: Boolean get() = element.matches(":active")
 
-    /** Shows [listing]; the logs at the paths [checked] are checked. */
+    /** Shows [listing] and checks the logs at the paths [checked]. */
     fun show(listing: Listing<OpenedLog>, checked: Set<String>) {
         showAgain = { show(listing, checked) }
-        // The keyboard's focus stays where it was, though its row is a new one.
+        // The keyboard's focus stays in place, although its row is recreated.
         val focused = (document.activeElement?.takeIf { element.contains(it) })?.id
         val columns = LogColumn.entries.filter { it !in UNSEEN && (it in ALWAYS || listing.entries.any(it.has)) }
         head.textContent = ""
@@ -145,13 +145,13 @@ internal class LogTable(
     }
 
     private companion object {
-        /** The number of rows made at a time. */
+        /** The number of rows added at a time. */
         const val PAGE = 300
 
-        /** Columns that a page has no room for. */
+        /** The columns for which a page has no room. */
         val UNSEEN = setOf(LogColumn.SAMPLES, LogColumn.ALLIANCE)
 
-        /** Columns that stay while nothing is in them yet. */
+        /** The columns that are shown even while they are empty. */
         val ALWAYS = setOf(LogColumn.DURATION, LogColumn.FINDINGS)
     }
 }

@@ -17,12 +17,13 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * A log that a person opened, which stays on the person's computer, or one that the page's server has.
+ * A log that a person opened, which stays on the person's computer, or a log on the page's server.
  *
- * @property files its file, or both of a Driver Station log, in the order in which they are read; empty ones for what the server has.
- * @property summary what is known of it: at first, what its name says.
- * @property numbers what can be compared with other logs.
- * @property origin where the page's server has it; null if it was opened from this device.
+ * @property files its file, or both files of a Driver Station log, in the order in which they are read; empty files for a log on the
+ * server.
+ * @property summary the known facts about it: at first, those in its name.
+ * @property numbers the numbers to compare with other logs.
+ * @property origin its place on the page's server; null if it was opened from this device.
  */
 internal class OpenedLog(
     val files: List<File>,
@@ -42,20 +43,20 @@ internal class OpenedLog(
 
     override val modified: Long get() = modifiedOf(files[0])
 
-    /** Identifies it for what the browser remembers: a log on a server is the same one when it has grown. */
+    /** The log's key in the browser's storage. A log on a server keeps its key when it grows. */
     val key: String get() = if (origin != null) path else "$fileName:${files.sumOf { it.size.toDouble() }}"
 
-    /** Returns the same log, of which more is known. */
+    /** Returns this log with more known about it. */
     fun with(summary: LogSummary, found: LogFound?, numbers: LogNumbers = LogNumbers.NONE): OpenedLog =
         OpenedLog(files, summary, found, numbers, origin)
 
-    /** Returns the same log, of which [file] has more. */
+    /** Returns this log with [file], which has more of it. */
     fun growing(file: File): OpenedLog = OpenedLog(listOf(file), summary, found, numbers, origin)
 
-    /** Returns the same log with those of its files that [fetched] has bytes for. */
+    /** Returns this log with the files in [fetched] in place of the empty ones. */
     fun with(fetched: Map<File, File>): OpenedLog = OpenedLog(files.map { fetched[it] ?: it }, summary, found, numbers, origin)
 
-    /** Returns its bytes, on a page that [version] of badlog made. */
+    /** Returns the log's bytes, on a page made by badlog [version]. */
     fun bytes(version: String): LogBytes = object : LogBytes {
         override fun original() = Promise.resolve(Blob(files.toTypedArray()))
 
@@ -65,7 +66,7 @@ internal class OpenedLog(
     }
 
     companion object {
-        /** Returns the logs in [files], some of which may not be logs, in order. */
+        /** Returns the logs in [files], in order; some files may not be logs. */
         fun logsIn(files: List<File>): List<OpenedLog> {
             // Files from different places may have the same name.
             for (same in files.groupBy(::pathOf).values) {
@@ -85,12 +86,12 @@ internal class OpenedLog(
         /** Returns whether the file at [path] has the name of a log. */
         fun isNamedLikeLog(path: String): Boolean {
             val name = path.removeSuffix(".gz").lowercase()
-            // Systems keep data of their own in files and folders with such names.
+            // Systems keep their own data in files and folders with such names.
             val isHidden = path.split('/').any { it.startsWith('.') || it.startsWith('$') }
             return !isHidden && LOG_ENDINGS.any(name::endsWith)
         }
 
-        /** Returns whether only logs have such names as [name]; tables of all kinds end in `.csv`. */
+        /** Returns whether names like [name] belong only to logs; tables of all kinds end in `.csv`. */
         fun isOnlyOfLogs(name: String): Boolean = !name.removeSuffix(".gz").endsWith(".csv", ignoreCase = true)
 
         /** Returns when [file] was last written, in ms since 1970. */

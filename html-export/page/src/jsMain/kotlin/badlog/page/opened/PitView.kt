@@ -19,9 +19,9 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.asList
 
 /**
- * What a pit wants to know between two matches, in letters that are read from two meters: the last log, batteries, and the logs before it.
+ * The view for the pit between two matches, in letters readable from two meters. It shows the last log, batteries, and the logs before it.
  *
- * @param onOpen called with a log of which a person wants to see what was found.
+ * @param onOpen called with a log to show its worst finding.
  */
 internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
     private lateinit var news: HTMLElement
@@ -29,20 +29,21 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
 
     val element: HTMLElement = element("section", "pit") {
         setAttribute("aria-label", "Pit view")
-        // Screen readers speak what appears in an element that was there before.
+        // Screen readers announce text that appears in an existing element.
         news = add("p", "spoken") { setAttribute("role", "status") }
         appendChild(shown)
     }
 
     private var isReading: (OpenedLog) -> Boolean = { false }
 
-    /** Whether somebody is just pressing something in it. */
+    /** Whether a person is pressing something in the view. */
     val isPressed: Boolean get() = element.matches(":active")
 
     /**
      * Shows the last of [logs].
      *
-     * @param willRead returns whether a log is read without being opened. Others, and one that is being written, must not hide the last match.
+     * @param willRead returns whether a log is read without being opened. Other logs, and a log that is being written, must not hide the
+     * last match.
      */
     fun show(logs: List<OpenedLog>, willRead: (OpenedLog) -> Boolean) {
         val now = element("div", "pit-logs") {
@@ -57,7 +58,7 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
                 add("div", "pit-before") { pit.before.forEachIndexed { i, log -> addEarlier(log, "pit-$i") } }
             }
         }
-        // Somebody may be at one of its buttons while more logs are read.
+        // A button may have the focus while more logs are read.
         if (now.innerHTML == shown.innerHTML) return
         val focused = document.activeElement?.takeIf { element.contains(it) }?.id
         element.replaceChild(now, shown)
@@ -68,7 +69,7 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
     /** Announces to screen readers that [log] has arrived. */
     fun announce(log: OpenedLog) = news.showText(arrivalText(log))
 
-    /** Gives the keyboard's focus to the button of [log], or else of the last one. */
+    /** Focuses the button of [log], or the first button if there is none. */
     fun focus(log: OpenedLog) {
         val buttons = element.querySelectorAll("button").asList()
         val button = buttons.find { it.unsafeCast<HTMLElement>().getAttribute("data-path") == log.path } ?: buttons.firstOrNull()

@@ -12,12 +12,12 @@ import org.w3c.dom.asList
 import org.w3c.files.File
 
 /**
- * What a page without a log shows: how to open one.
+ * The screen of a page without a log, with the ways to open one.
  *
- * @param settings what can be changed on every page.
- * @param onFiles called with the files that a person chose.
- * @param onFolder called with the folder that a person chose, if the page may look into it again.
- * @param onServer lists the logs of the page's server; null if it comes from none.
+ * @param settings the settings that every page has.
+ * @param onFiles called with the chosen files.
+ * @param onFolder called with the chosen folder, if the page may look into it again.
+ * @param onServer lists the logs of the page's server; null if the page has no server.
  * @param onSample opens the sample in this page; null if it has none.
  */
 internal class StartScreen(
@@ -49,9 +49,9 @@ internal class StartScreen(
         add("p", "screen-text", "It reads $READABLE_LOGS, each also gzipped, and pages of badlog.")
     }
 
-    /** Asks [question] above everything else, with a button [label] that calls [onAccept]; nothing while another question waits. */
+    /** Asks [question] above everything else, with a button [label] that calls [onAccept]; does nothing while another question waits. */
     fun offer(question: String, label: String, onAccept: () -> Unit) {
-        // Nobody may change what a click means while it is being made.
+        // The meaning of a click must not change while it is being made.
         if (element.querySelector(".start-offer") != null) return
         val offer = element("div", "start-offer card") {
             add("p", "screen-text", question)
@@ -64,7 +64,10 @@ internal class StartScreen(
     }
 }
 
-/** Adds a button that lets a person choose files, or a folder, which is passed to [onFolder] if the browser lets the page look into it again. */
+/**
+ * Adds a button that lets a person choose files or a folder. The folder is passed to [onFolder] if the browser lets the page look into it
+ * again.
+ */
 internal fun HTMLElement.addFilePicker(
     id: String,
     icon: Icon,
@@ -98,5 +101,5 @@ internal fun HTMLElement.addFilePicker(
     }
 }
 
-/** How a browser calls it if a person closes the dialog without choosing. */
+/** The browser's name for closing the dialog without choosing. */
 private const val CHANGED_MIND = "AbortError"

@@ -7,11 +7,12 @@ import kotlinx.browser.window
 import kotlin.js.Promise
 
 /**
- * What was learned of logs, kept by the browser so that a folder need not be read again: the last that was learned of each place, for a file
- * of the same size and time, the same [rules], and the same program. Where a browser keeps nothing, logs are read each time.
+ * The results of reading logs, stored by the browser, so that a folder need not be read again. For each path it stores the last result,
+ * valid for a file of the same size and time, the same [rules], and the same program. Where a browser stores nothing, logs are read each
+ * time.
  */
 internal class SummaryCache(rules: String) {
-    // The end of the packed program has its checksum.
+    // The end of the packed program contains its checksum.
     private val version = Crc32().apply {
         update((rules + document.getElementById("packed")?.textContent?.takeLast(END)).encodeToByteArray())
     }.value
@@ -23,14 +24,14 @@ internal class SummaryCache(rules: String) {
         request.onblocked = request.onerror
     }
 
-    /** Passes each of [logs] of which something is known to [onKnown], with the message of its worker; then calls [onEnd]. */
+    /** Passes the stored result of each of [logs] to [onKnown], as a worker's message; then calls [onEnd]. */
     fun find(logs: List<OpenedLog>, onKnown: (OpenedLog, message: dynamic) -> Unit, onEnd: () -> Unit) {
         var isOver = false
         fun end() {
             if (!isOver) onEnd()
             isOver = true
         }
-        // Some browsers never answer when they may not keep anything.
+        // Some browsers never answer if they may not store anything.
         window.setTimeout({ end() }, PATIENCE)
         database.then { opened ->
             val kept: dynamic = opened.asDynamic().transaction(STORE).objectStore(STORE)
@@ -46,7 +47,7 @@ internal class SummaryCache(rules: String) {
         }.catch { end() }
     }
 
-    /** Keeps what [message], from a worker, says of [log]. */
+    /** Stores [message], a worker's result for [log]. */
     fun keep(log: OpenedLog, message: dynamic) {
         database.then<Unit> { opened ->
             opened.asDynamic().transaction(STORE, "readwrite").objectStore(STORE).put(json("of" to of(log), "message" to message), log.path)
@@ -59,7 +60,7 @@ internal class SummaryCache(rules: String) {
         const val STORE = "logs"
         const val END = 16
 
-        /** Milliseconds after which logs are read instead. */
+        /** The milliseconds after which logs are read instead. */
         const val PATIENCE = 1000
     }
 }

@@ -21,11 +21,11 @@ import badlog.viewer.catalog.ProblemCounts
 import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.catalog.Verdict
 
-/** What a worker learned of a log, as a message: what lists show, in plain arrays. */
+/** A worker's result for a log as a message: the facts in lists, as plain arrays. */
 internal object SummaryMessage {
     private val reader = LogNumbersReader()
 
-    /** Returns what is known of [log], whose findings are null while the rules run, as a message. */
+    /** Returns the result for [log] as a message; its findings are null while the rules run. */
     fun of(log: OpenedLog): dynamic = with(log) { of(summary, found, numbers.toText()) }
 
     private fun of(summary: LogSummary, found: LogFound?, numbers: LogNumbersText): dynamic = json(
@@ -48,11 +48,11 @@ internal object SummaryMessage {
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
-        // The name under which browsers have kept them; “numbers” are those of the topics.
+        // Browsers have stored the numbers under this name; “numbers” are those of the topics.
         "figures" to arrayOf(numbers.names, numbers.values),
     )
 
-    /** Returns [log] with what [message] says of it. */
+    /** Returns [log] with the result in [message]. */
     fun read(message: dynamic, log: OpenedLog): OpenedLog {
         val match = message.match.unsafeCast<Array<String?>>()
         val problems = message.problems.unsafeCast<Array<Int>>()
@@ -120,6 +120,6 @@ internal object SummaryMessage {
         )
     }
 
-    /** How many numbers there are of each topic. */
+    /** The number of statistics for each topic. */
     private const val NUMBERS = 12
 }

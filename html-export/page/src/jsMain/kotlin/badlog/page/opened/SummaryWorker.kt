@@ -12,8 +12,8 @@ import org.w3c.files.File
 /**
  * The worker that examines the logs of a folder, one after the other. Its script is the page's own; its name identifies it.
  *
- * The page sends the rules as JSON, then the files of a log. The worker answers with what it learned, see [SummaryMessage], and for each
- * log last with an object that has only `failure`, null if all is well.
+ * The page sends the rules as JSON, then the files of a log. The worker answers with its results, see [SummaryMessage], and last for each
+ * log with an object that contains only `failure`, null if the log could be read.
  */
 internal object SummaryWorker {
     private const val NAME = "summaries"
@@ -21,7 +21,7 @@ internal object SummaryWorker {
     /** Whether this script runs in it. */
     val isHere: Boolean get() = js("self.name") == NAME
 
-    /** Starts one that runs [rules], which are JSON; null if no worker may run. */
+    /** Starts a worker with [rules] as JSON; null if no worker may run. */
     fun start(rules: String): Worker? = startWorker(NAME)?.also { it.postMessage(rules) }
 
     /** Does the worker's work. */

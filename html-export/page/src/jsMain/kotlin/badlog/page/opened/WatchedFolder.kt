@@ -5,21 +5,22 @@ import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** A folder that a person chose and into which the page may look again: new logs appear in it, and others grow. */
+/** A folder that a person chose and into which the page may look again, because logs in it appear and grow. */
 internal class WatchedFolder private constructor(private val handle: dynamic) {
     val name: String get() = handle.name as String
 
-    /** The same folder, later. */
+    /** The same folder, for later looks. */
     val again: FolderAgain get() = FolderAgain(PAUSE, ::files)
 
     private var hasListed = false
 
-    /** What could not be read at first. */
+    /** The paths that could not be read at first. */
     private val closed = HashSet<String>()
 
     /**
-     * Promises the files in it now that are named like logs, and those in its folders, of which some may not be readable; rejected if it
-     * cannot be listed, or something in it that could be read at first: logs that are not listed would seem to be gone.
+     * Promises the current files named like logs, in the folder and its folders. Entries that could never be read are skipped.
+     *
+     * Rejected if the folder, or an entry that could be read at first, cannot be read, because its logs would seem to be gone.
      */
     fun files(): Promise<List<File>> = filesIn(handle, name).then {
         hasListed = true
@@ -61,13 +62,13 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
     }
 
     companion object {
-        /** Milliseconds between two looks. */
+        /** The milliseconds between two looks. */
         private const val PAUSE = 3000
 
-        /** Whether this browser has such folders. */
+        /** Whether this browser supports such folders. */
         val areThere: Boolean get() = window.asDynamic().showDirectoryPicker != undefined
 
-        /** Lets a person choose one. Rejected if the person does not, or the browser forbids it. */
+        /** Lets a person choose a folder. Rejected if the person cancels, or the browser forbids it. */
         fun choose(): Promise<WatchedFolder> =
             window.asDynamic().showDirectoryPicker(js("({id: 'logs'})")).then { handle: dynamic -> WatchedFolder(handle) }
                 .unsafeCast<Promise<WatchedFolder>>()

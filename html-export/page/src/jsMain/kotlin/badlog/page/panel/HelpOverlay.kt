@@ -8,7 +8,7 @@ import badlog.viewer.input.KeyAction
 import badlog.viewer.input.SEARCH_HELP
 import org.w3c.dom.HTMLElement
 
-/** The keys and gestures, in a dialog. */
+/** The dialog that lists the keys and gestures. */
 internal class HelpOverlay {
     private val dialog = Dialog("help", title = "Keys and gestures") {}
     private var hasContent = false
@@ -28,7 +28,7 @@ internal class HelpOverlay {
         add("dd", "", line.meaning)
     }
 
-    /** Opens or closes it. */
+    /** Opens or closes the dialog. */
     fun toggle() {
         if (dialog.isOpen) return dialog.close()
         if (!hasContent) element.addContent()

@@ -25,10 +25,10 @@ import org.w3c.dom.HTMLElement
 import kotlin.math.round
 
 /**
- * The modules of a swerve drive: what they do at the cursor, and how well they follow their targets in the visible range. It takes the
- * place of the values at the cursor.
+ * The modules of a swerve drive: their state at the cursor, and their errors in the visible range. It opens in place of the values at the
+ * cursor.
  *
- * @param beforeOpening closes what is in its place.
+ * @param beforeOpening closes the panel in its place.
  */
 internal class ModulesPanel(private val scene: Scene, private val beforeOpening: () -> Unit) {
     private lateinit var worst: HTMLElement
@@ -37,7 +37,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     private lateinit var condition: HTMLElement
     private val frame = Frame(::draw)
 
-    /** The range whose errors are listed; null for none. */
+    /** The range whose errors are listed; null if none are. */
     private var listed: Span? = null
     private var listing: Int? = null
     private val picture by lazy { scene.drive?.let { DrivePicture(it, it.errors) } }
@@ -61,7 +61,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         isHidden = true
     }
 
-    /** Opens and closes it; hidden if the log has no modules. */
+    /** The button that opens and closes the panel; hidden if the log has no modules. */
     val button: HTMLElement = element("div", "modules-button") {
         addIconButton("", Icon.WHEELS, "Swerve modules (${KeyAction.MODULES.shortcut})") { toggle() }.apply {
             id = "modules-button"
@@ -73,13 +73,13 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     init {
         scene.cursor.onChange(::ask)
         scene.range.onChange(::ask)
-        // Its parent, since drawing sets the size of the canvas itself.
+        // Observes the parent, because drawing sets the size of the canvas itself.
         ResizeObserver(::ask).observe(element)
     }
 
     val isOpen: Boolean get() = !element.isHidden
 
-    /** Opens or closes it. */
+    /** Opens or closes the panel. */
     fun toggle() {
         if (scene.drive == null) return scene.notice.say(SwerveDrive.NONE)
         if (element.isHidden) beforeOpening()
@@ -87,10 +87,9 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         ask()
     }
 
-    /** Closes it. */
     fun close() = setOpen(false)
 
-    /** Draws it with the current colors. */
+    /** Draws the panel with the current colors. */
     fun repaint() = ask()
 
     private fun setOpen(isOpen: Boolean) {
@@ -142,7 +141,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     }
 
     private companion object {
-        /** How long the range has to rest before its errors are listed, in ms. */
+        /** The milliseconds without movement of the range before its errors are listed. */
         const val AFTER_MOVING = 150
     }
 }

@@ -11,7 +11,7 @@ import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLImageElement
 import kotlin.math.PI
 
-/** Draws on the canvas of [context]. Its layers are shared by all canvases of the page. */
+/** A pen that draws on the canvas of [context]. All canvases of the page share its layers. */
 internal class CanvasPen(private val context: CanvasRenderingContext2D) : Pen {
     override val density: Double = window.devicePixelRatio
 
@@ -159,7 +159,7 @@ internal class CanvasPen(private val context: CanvasRenderingContext2D) : Pen {
 
     private fun setFont(letters: Double, isBold: Boolean) {
         val wanted = "${if (isBold) "bold " else ""}${letters}px system-ui, -apple-system, \"Segoe UI\", Roboto, sans-serif"
-        // For each new font, a browser works out the style of the page.
+        // A browser recalculates the style of the page for each new font.
         if (wanted != font) context.font = wanted
         font = wanted
     }
@@ -171,7 +171,7 @@ internal class CanvasPen(private val context: CanvasRenderingContext2D) : Pen {
     }
 }
 
-/** A picture in an [element], which has been read, of the data URL [source]. */
+/** A picture in an [element] that has been loaded from the data URL [source]. */
 internal class PageImage(val element: HTMLImageElement, source: String) : PenImage(source, element.naturalWidth, element.naturalHeight)
 
 private val colors = HashMap<Int, String>()

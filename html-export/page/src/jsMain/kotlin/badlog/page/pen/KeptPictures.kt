@@ -5,13 +5,13 @@ import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import kotlin.math.ceil
 
-/** A picture shared by many graphs, cached for each of the few widths that they have, until a different one is needed. */
+/** A picture shared by many graphs, cached for each of their few widths until a different picture is needed. */
 internal class KeptPictures {
     private val kept = ArrayList<KeptPicture>()
 
     /**
      * Copies the bottom of the picture of [subject] to [target]: [width] by [height] of its pixels, at [left] and [top]. If necessary,
-     * [draw] draws the picture first, as high as its last parameter says.
+     * [draw] draws the picture first; its last parameter is the height.
      */
     fun putOn(
         target: CanvasRenderingContext2D,
@@ -32,7 +32,7 @@ internal class KeptPictures {
     }
 
     private companion object {
-        /** One width each for the graphs of the board, those of the folders, and the overview. */
+        /** One width each for the graphs of the board, the graphs of the folders, and the overview. */
         const val MOST = 3
     }
 }
@@ -42,7 +42,7 @@ private class KeptPicture(val width: Double) {
     private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
     private var shown = emptyList<Any?>()
 
-    /** It only grows: resizing takes longer than all of the drawing. */
+    /** The height only grows, because resizing takes longer than all drawing. */
     var height = 0.0
         private set
 

@@ -7,7 +7,7 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Reads a log from [files] that a person opened, in a worker if the browser allows one. They stay on the person's computer.
+ * Reads a log from [files] that a person opened, in a worker if the browser allows one. The files stay on the person's computer.
  *
  * @param wanted the only topics to keep; null for all.
  * @param onProgress receives the fraction of the bytes that has been read, 0 to 1.
@@ -48,7 +48,7 @@ internal class FileReading(
         started.postMessage(ReadingWorker.greeting(files, wanted))
     }
 
-    /** Stops it. */
+    /** Stops reading. */
     fun cancel() {
         isCancelled = true
         worker?.terminate()

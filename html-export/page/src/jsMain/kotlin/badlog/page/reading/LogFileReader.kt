@@ -13,8 +13,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Reads a log from the files that a person opened, one after the other: a Driver Station log has two. Used in the worker, or on the page if
- * there is none. Only a gzipped file is held whole.
+ * Reads a log from the files that a person opened, one after the other; a Driver Station log has two. Used in the worker, or on the page if
+ * there is none. Only gzipped files are in memory as a whole.
  *
  * @param wanted the only topics to keep; null for all.
  * @param onProgress receives the fraction of the bytes that has been read.
@@ -29,7 +29,7 @@ internal class LogFileReader(
     private var done = 0.0
     private var cut: Problem? = null
 
-    /** Reads all, and promises the recording; rejected if a file cannot be read, for example since it was removed. */
+    /** Reads all files, and promises the recording; rejected if a file cannot be read, for example because it was removed. */
     fun read(): Promise<Recording> {
         val all = files.fold(Promise.resolve(Unit)) { before, file -> before.then { begin(file) }.unsafeCast<Promise<Unit>>() }
         return all.then {
@@ -65,6 +65,6 @@ internal class LogFileReader(
     }
 }
 
-/** The problem of a compressed file of which only the first [inflatedBytes] can be read. */
+/** Returns the problem of a compressed file that is readable only up to [inflatedBytes]. */
 internal fun gzipCut(inflatedBytes: Double) =
     Problem(ProblemKind.GZIP_CUT, "The compressed file is cut off or damaged; the $inflatedBytes bytes before that were read.")

@@ -13,11 +13,11 @@ import kotlin.js.Promise
 /**
  * The messages between the page and a worker about one part of a recording, see [PartsReading].
  *
- * The page sends the base64 and, once it knows them, the columns. The worker answers with the CRC-32 of what the base64 holds, the
- * inflated bytes and, if it knows the columns, with the complete rows in them; or with a failure.
+ * The page sends the base64 and, once known, the columns. The worker answers with the CRC-32 of the decoded bytes, the inflated bytes and,
+ * if it knows the columns, the complete rows in them; or with a failure.
  */
 internal object PartMessage {
-    /** Returns the message with part number [part] for the worker, and the columns once they are known. */
+    /** Returns the message with the part [part] for the worker, and the columns if they are known. */
     fun of(part: Int, base64: String, readsDecimalComma: BooleanArray?): dynamic {
         val message = js("({})")
         message.part = part
@@ -29,7 +29,7 @@ internal object PartMessage {
     /** Returns whether [message], from the page, is a part. */
     fun isPart(message: dynamic): Boolean = message != null && message.part != undefined
 
-    /** Does the worker's work for the part [message]. */
+    /** Processes the part [message] in the worker and answers [page]. */
     fun answer(page: DedicatedWorkerGlobalScope, message: dynamic) {
         val deflated = Base64.decode(message.base64 as String)
         message.crc = Crc32().apply { update(deflated) }.value
@@ -64,7 +64,7 @@ internal object PartMessage {
     private fun inflate(deflated: ByteArray): Promise<ByteArray> {
         val stream: dynamic = js("new DecompressionStream('deflate-raw')")
         val writer = stream.writable.getWriter()
-        // A part ends in a flush; an empty last block makes it a complete stream. The reader below gets the same failures.
+        // A part ends in a flush, and an empty last block makes it a complete stream. The reader below reports the same failures.
         writer.write(deflated).then({}, {})
         writer.write(Uint8Array(arrayOf<Byte>(3, 0))).then({}, {})
         writer.close().then({}, {})

@@ -15,8 +15,8 @@ import org.w3c.dom.Worker
 import kotlin.js.Promise
 
 /**
- * Reads a recording in the parts that its exporter deflated independently, one line of base64 each, as they arrive while the page is
- * being loaded. Several workers inflate them and read their rows, and the page joins these in order.
+ * Reads a recording in parts, as they arrive while the page loads. Its exporter deflated the parts independently, one line of base64 each.
+ * Several workers inflate the parts and read their rows, and the page joins the rows in order.
  */
 internal class PartsReading private constructor(
     private val expectedBytes: Double,
@@ -29,7 +29,7 @@ internal class PartsReading private constructor(
     private val answers = HashMap<Int, dynamic>()
     private val sums = LineSums()
 
-    /** The workers that can take another part, once for each such part. */
+    /** The workers that can accept another part, once for each such part. */
     private val ready = ArrayList<Worker>()
     private var line = ""
     private var sent = BEFORE_PARTS
@@ -59,9 +59,9 @@ internal class PartsReading private constructor(
     }
 
     private fun send() {
-        // The results of fast workers wait for the slowest one, and take memory.
+        // The results of fast workers wait for the slowest worker, and take memory.
         while (ready.isNotEmpty() && sent - taken < workers.size * MAX_AHEAD) {
-            // Read before looking: what arrives later is looked at again.
+            // Read first, so that text that arrives later is looked at again.
             val isLoaded = document.asDynamic().readyState != "loading"
             val part = nextLine()
             if (part == null) {
@@ -110,7 +110,7 @@ internal class PartsReading private constructor(
 
     private fun finish() {
         val about = About.find()
-        // What is left is the end of the gzip stream.
+        // The rest is the end of the gzip stream.
         sums.add(Base64.decode(line), isLast = true)
         if (takenBytes != about?.inflatedBytes || !sums.fit(about.lineSums)) return fail("Parts are missing or damaged.")
         workers.forEach { it.terminate() }
@@ -128,13 +128,13 @@ internal class PartsReading private constructor(
         /** The first line is the header of the gzip stream. */
         private const val BEFORE_PARTS = -1
 
-        /** Milliseconds until the page is checked again for what has arrived. */
+        /** The milliseconds between two checks for newly arrived text. */
         private const val PAUSE = 5
 
         /** The number of parts that are sent ahead to each worker. */
         private const val AHEAD = 2
 
-        /** The maximum number of parts per worker that are in progress, or wait for earlier ones. */
+        /** The maximum number of parts per worker that are in progress or wait for earlier parts. */
         private const val MAX_AHEAD = 4
         private const val MAX_WORKERS = 4
 

@@ -3,7 +3,7 @@ package badlog.page.reading
 import badlog.core.recording.Recording
 
 /**
- * What was read from a page.
+ * The recording read from a page.
  *
  * @property isDamaged whether the page was changed since it was exported, so that anything in [recording] may be wrong.
  */

@@ -23,7 +23,7 @@ internal class Reading(private val about: About, private val element: Element, p
         if (worker == null) readHere(finish, reject) else readIn(worker, finish, reject)
     }
 
-    // Only the exporter, which inflated the file to its end, knows whether the stream was complete.
+    // Only the exporter, which inflated the whole file, knows whether the stream was complete.
     private fun withCut(recording: Recording): Recording = if (about.isCut) recording + gzipCut(about.inflatedBytes) else recording
 
     private fun readIn(worker: Worker, resolve: (ReadLog) -> Unit, reject: (Throwable) -> Unit) {
@@ -49,5 +49,5 @@ internal class Reading(private val about: About, private val element: Element, p
     }
 }
 
-/** Returns this recording with one more problem, which its bytes alone do not show. */
+/** Returns this recording with [problem], which its bytes alone do not show. */
 internal operator fun Recording.plus(problem: Problem): Recording = copy(problems = problems + problem)

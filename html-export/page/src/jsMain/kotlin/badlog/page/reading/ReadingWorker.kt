@@ -8,15 +8,15 @@ import org.w3c.files.File
 /**
  * The worker that reads the recording, so that the page stays responsive. Its script is the page's own.
  *
- * The page sends an object with `expectedBytes`, `isWhole` and `lineSums`, then strings of base64, one for each `"more"` it
- * receives, then null; or an object with `files` alone. The worker answers with `"more"`, numbers (the fraction that is done), an object with `failure`,
- * or the recording with `isDamaged`. It answers to parts of a recording as described in [PartMessage].
+ * The page sends an object with `expectedBytes`, `isWhole` and `lineSums`, then strings of base64, one for each `"more"` it receives, then
+ * null; or it sends an object with `files` and `wanted`. The worker answers with `"more"`, numbers (the fraction that is done), an object
+ * with `failure`, or the recording with `isDamaged`. Its answers to parts of a recording are described in [PartMessage].
  */
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */
     val isHere: Boolean get() = js("typeof document === 'undefined'").unsafeCast<Boolean>()
 
-    /** Returns what the page sends first. */
+    /** Returns the first message from the page. */
     fun greeting(about: About): dynamic {
         val message = js("({})")
         message.expectedBytes = about.inflatedBytes
@@ -25,7 +25,7 @@ internal object ReadingWorker {
         return message
     }
 
-    /** Returns what the page sends instead to have [files] read, and of them only the [wanted] topics unless that is null. */
+    /** Returns the first message for reading [files]; only the [wanted] topics are read unless that is null. */
     fun greeting(files: List<File>, wanted: WantedTopics?): dynamic {
         val message = js("({})")
         message.files = files.toTypedArray()

@@ -10,8 +10,8 @@ import badlog.core.recording.Value
 import badlog.formats.RECORDING_FORMATS
 
 /**
- * A recording as a message between the worker and the page: plain arrays and objects, which the browser can copy, with
- * the samples in buffers that are transferred instead of copied.
+ * A recording as a message between the worker and the page. It consists of plain arrays and objects, which the browser can copy, and of
+ * buffers with the samples, which are transferred instead of copied.
  */
 internal object RecordingMessage {
     /** Returns [recording] as a message. */
@@ -29,7 +29,7 @@ internal object RecordingMessage {
 
     /** Returns the buffers of [recording] to transfer. */
     fun buffersOf(recording: Recording): Array<dynamic> {
-        // Topics may share their times, and empty columns share one array: no buffer may be transferred twice.
+        // Topics may share times, and empty columns share one array, but no buffer may be transferred twice.
         val buffers = js("new Set()")
         for (topic in recording.topics) {
             for (array in arrayOf<dynamic>(topic.samples, topic.times, topic.texts.rows, topic.texts.ids)) {

@@ -12,10 +12,10 @@ import badlog.viewer.text.bytesText
 import kotlin.js.Promise
 
 /**
- * Makes a recording from the pieces of base64 in a page. Used in the worker, or on the page if there is none.
+ * Reads a recording from the pieces of base64 in a page. Used in the worker, or on the page if there is none.
  *
- * @param lineSums the CRC-32 of each line, as the exporter calculated it.
- * @param onProgress receives, from time to time, the fraction of the bytes that has been read.
+ * @param lineSums the CRC-32 of each line, as calculated by the exporter.
+ * @param onProgress receives the fraction of the bytes that has been read, at most [STEPS] times.
  */
 internal class RecordingReader(
     private val expectedBytes: Double,

@@ -11,9 +11,9 @@ import badlog.formats.LOG_FORMATS
 import badlog.formats.wpilog.WpilogFormat
 import badlog.formats.wpilog.WpilogParser
 
-/** The only topics called [names] of a log that is too large to be read whole. */
+/** The topics [names] to read from a log that is too large to be read whole. */
 internal class WantedTopics(val names: Set<String>) {
-    /** Returns a parser that keeps the samples of these alone, for a log of [bytes]. */
+    /** Returns a parser for a log of [bytes] that keeps only the samples of these topics. */
     fun parser(bytes: Long): RecordingParser {
         val sinks = NumberSinks { name, _ -> if (name in names) null else NumberSink.NONE }
         return RecordingParser(LOG_FORMATS.map { if (it === WpilogFormat) wpilog else it }, keepSamples = true) {
@@ -21,7 +21,7 @@ internal class WantedTopics(val names: Set<String>) {
         }
     }
 
-    /** Returns [read] without the others. */
+    /** Returns [read] with only these topics. */
     fun of(read: Recording): Recording = read.copy(topics = read.topics.filter { it.name in names })
 
     private val wpilog = object : LogFormat by WpilogFormat {

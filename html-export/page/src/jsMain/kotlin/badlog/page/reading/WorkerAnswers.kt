@@ -4,13 +4,13 @@ import org.w3c.dom.MessageEvent
 import org.w3c.dom.Worker
 
 /**
- * What the page does with the answers of a worker that reads a log, see [ReadingWorker].
+ * Handlers for the answers of a worker that reads a log, see [ReadingWorker].
  *
  * @property onProgress receives the fraction that is done.
  * @property onRead receives the log; the worker has ended.
- * @property onFailure receives why it cannot be read.
+ * @property onFailure receives the reason why the log cannot be read.
  * @property onRefusal called if the browser does not run the worker at all.
- * @property onMore called when it can take another piece.
+ * @property onMore called when the worker can accept another piece.
  */
 internal class WorkerAnswers(
     val onProgress: (Double) -> Unit,
@@ -20,7 +20,7 @@ internal class WorkerAnswers(
     val onMore: () -> Unit = {},
 )
 
-/** Passes what this worker says on to [answers]. */
+/** Passes the messages of this worker to [answers]. */
 internal fun Worker.receive(answers: WorkerAnswers) {
     var hasAnswered = false
     onerror = { event ->

@@ -9,13 +9,13 @@ import badlog.rules.RuleSet
 import badlog.signals.LogShape
 import kotlinx.browser.window
 
-/** Runs [rules] on [view], which was read from a file called [file]: in a worker if the browser allows one. */
+/** Runs [rules] on [view], which was read from the file [file]; in a worker if the browser allows one. */
 internal class RuleSearch(private val view: LogView, private val rules: RuleSet, private val file: String) {
-    /** Starts; then one of [onFindings] and [onFailure] is called. */
+    /** Starts the rules; later calls either [onFindings] or [onFailure]. */
     fun start(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) =
         RulesWorker.ask(view, rules, file, onFindings, onFailure, onForbidden = { runHere(onFindings, onFailure) })
 
-    /** Runs one rule after another on the page itself; a timer in between lets it draw and react. */
+    /** Runs one rule after another on the page itself; a timer in between lets the page draw and react. */
     private fun runHere(onFindings: (LogFindings) -> Unit, onFailure: (String) -> Unit) {
         val asked = try {
             RuleProgram(rules, LogShape.of(view)).run(view, file, isEverywhere = true).iterator()
@@ -40,8 +40,8 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 }
 
 /**
- * Returns the recording of [view] with only the samples that [rules] need: they are copied for the worker, and a large log would need
- * twice its memory. For a small log, it takes longer to find out which these are.
+ * Returns the recording of [view] with only the samples that [rules] need. They are copied for the worker, and a large log would need twice
+ * its memory. A small log is returned whole, because finding these samples would take longer.
  */
 internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
     if (view.recording.topics.sumOf { it.samples.size } < FEW_SAMPLES) return view.recording

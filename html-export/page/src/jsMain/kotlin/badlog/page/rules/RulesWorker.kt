@@ -24,15 +24,15 @@ import org.w3c.dom.MessageEvent
 internal object RulesWorker {
     private const val NAME = "rules"
 
-    /** Whether this script runs in it. */
+    /** Whether this script runs in the worker. */
     val isHere: Boolean get() = js("self.name") == NAME
 
     /**
-     * Starts it for [view], which was read from a file called [file].
+     * Starts the worker for [view], which was read from the file [file].
      *
-     * @param onFindings receives what [rules] found.
-     * @param onFailure receives the reason why there is nothing.
-     * @param onForbidden called if no worker can do it, as for pages on a disk in some browsers.
+     * @param onFindings receives the findings of [rules].
+     * @param onFailure receives the reason why there are none.
+     * @param onForbidden called if no worker can run, as for pages on a disk in some browsers.
      */
     fun ask(
         view: LogView,

@@ -3,39 +3,41 @@ package badlog.page.screen
 import badlog.page.dom.PageEvents
 import org.w3c.dom.HTMLElement
 
-/** The [root] of the page, which shows one thing at a time: a log, how far it has been read, or why it cannot be shown. Never nothing. */
+/**
+ * The [root] of the page, which shows one thing at a time. That is a log, the progress of reading, or the reason why it cannot be shown.
+ */
 internal class PageRoot(private val root: HTMLElement) {
-    /** Shows nothing, and ends what the page listened to for whatever was shown before. */
+    /** Empties the page, and ends the listeners and the work of the previous content. */
     fun clear() {
         PageEvents.end()
         root.textContent = ""
     }
 
-    /** Shows [element] on the cleared page. */
+    /** Adds [element] to the cleared page. */
     fun show(element: HTMLElement) {
         root.appendChild(element)
     }
 
-    /** Shows [element] instead of whatever was shown before. */
+    /** Shows [element] instead of the previous content. */
     fun showAlone(element: HTMLElement) {
         clear()
         show(element)
     }
 
-    /** Says why there is nothing to show; [tools] offer what else can be done. */
+    /** Shows the reason why there is nothing to show; [tools] offer other actions. */
     fun fail(title: String, explanation: String, tools: HTMLElement? = null) {
         setPageState("failed")
         showAlone(failureScreen(title, explanation, tools))
     }
 
-    /** Says that [problem] came up, which nobody expected. */
+    /** Reports [problem], which is unexpected. */
     fun failUnexpectedly(problem: Throwable, tools: HTMLElement? = null) {
         console.error(problem)
         val reason = problem.message ?: problem.toString()
         fail("Something went wrong", "$reason. Report it with the file, if you may share it.", tools)
     }
 
-    /** Does [work], or says why it failed. */
+    /** Does [work], or shows why it failed. */
     fun guarded(work: () -> Unit) = try {
         work()
     } catch (problem: Throwable) {

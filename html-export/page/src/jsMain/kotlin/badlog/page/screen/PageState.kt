@@ -7,9 +7,9 @@ internal fun setRulesState(state: String) {
     document.documentElement?.setAttribute("data-rules", state)
 }
 
-/** Records in the page, for programs that control it, what it shows: `loading`, `ready`, `failed`, or `empty` without a log. */
+/** Records in the page, for programs that control it, its state: `loading`, `ready`, `failed`, or `empty` without a log. */
 internal fun setPageState(state: String) {
-    // The rules of the log that was shown before are over.
+    // The rules of the previous log no longer matter.
     if (state != "ready") document.documentElement?.removeAttribute("data-rules")
     document.documentElement?.setAttribute("data-state", state)
 }

@@ -6,7 +6,7 @@ import badlog.page.dom.element
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** What the page shows while the log [name] is being read; [cancel] ends that, if it can be ended. */
+/** The screen shown while the log [name] is being read; [cancel] stops reading, if that is possible. */
 internal class LoadingScreen(name: String, cancel: (() -> Unit)? = null) {
     private lateinit var bar: HTMLElement
 
@@ -22,7 +22,7 @@ internal class LoadingScreen(name: String, cancel: (() -> Unit)? = null) {
         window.setTimeout({ element.classList.add("is-slow") }, PATIENCE_MILLISECONDS)
     }
 
-    /** Shows that [share] of the work is done, 0 to 1. */
+    /** Shows the [share] of the work that is done, 0 to 1. */
     fun show(share: Double) {
         bar.style.width = "${share * 100}%"
     }
@@ -32,7 +32,7 @@ internal class LoadingScreen(name: String, cancel: (() -> Unit)? = null) {
     }
 }
 
-/** Returns what the page shows instead of a log that cannot be shown. */
+/** Returns the screen shown instead of a log that cannot be shown. */
 internal fun failureScreen(title: String, explanation: String, tools: HTMLElement? = null): HTMLElement = element("div", "screen failure") {
     setAttribute("role", "alert")
     add("p", "screen-title", title)

@@ -9,11 +9,11 @@ import org.w3c.fetch.Response
 import kotlin.js.Promise
 
 /**
- * Asks the page's own server for [address], which is relative to the page. The promise of its response is rejected with a sentence if the
- * server refuses, or is gone.
+ * Requests [address], relative to the page, from the page's own server. The promise of the response is rejected with a sentence if the
+ * server refuses or does not answer.
  *
- * @param signal ends it.
- * @param from the first byte to ask for, if the server can do that; null for all.
+ * @param signal aborts the request.
+ * @param from the first byte to request, if the server supports that; null for all.
  */
 internal fun ask(address: String, signal: dynamic = undefined, from: Double? = null): Promise<Response> {
     val options = json("signal" to signal).unsafeCast<RequestInit>()
@@ -27,16 +27,16 @@ internal fun ask(address: String, signal: dynamic = undefined, from: Double? = n
 }
 
 private fun refuse(text: String, response: Response): Response {
-    // A robot's server says why in one sentence; what another one says is a page.
+    // A robot's server answers with the reason in one sentence; other servers answer with a page.
     val isSentence = text.length < MAX_SENTENCE && '<' !in text
     val sentence = if (isSentence) text.trim() else "The server answers ${response.status}."
     throw if (response.headers.has("Retry-After")) NotNow(sentence) else IllegalStateException(sentence)
 }
 
-/** Why there is no answer now, though there may be one in some seconds. */
+/** The reason why there is no answer now; there may be one in some seconds. */
 internal class NotNow(sentence: String) : IllegalStateException(sentence)
 
-/** Why a download ended. */
+/** The reason why a download ended. */
 internal const val LOST = "The robot does not answer: stay in its Wi-Fi, and try again."
 
 private const val MAX_SENTENCE = 200

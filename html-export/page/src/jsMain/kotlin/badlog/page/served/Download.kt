@@ -8,7 +8,7 @@ import org.w3c.files.FilePropertyBag
 import kotlin.js.Promise
 
 /**
- * Fetches the bytes of [files], which the page's server has, one after the other.
+ * Downloads the bytes of [files] from the page's server, one after the other.
  *
  * @param onProgress receives the fraction that has arrived, 0 to 1.
  */
@@ -17,7 +17,7 @@ internal class Download(private val files: List<File>, private val onProgress: (
     private val size = files.sumOf { it.served?.size ?: 0.0 }
     private var done = 0.0
 
-    /** Starts, and promises for each of the files one with its bytes; rejected with a sentence. */
+    /** Starts, and promises for each file one with its bytes; rejected with a sentence. */
     fun start(): Promise<Map<File, File>> {
         val fetched = LinkedHashMap<File, File>()
         return files.fold(Promise.resolve(Unit)) { before, file ->
@@ -25,7 +25,7 @@ internal class Download(private val files: List<File>, private val onProgress: (
         }.then { fetched }
     }
 
-    /** Stops it. */
+    /** Stops the download. */
     fun cancel() {
         abort.abort()
     }
@@ -35,13 +35,13 @@ internal class Download(private val files: List<File>, private val onProgress: (
     private fun fetch(file: File, address: String): Promise<File> = ask(address, abort.signal).then { response ->
         partsOf(response) {
             done += it.length
-            // A log that is being written has become longer since it was listed.
+            // A log that is being written has grown since it was listed.
             onProgress((done / size).coerceAtMost(1.0))
         }.then({ parts ->
             val bag = json("lastModified" to file.asDynamic().lastModified)
             File(parts.toTypedArray(), file.name, bag.unsafeCast<FilePropertyBag>()).also { it.place = file.place }
         }, {
-            // A server that ended it on purpose says why when it is asked again.
+            // A server that ended the download on purpose gives the reason when it is asked again.
             ask(address, abort.signal, from = 0.0).then {
                 cancel()
                 throw IllegalStateException(LOST)

@@ -12,24 +12,24 @@ import org.w3c.files.FilePropertyBag
 import kotlin.js.Promise
 
 /**
- * A log that is being written on the page's server, at [address]: asks for what is new in it, or for all of it if the server has no parts.
+ * A log at [address] that the page's server is still writing. Requests its new bytes, or all of it if the server does not support parts.
  *
- * @param file what was in it so far.
+ * @param file the content of the log so far.
  */
 internal class GrowingFile(private val file: File, private val address: String) {
     private var bytes: Blob = file
 
-    /** Where the last whole row ends: a part may have no end of a row. */
+    /** The end of the last whole row, because a part may not contain the end of a row. */
     private var whole = file.size.toInt()
 
-    // Bytes that are not text may be line feeds anywhere.
+    // In files that are not text, any byte may equal a line feed.
     private val isText = TEXT_ENDINGS.any { file.name.endsWith(it, ignoreCase = true) }
 
-    /** How long to wait before the next [more], in ms: whole logs are asked for seldom. */
+    /** The milliseconds to wait before the next [more]; whole logs are requested less often. */
     var pause = PAUSE
         private set
 
-    /** Returns the log with what is new in it, up to its last whole row; null if nothing is. Rejected with a sentence. */
+    /** Returns the log with its new bytes, up to its last whole row; null if there are none. Rejected with a sentence. */
     fun more(): Promise<File?> = ask(address, from = bytes.size.toDouble() - KNOWN_BYTES).then { response ->
         response.arrayBuffer().catch<ArrayBuffer> { throw NotNow(LOST) }.then { take(it, response.status == PART) }
     }.unsafeCast<Promise<File?>>()
@@ -46,7 +46,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
         return File(arrayOf(bytes.slice(0, end)), file.name, options).also { it.place = file.place }
     }
 
-    /** Returns where the last line ends when [part], which is at [begin], is there: behind it is a row that is not whole yet. */
+    /** Returns the end of the last whole line in [part], which starts at [begin]; an incomplete row may follow. */
     private fun endOfLines(part: Uint8Array, begin: Int): Int {
         var end = part.length
         while (end > 0 && part[end - 1] != LINE_FEED) end--
@@ -56,10 +56,10 @@ internal class GrowingFile(private val file: File, private val address: String) 
     private companion object {
         const val PAUSE = 50
 
-        /** What is asked for again, because it is an error to ask for nothing but what is not there yet. */
+        /** The bytes that are requested again, because a request for only missing bytes is an error. */
         const val KNOWN_BYTES = 1
 
-        /** 2 Mbit/s, half of what a robot has on a field. */
+        /** The rate of whole logs, 2 Mbit/s: half of the bandwidth of a robot on a field. */
         const val WHOLE_BYTES_PER_MILLI = 250
         const val LINE_FEED: Byte = 10
         const val PART: Short = 206

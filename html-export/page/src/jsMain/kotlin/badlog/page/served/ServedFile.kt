@@ -6,17 +6,20 @@ import org.w3c.files.File
 import org.w3c.files.FilePropertyBag
 
 /**
- * Where a server has a log of its list.
+ * The place of a listed log on a server.
  *
  * @property address its address.
  * @property size its number of bytes when it was listed.
  */
 internal class ServedFile(val address: String, val size: Double)
 
-/** What stands in lists for a file that a server has; null for a file that is here. */
+/** The place of this file on a server; null for a file that is here. */
 internal val File.served: ServedFile? get() = asDynamic().served.unsafeCast<ServedFile?>()
 
-/** Returns an empty file that stands for [served], which is called [name] at [place], and was last written at [modified], in ms since 1970. */
+/**
+ * Returns an empty file that represents [served] in lists. It is named [name] at [place], and was last written at [modified], in ms since
+ * 1970.
+ */
 internal fun fileFor(served: ServedFile, name: String, place: String, modified: Double): File =
     File(emptyArray(), name, json("lastModified" to modified).unsafeCast<FilePropertyBag>()).also {
         it.place = place

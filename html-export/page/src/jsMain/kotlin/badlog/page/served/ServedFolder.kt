@@ -5,8 +5,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * The logs that the page's own server has, where the page is and in the folders below. It asks as WPILib's web server expects it, whose answers
- * have no times of change.
+ * The logs of the page's own server, in the page's folder and the folders below. It sends requests as WPILib's web server expects them,
+ * whose answers have no times of change.
  */
 internal class ServedFolder {
     private var foldersLeft = MAX_FOLDERS
@@ -16,8 +16,8 @@ internal class ServedFolder {
     private val closed = HashSet<String>()
 
     /**
-     * Asks for all of them; rejected with a sentence if the server lists nothing where the page is, or not all that it listed at first:
-     * logs that are not listed would seem to be gone.
+     * Requests all logs. Rejected with a sentence if the server does not list the page's folder, or a folder that it listed before, because
+     * its logs would seem to be gone.
      */
     fun files(): Promise<List<File>> {
         foldersLeft = MAX_FOLDERS
@@ -48,7 +48,7 @@ internal class ServedFolder {
             Promise.all(below.toTypedArray()).then { files + it.toList().flatten() }
         }.unsafeCast<Promise<List<File>>>()
 
-    // A hidden folder holds nothing that a robot logged.
+    // A hidden folder contains nothing that a robot logged.
     private fun isVisible(entry: Entry) = !entry.name.startsWith('.')
 
     private fun parsed(text: String): FolderListing = try {
@@ -58,10 +58,10 @@ internal class ServedFolder {
     }
 
     companion object {
-        /** What its list is called. */
+        /** The name of the server's list. */
         val NAME: String = "Robot ${window.location.hostname}"
 
-        /** Enough for logs of a season by event and day, and an end for whatever else a folder holds. */
+        /** Enough for logs of a season by event and day; stops the search in other folders. */
         private const val MAX_DEPTH = 3
         private const val MAX_FOLDERS = 100
     }
@@ -80,7 +80,7 @@ private external interface Entry {
     /** The number of bytes of a file. */
     val size: Double?
 
-    /** When a file was last written, in ms since 1970; null if the server does not say so. */
+    /** The time when a file was last written, in ms since 1970; null if the server does not report it. */
     val modified: Double?
 }
 

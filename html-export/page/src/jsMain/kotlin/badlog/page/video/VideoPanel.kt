@@ -27,8 +27,8 @@ import org.w3c.files.File
 /**
  * A video of the match beside its data. A video that the reader opens stays on the reader's machine.
  *
- * @param fileKey identifies this log for what the browser remembers.
- * @param beside the name of a video beside the page, as part of an address; null for none.
+ * @param fileKey identifies this log in the browser's storage.
+ * @param beside the name of a video beside the page, as part of an address; null if there is none.
  */
 internal class VideoPanel(private val scene: Scene, fileKey: String, beside: String?) {
     private val key = "video:$fileKey"
@@ -94,7 +94,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         isHidden = true
     }
 
-    /** Opens it; hidden if x is not a time. */
+    /** The button that opens a video, or shows and hides the panel; hidden if x is not a time. */
     val button: HTMLElement = element("div", "downloads") {
         addButton("", "") {
             if (name.isEmpty()) input.click() else element.isHidden = !element.isHidden
@@ -106,7 +106,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         isHidden = secondsOfX == null
     }
 
-    /** How the video is aligned with the log; null if there is no video, or nobody has aligned it. */
+    /** The alignment of the video with the log; null if there is no video, or it has not been aligned. */
     var alignment: VideoAlignment?
         get() = sync.alignment ?: linked
         set(value) {
@@ -125,7 +125,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         }
     }
 
-    /** Shows [file] if it is a video, or says why it cannot be shown. Returns whether it is one. */
+    /** Shows [file] if it is a video, or the reason why it cannot be shown. Returns whether it is a video. */
     fun open(file: File): Boolean {
         val isVideo = file.type.startsWith("video/") || file.name.endsWith(".mkv")
         if (isVideo) {

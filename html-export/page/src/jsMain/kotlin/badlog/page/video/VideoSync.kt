@@ -9,46 +9,46 @@ import org.w3c.dom.HTMLVideoElement
 import kotlin.math.abs
 
 /**
- * Makes [video] move the cursor, and the cursor move the video, as soon as there is an [alignment].
+ * Moves the cursor with [video], and [video] with the cursor, as soon as there is an [alignment].
  *
  * @param secondsOfX the number of seconds in one unit of x.
  */
 internal class VideoSync(private val video: HTMLVideoElement, private val scene: Scene, private val secondsOfX: Double) {
     private val clock = FrameClock()
 
-    /** When the displayed frame begins, in seconds from the video's start. */
+    /** The start of the displayed frame, in seconds from the video's start. */
     private var frame = 0.0
 
     /** The frame from which steps are in progress, and their number. */
     private var from = Double.NaN
     private var steps = 0
 
-    /** Where to seek next, once the current seek is done. */
+    /** The next position to seek, once the current seek is done. */
     private var next = Double.NaN
     private var timer = 0
 
-    /** Whether a frame was reported since the last seek began, and since it ended: a report before that may be of an earlier frame. */
+    /** Whether a frame was reported since the last seek began, and since it ended. An earlier report may be about an earlier frame. */
     private var isReported = false
     private var isSure = false
     private var waits = 0
 
-    /** Whether the frame is being found out that the video shows after a pause. */
+    /** Whether the video has paused and its displayed frame is not known yet. */
     private var isSettling = false
 
-    /** Whether the video ended before that: it goes back to its end then, because only from there does it play again from its start. */
+    /** Whether the video had ended before settling. It then returns to its end, because only from there it plays again from its start. */
     private var isAtEnd = false
 
-    /** Whether the browser does not report which frame is shown after a seek. */
+    /** Whether the browser does not report the frame shown after a seek. */
     private var isSilent = false
     private val isStale get() = abs(frame - video.currentTime) > FAR
     private var isOwnSeek = false
 
-    /** Whether the cursor moved the video to where it is: the cursor may be between two frames, and stays there. */
+    /** Whether the cursor moved the video last. The cursor may be between two frames, and stays there. */
     private var isLed = false
     private var isLeading = false
     private var place = Double.NaN
 
-    /** How the video is aligned with the log; null if they are independent. */
+    /** The alignment of the video with the log; null if they are independent. */
     var alignment: VideoAlignment? = null
         set(value) {
             field = value
@@ -84,7 +84,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     private fun watch() {
         video.asDynamic().requestVideoFrameCallback { _: Double, shown: dynamic ->
-            // First, because a frame that comes to the screen before this is not reported.
+            // First, because a frame that reaches the screen before this is not reported.
             watch()
             isSilent = false
             isReported = true
@@ -94,7 +94,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     }
 
     /**
-     * Finds out which frame the video shows where it was paused or ended: a busy browser may not have reported it, and does so after a seek,
+     * Determines the frame at which the video was paused or ended. A busy browser may not have reported it, but reports it after a seek,
      * unless that is to the very same moment, or comes while the video is still being paused.
      */
     private fun settle() {
@@ -106,7 +106,10 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         nudge()
     }
 
-    /** Seeks to where the video is, as exactly as makes a seek: where it ended is its duration, whatever the browser says of the time. */
+    /**
+     * Seeks to almost the current position, far enough for a real seek. An ended video is at its duration, whatever time the browser
+     * reports.
+     */
     private fun nudge() = seek(if (isAtEnd) video.duration - (waits + 1) * LITTLE else video.currentTime + LITTLE)
 
     /** Shows the frame [count] after the displayed one, or before it if negative. */
@@ -123,7 +126,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     /** Aligns the displayed frame with [x]. */
     fun align(x: Double) {
-        // Where the video stands in a frame that is not reported yet is less than a frame after its start.
+        // A position in a frame that is not reported yet is less than a frame after the frame's start.
         val shown = if (isReported && !isStale) frame else video.currentTime
         alignment = VideoAlignment.of(shown, x, secondsOfX)
         lead(shown)
@@ -163,7 +166,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         if (isAtEnd) returnToEnd()
     }
 
-    /** Unlike a seek to somewhere else, this leaves known which frame the video shows. */
+    /** Returns an ended video to its end. Unlike other seeks, this does not change which frame is displayed. */
     private fun returnToEnd() {
         isAtEnd = false
         isSettling = false
@@ -203,7 +206,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
 
     private fun lead(time: Double) {
         val x = alignment?.xAt(time, secondsOfX) ?: return
-        // Not x: a video may be longer than the log.
+        // The cursor may not reach x, because a video may be longer than the log.
         isLeading = true
         scene.store.send(PlaceAction.GoTo(x))
         place = scene.cursor.x
@@ -211,16 +214,16 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
     }
 
     private companion object {
-        /** A frame this many seconds from the video's position is not the displayed one. */
+        /** The distance in seconds from the video's position at which a frame cannot be the displayed one. */
         const val FAR = 0.25
 
-        /** So many seconds make a seek, but hardly ever another frame. */
+        /** The seconds that suffice for a seek, but hardly ever reach another frame. */
         const val LITTLE = 1e-4
 
-        /** Milliseconds after which a frame that the video has sought is on the screen. */
+        /** The milliseconds after a seek until its frame is on the screen. */
         const val PATIENCE = 150
 
-        /** A busy browser reports the frame that it has sought within this many times [PATIENCE]. */
+        /** The number of [PATIENCE] intervals within which a busy browser reports the frame of a seek. */
         const val MAX_WAITS = 8
     }
 }

@@ -5,8 +5,8 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.BoardLines
 
 /**
- * Returns the graphs that draw [spec], each with the board's names for its lines, if [lines] has them: numbers first, then states, which
- * cannot share a frame with them.
+ * Returns the graphs that draw [spec]: numbers first, then states, which cannot share a frame with numbers. Each graph has the board's
+ * names for those of its lines that [lines] contains.
  */
 internal fun graphsOf(spec: BoardGraph, lines: BoardLines): List<Pair<Graph, List<String>>> {
     val found = spec.lines.mapNotNull { name -> lines[name]?.let { name to it } }

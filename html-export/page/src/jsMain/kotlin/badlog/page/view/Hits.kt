@@ -3,7 +3,7 @@ package badlog.page.view
 import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 
-/** How many things on the page a [Query] found. */
+/** The number of matches of a [Query] on the page, by kind. */
 internal class Hits(
     val graphs: Int = 0,
     val values: Int = 0,
@@ -26,7 +26,7 @@ internal class Hits(
         notes + other.notes,
     )
 
-    /** Returns the text for people: `3 graphs, 1 event`. */
+    /** Returns the text for readers, such as `3 graphs, 1 event`. */
     fun text(): String {
         val parts = listOf(
             "graph" to graphs,

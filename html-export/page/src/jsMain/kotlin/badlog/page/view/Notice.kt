@@ -9,7 +9,7 @@ import badlog.page.dom.showText
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
-/** A sentence about what was just done, over the page's lower edge; it disappears by itself. */
+/** A message about the last action, over the page's lower edge; it disappears by itself. */
 internal class Notice {
     private lateinit var text: HTMLElement
     private var timer = 0
@@ -25,7 +25,6 @@ internal class Notice {
         classList.add("is-empty")
     }
 
-    /** Shows [sentences]. */
     fun say(vararg sentences: String) {
         val said = sentences.joinToString(" ")
         if (said.isEmpty()) return
@@ -33,14 +32,14 @@ internal class Notice {
         timer = window.setTimeout(::hide, FIRST + said.length * PER_LETTER)
     }
 
-    /** Shows [sentence] with a button called [label], which does [choose]. */
+    /** Shows [sentence] with a button [label] that calls [choose]. */
     fun offer(sentence: String, label: String, choose: () -> Unit) {
         display(sentence) {}
         addChoice(label, choose)
         timer = window.setTimeout(::hide, FIRST + sentence.length * PER_LETTER)
     }
 
-    /** Shows [progress] until the next sentence, unless a question waits for its answer; closing it calls [onCancel]. */
+    /** Shows [progress] until the next sentence, unless a question waits for its answer. Closing it calls [onCancel]. */
     fun show(progress: String, onCancel: () -> Unit) {
         if (!isAsking) display(progress, onCancel)
     }
@@ -50,7 +49,7 @@ internal class Notice {
         if (!isAsking) hide()
     }
 
-    /** Asks [question]; each of [choices] is a button. */
+    /** Shows [question]; each of [choices] is a button. */
     fun ask(question: String, vararg choices: Pair<String, () -> Unit>) {
         display(question) {}
         isAsking = true
@@ -72,7 +71,6 @@ internal class Notice {
         window.clearTimeout(timer)
     }
 
-    /** Hides it. */
     fun hide() {
         isAsking = false
         element.classList.add("is-empty")
@@ -80,7 +78,7 @@ internal class Notice {
     }
 
     private companion object {
-        /** Milliseconds for which every sentence stays, and additional ones for each character, for slow readers. */
+        /** The milliseconds for which every sentence stays, and the additional ones for each character, for slow readers. */
         const val FIRST = 4000
         const val PER_LETTER = 80
     }

@@ -10,7 +10,7 @@ import org.w3c.dom.HTMLElement
 
 /** The colors of the current theme. */
 internal class Palette(var isDark: Boolean = false) {
-    /** The same for a pen. */
+    /** The current colors for a pen. */
     val colors: PenColors get() = PenColors.of(isDark)
 
     /** Passes the colors to the style sheet. */

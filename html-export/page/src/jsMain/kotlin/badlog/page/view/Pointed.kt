@@ -3,10 +3,10 @@ package badlog.page.view
 import badlog.core.recording.Severity
 
 /**
- * What a cursor points at.
+ * The note, event and findings under a cursor.
  *
- * @property said the text of the note there, or else of the event; null for neither.
- * @property severity the severity of the first finding there; null for none.
- * @property found the text of the findings; empty for none.
+ * @property said the text of the note there, otherwise of the event; null if there is neither.
+ * @property severity the severity of the first finding there; null if there is none.
+ * @property found the text of the findings; empty if there are none.
  */
 internal class Pointed(val said: String?, val severity: Severity?, val found: String)

@@ -5,7 +5,7 @@ import badlog.viewer.session.gesture.PlotTarget
 import badlog.viewer.state.Action
 import badlog.viewer.state.Place
 
-/** What gestures change on the page: the reader’s place. */
+/** The target of gestures on the page: they change the reader’s place. */
 internal open class SceneTarget(private val scene: Scene) : PlotTarget {
     override val place: Place get() = scene.store.place
     override var drag: PlotDrag? = null

@@ -13,9 +13,9 @@ import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.text.unitText
 
 /**
- * What is visible in all graphs of [board] that share their y limits, on the screen or not.
+ * The visible values in all graphs of [board] that share their y limits, whether they are on the screen or not.
  *
- * @param compared returns the logs that they draw besides the page's own.
+ * @param compared returns the logs that the graphs draw besides the page's own.
  */
 internal class SharedY(private val board: PageBoard, private val range: VisibleRange, private val compared: () -> List<ComparedLog>) {
     private val curves = HashMap<GraphSeries, Curve>()
@@ -23,7 +23,7 @@ internal class SharedY(private val board: PageBoard, private val range: VisibleR
     private var curvesOf: Pair<BoardLines, List<ComparedLog>>? = null
     private var seenOf: Pair<Board, Span>? = null
 
-    /** What is currently visible of each unit. */
+    /** The visible values of each unit. */
     var seen: Map<String, SeenOfUnit> = emptyMap()
         private set
         get() {

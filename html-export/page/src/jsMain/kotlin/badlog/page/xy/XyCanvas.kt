@@ -22,16 +22,16 @@ internal class XyCanvas(host: HTMLElement) {
         canvas.height = (host.clientHeight * pixelRatio).toInt()
     }
 
-    /** Its frame, which shows no x of its own. */
+    /** The frame of the canvas; its x axis is not the log's. */
     val frame: PlotFrame = PlotMargins.frameOf(host.clientWidth, host.clientHeight, Span(0.0, 1.0), pixelRatio)
 
-    /** Where in the window the frame is. */
+    /** The position of the frame in the window. */
     val box: DOMRect
         get() = canvas.getBoundingClientRect().run {
             DOMRect(left + PlotMargins.LEFT, top + PlotMargins.TOP, frame.width / pixelRatio, frame.height / pixelRatio)
         }
 
-    /** Removes everything, and draws [draw] with its origin at the frame's corner. */
+    /** Clears the canvas and calls [draw] with the origin at the frame's corner. */
     fun draw(draw: (Pen) -> Unit) {
         context.clearRect(0.0, 0.0, canvas.width.toDouble(), canvas.height.toDouble())
         val pen = CanvasPen(context)

@@ -36,11 +36,11 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLImageElement
 
 /**
- * A graph of the board whose lines are drawn over each other, or as paths on a field.
+ * A graph of the board that draws one line over another, or paths on a field.
  *
- * @param look its current settings.
- * @param onToggle called with the lines that a person wants to hide or show.
- * @param onPlane called with the part of the plane that a person has selected, once gestures have ended; null for all of it.
+ * @param look returns the graph's current settings.
+ * @param onToggle called with the lines to hide or show.
+ * @param onPlane called with the selected part of the plane once gestures have ended; null for all of it.
  */
 internal class XyGraph(
     private val scene: Scene,
@@ -48,14 +48,14 @@ internal class XyGraph(
     private val onToggle: (List<String>) -> Unit,
     private val onPlane: (Plane?) -> Unit,
 ) {
-    /** Its traces, each with its place at the cursor. */
+    /** The graph's traces, each with its place at the cursor. */
     val legend: HTMLElement = element("div", "legend")
 
     private var picture = lazy(::newPicture)
     private val entries get() = picture.value.parts.flatMap { it.entries }
     private val values = ArrayList<HTMLElement>()
 
-    /** The picture of the field, once it has been read. */
+    /** The picture of the field, once it has been loaded. */
     private var field: PageImage? = null
     private val reading by lazy {
         scene.field.image?.let { image ->
@@ -76,17 +76,16 @@ internal class XyGraph(
     /** The visible part of the plane; null for all of it. */
     private var plane: Plane? = null
 
-    /** The part that the board has stored. */
+    /** The part of the plane that the board has stored. */
     private var kept: Plane? = null
     private var timer = 0
 
-    /** The picture; null while it is not drawn. */
+    /** The canvas of the traces; null while the graph is not drawn. */
     val canvas: HTMLCanvasElement? get() = ground?.canvas
 
-    /** Whether there is anything to draw. */
     val isEmpty: Boolean get() = picture.value.isEmpty
 
-    /** Shows the logs that are compared now, when it is drawn again. */
+    /** Shows the currently compared logs at the next drawing. */
     fun renew() {
         val isListed = legend.childElementCount > 0
         picture = lazy(::newPicture)
@@ -100,7 +99,7 @@ internal class XyGraph(
         return XyPicture(look().lines, look().origin, listOf(XyLog(scene.paths, scene.openName)) + others)
     }
 
-    /** Draws it in [host]. */
+    /** Draws the graph in [host]. */
     fun start(host: HTMLElement) {
         host.textContent = ""
         host.style.height = "${heightAt(host.clientWidth)}px"
@@ -117,7 +116,7 @@ internal class XyGraph(
         return look().height ?: if (field == null) most else minOf(most, PlotMargins.heightOf(field, width))
     }
 
-    /** Draws it on [sheet] with everything at the cursors. */
+    /** Draws the graph on [sheet] with the places at the cursors. */
     fun drawOn(sheet: Sheet) {
         val high = heightAt(sheet.width)
         sheet.part(high.toDouble()) { pen ->
@@ -136,7 +135,7 @@ internal class XyGraph(
         overlay = null
     }
 
-    /** Draws what is visible now. */
+    /** Draws the visible range. */
     fun draw() {
         val canvas = ground ?: return
         val wanted = look().plane?.takeIf { it.isDrawable }
@@ -154,7 +153,7 @@ internal class XyGraph(
     private fun seenIn(frame: PlotFrame, pen: Pen, colors: PenColors) =
         target.seen(frame.width, frame.height)?.let { XyFrame(pen, it, frame.width, frame.height, colors) }
 
-    /** Shows everything at its place at the cursor. */
+    /** Updates the values and places at the cursor. */
     fun updateCursor() {
         if (overlay != null) showValues()
         drawOverlay()
@@ -189,7 +188,7 @@ internal class XyGraph(
         timer = window.setTimeout({ onPlane(plane) }, REST_MILLISECONDS)
     }
 
-    /** Fills [legend]; the most important trace comes first. */
+    /** Fills [legend], the most important trace first. */
     private fun list() {
         if (legend.childElementCount > 0) return showValues()
         for (entry in entries) {
@@ -210,7 +209,7 @@ internal class XyGraph(
         legend.children.item(i)?.setAttribute("aria-pressed", entry.isShown(look().hidden).toString())
     }
 
-    /** What a figure's legend says of the drawn traces. */
+    /** The legend of the drawn traces in a figure. */
     val legendOnSheet: List<LegendEntry> get() = picture.value.legend(look().hidden, scene.cursor.now)
 
     private inner class Target : XyTarget {

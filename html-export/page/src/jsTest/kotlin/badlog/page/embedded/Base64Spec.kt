@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class Base64Spec : FunSpec({
-    test("every padding, and a text that is cut inside a group") {
+    test("every padding, and a text cut inside a group, are decoded") {
         Base64.decode("QmFk").decodeToString() shouldBe "Bad"
         Base64.decode("QmFkTA==").decodeToString() shouldBe "BadL"
         Base64.decode("QmFkTG8=").decodeToString() shouldBe "BadLo"

@@ -10,7 +10,7 @@ class CsvPartSpec : FunSpec({
             .flatMap { part.filter(it.toByteArray()).toList() }.toByteArray().decodeToString()
     }
 
-    test("the first line is left out, whatever ends it and wherever it is cut") {
+    test("the header line is removed with any line end, wherever the chunks are cut") {
         for (lineEnd in listOf("\n", "\r\n", "\r")) {
             for (chunkSize in 1..20) {
                 csvOf("{\"topics\":[]}${lineEnd}a,b${lineEnd}1,2$lineEnd", chunkSize) shouldBe
@@ -19,11 +19,11 @@ class CsvPartSpec : FunSpec({
         }
     }
 
-    test("blank lines before it go with it") {
+    test("blank lines before the header are removed with it") {
         csvOf("\n\n{}\na\n", 100) shouldBe "a\n"
     }
 
-    test("plain CSV stays as it is") {
+    test("plain CSV stays unchanged") {
         CsvPart(hasHeaderLine = false).filter("a\n1\n".encodeToByteArray()).decodeToString() shouldBe "a\n1\n"
     }
 })

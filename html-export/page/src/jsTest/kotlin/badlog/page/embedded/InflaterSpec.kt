@@ -23,16 +23,16 @@ class InflaterSpec : FunSpec({
     val file = buildString { for (i in 0 until 20_000) append(i * 7919 % 10_007).append(if (i % 9 == 0) '\n' else ',') }
     val bytes = file.encodeToByteArray()
 
-    test("stored, fixed and dynamic blocks") {
+    test("stored, fixed and dynamic blocks are inflated") {
         for (level in listOf(0, 1, 6, 9)) inflate(gzip(bytes, level)) shouldBe file
         inflate(gzip("bag".encodeToByteArray(), 9)) shouldBe "bag"
     }
 
-    test("several members are read to the end of the last") {
+    test("several members are inflated to the end of the last one") {
         inflate(gzip(bytes, 6) + gzip(bytes, 1) + gzip(ByteArray(0), 6)) shouldBe file + file
     }
 
-    test("a cut stream gives what comes before the cut") {
+    test("a cut stream is inflated up to the cut") {
         val whole = gzip(bytes, 6)
         inflate(whole.copyOf(whole.size - 8)) shouldBe file
         val half = inflate(whole.copyOf(whole.size / 2))
@@ -40,7 +40,7 @@ class InflaterSpec : FunSpec({
         file.startsWith(half) shouldBe true
     }
 
-    test("nonsense gives nothing, and ends") {
+    test("nonsense inflates to nothing, and ends") {
         inflate(ByteArray(1000) { (it * 31).toByte() }) shouldBe ""
         val damaged = gzip(bytes, 6).also { for (i in 5000 until 5100) it[i] = 0x55 }
         file.take(1000) shouldBe inflate(damaged).take(1000)

@@ -6,12 +6,12 @@ import org.openqa.selenium.interactions.Sequence
 import java.time.Duration
 import java.util.Base64
 
-/** A tab by WebDriver BiDi, which Firefox speaks without a driver beside it. */
+/** A tab over WebDriver BiDi, which Firefox supports without a separate driver. */
 internal class BidiTab(private val connection: Connection, private val onClose: () -> Unit) : BrowserTab {
     private val context: String
 
     init {
-        // The tests have servers with certificates of their own.
+        // The tests' servers have their own certificates.
         send("session.new", "capabilities" to mapOf("alwaysMatch" to mapOf("acceptInsecureCerts" to true)))
         context = send("browsingContext.create", "type" to "tab")["context"] as String
         send("browsingContext.setViewport", "context" to context, "viewport" to mapOf("width" to 1280, "height" to 900))

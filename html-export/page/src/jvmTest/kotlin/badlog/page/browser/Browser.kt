@@ -5,7 +5,7 @@ import io.kotest.core.test.Enabled
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A browser that pages have to work in. */
+/** A browser in which pages must work. */
 internal enum class Browser(private vararg val programs: String) {
     CHROMIUM("chromium", "chromedriver") {
         override val downloads: Path get() = Chromium.downloads
@@ -22,10 +22,10 @@ internal enum class Browser(private vararg val programs: String) {
 
     protected val folder: Path by lazy { Files.createTempDirectory("badlog-browser") }
 
-    /** Where its downloads go. */
+    /** The folder of its downloads. */
     open val downloads: Path by lazy { Files.createDirectories(folder.resolve("downloads")) }
 
-    /** The tab that all tests share; it ends with them. */
+    /** The tab that all tests share; it is closed after them. */
     val tab: BrowserTab by lazy {
         start().also { tab ->
             Runtime.getRuntime().addShutdownHook(
@@ -37,7 +37,7 @@ internal enum class Browser(private vararg val programs: String) {
         }
     }
 
-    /** Whether it is here; where not, why its tests are skipped. */
+    /** Whether the browser is installed; otherwise the reason for skipping its tests. */
     val enabled: Enabled by lazy {
         val missing = programs.filter { onPath(it) == null }
         if (missing.isEmpty() || System.getenv("BADLOG_BROWSER") == "required") {

@@ -3,18 +3,18 @@ package badlog.page.browser
 import badlog.core.waiting.eventually
 import org.openqa.selenium.interactions.Sequence
 
-/** A tab of a browser, by what its driver and those of the other browsers have in common. */
+/** A tab of a browser, with the operations that all drivers have in common. */
 internal interface BrowserTab : AutoCloseable {
-    /** Loads the page at [address], and comes back when its document is there. */
+    /** Loads the page at [address], and returns once its document is loaded. */
     fun open(address: String)
 
-    /** What a JavaScript [expression], or what it promises, is as text. */
+    /** Returns the result of a JavaScript [expression], or of its promise, as text. */
     fun evaluate(expression: String): String
 
-    /** Moves, presses and types all [sequences] at the same time. */
+    /** Performs the moves, presses and keys of all [sequences] at the same time. */
     fun perform(sequences: List<Sequence>)
 
-    /** What the tab shows, as PNG. */
+    /** Returns a screenshot of the tab, as PNG. */
     fun screenshot(): ByteArray
 }
 
@@ -27,13 +27,13 @@ internal fun BrowserTab.await(expression: String) {
     }
 }
 
-/** Waits until [state] holds: where a browser handles an action later than its driver says, [settle] would not be enough. */
+/** Waits until [state] holds. Some browsers handle an action later than their drivers report, so [settle] would not suffice. */
 internal fun BrowserTab.awaitThat(state: () -> Unit) = eventually("what the cause says") {
     state()
     true
 }
 
-/** Waits until what was just done is on the screen. */
+/** Waits until the effect of the last action is on the screen. */
 internal fun BrowserTab.settle() {
     evaluate("new Promise(done => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))))")
 }

@@ -11,7 +11,7 @@ import java.nio.file.Files
 import java.util.Base64
 import kotlin.io.path.createTempDirectory
 
-/** Where the compiler puts what the script exports. */
+/** The object to which the compiler adds the exports of the script. */
 private const val READER = "globalThis['badlog:page_conformance'].badlog.page.conformance"
 
 @Tags("InCheck")
@@ -26,12 +26,12 @@ internal abstract class ConformanceInBrowsersSpec(vararg browsers: Browser) : Fu
     val names = bags.map { it.nameWithoutExtension }
     val expected = bags.map { comparable(it.resolveSibling("${it.nameWithoutExtension}.json").readText()) }
 
-    test("the corpus is there") {
+    test("the corpus has files") {
         names.size shouldBeGreaterThan 45
     }
 
     for (browser in browsers) {
-        test("${browser.name}: every log of the corpus is read as its JSON says, whole, byte by byte and in pieces of 7")
+        test("${browser.name}: every log of the corpus is read as its JSON says, as a whole, byte by byte and in pieces of 7")
             .config(enabledOrReasonIf = { browser.enabled }) {
                 val folder = createTempDirectory("badlog-corpus")
                 try {

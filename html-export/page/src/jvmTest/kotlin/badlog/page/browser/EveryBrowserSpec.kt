@@ -32,7 +32,7 @@ internal class PageInChromiumSpec : EveryBrowserSpec(Browser.CHROMIUM)
 @Tags("InProve")
 internal class PageInOtherBrowsersSpec : EveryBrowserSpec(Browser.FIREFOX, Browser.WEBKIT)
 
-/** What pages need of a browser, tried in each of them. */
+/** The browser features that pages need, tested in each browser. */
 internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
     val steps by lazy { TestPages.of(stepBag(graphs = 3)) }
 
@@ -41,7 +41,7 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             test("${browser.name}: $name").config(enabledOrReasonIf = { browser.enabled }) { browser.tab.test() }
         }
 
-        browserTest("a page opens from disk, inflates its log, draws it, for paper anew, and gives the file back byte for byte") {
+        browserTest("a page opens from disk, inflates and draws its log, redraws it for paper, and saves the file byte for byte") {
             openPage(steps)
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldBe "Step 1,Step 2,Step 3"
             awaitThat { stepAt() shouldBe (0.3 plusOrMinus 0.01) }
@@ -59,13 +59,13 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             }
         }
 
-        browserTest("a log that was gzipped and cut opens with what there is, and says so") {
+        browserTest("a gzipped log that was cut opens with its readable part, and reports the cut") {
             openPage(TestPages.ofSample("qualification-57.bag.gz"))
             evaluate("document.querySelectorAll('.graph').length > 10") shouldBe "true"
             evaluate("document.querySelector('.problem-list')?.textContent ?? document.body.innerText") shouldContain "cut"
         }
 
-        browserTest("a drag zooms to what it covers, also that of a finger, and a click on the button shows everything") {
+        browserTest("a drag with mouse or finger zooms to its range, and a click on the button shows everything") {
             openPage(steps)
             perform(listOf(path(Kind.MOUSE, listOf(placeAt(0.2), placeAt(0.4), placeAt(0.6)))))
             awaitThat { visibleRange() shouldBe "2–6" }
@@ -76,14 +76,14 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
             awaitThat { visibleRange() shouldBe "2–6" }
         }
 
-        browserTest("a link carries moment, range and formulas") {
+        browserTest("a link contains moment, range and formulas") {
             openPage(steps, "#t=4&x=2:6&f=Twice+~003d+2*Step+1")
             awaitThat { visibleRange() shouldBe "2–6" }
             evaluate("[...document.querySelectorAll('.graph')].map(graph => graph.dataset.name)") shouldContain "Twice"
             awaitThat { stepAt() shouldBe (0.25 plusOrMinus 0.01) }
         }
 
-        browserTest("a formula that is typed becomes a graph") {
+        browserTest("a typed formula becomes a graph") {
             openPage(steps)
             type("f")
             await("document.activeElement.closest('#formula-dialog') != null")
@@ -103,13 +103,13 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
                 }
                 type(".")
                 await("${CountedVideo.SHOWN} == 10")
-                // WebKitGTK does not report the frame after each jump: the cursor may stay at the jump's target.
+                // WebKitGTK does not report the frame after each jump, so the cursor may stay at the jump's target.
                 val reach = if (browser == Browser.WEBKIT) 0.05 else 0.02
                 await("Math.abs(parseFloat(document.querySelector('.cursor-readout').textContent) - 1.333) < $reach")
             }
         }
 
-        test("${browser.name}: a video beside the page plays from disk and over HTTP, where the policy of the page says so")
+        test("${browser.name}: a video beside the page plays from disk and over HTTP if the page's policy allows it")
             .config(enabledOrReasonIf = { drawn(browser) }) {
                 browser.tab.run {
                     val page = TestPages.withVideo(stepBag(graphs = 1), "match 1.webm", CountedVideo.bytes)
@@ -121,7 +121,7 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
                         evaluate("document.querySelector('#video video').currentTime = 15.01")
                         await("document.querySelector('#video video').seeking == false && ${CountedVideo.SHOWN} == 450")
                     }
-                    // On a server of its own, since Firefox has the video of the other one already.
+                    // On its own server, because Firefox already has the video of the other server.
                     FileServer(page.parent).use { server ->
                         val strict = Files.readString(page, Charsets.ISO_8859_1).replace("media-src blob: 'self'", "media-src blob:")
                         Files.writeString(page.resolveSibling("strict.html"), strict, Charsets.ISO_8859_1)
@@ -134,14 +134,14 @@ internal abstract class EveryBrowserSpec(vararg browsers: Browser) : FunSpec({
     }
 })
 
-/** Whether [browser] is here, and the one that draws the video. */
+/** Returns whether [browser] is installed, and also the browser that draws the video. */
 private fun drawn(browser: Browser) = browser.enabled.takeUnless { it.isEnabled } ?: Browser.CHROMIUM.enabled
 
 private fun BrowserTab.awaitVideo() = await("document.querySelector('#video video').readyState >= 2")
 
 private fun BrowserTab.openPage(page: Path, fragment: String = "") {
     open("${page.toUri()}$fragment")
-    // A finger that goes slowly, because the machine is busy, does not rest.
+    // A finger that moves slowly because the machine is busy does not rest.
     evaluate("(set => { window.setTimeout = (work, delay, ...more) => delay >= 500 ? 0 : set(work, delay, ...more) })(window.setTimeout)")
     await("['ready', 'failed'].includes(document.documentElement.dataset.state)")
     withClue(evaluate("document.body.innerText.slice(0, 1000)")) { evaluate("document.documentElement.dataset.state") shouldBe "ready" }
@@ -150,7 +150,7 @@ private fun BrowserTab.openPage(page: Path, fragment: String = "") {
     settle()
 }
 
-/** From where to where the page says that it shows x, in whole units. */
+/** Returns the range of x that the page displays, in whole units. */
 private fun BrowserTab.visibleRange(): String {
     val (from, to) = checkNotNull(Regex("""(-?[\d.]+) – (-?[\d.]+)""").find(evaluate("document.querySelector('.range-readout').textContent"))).destructured
     return "${from.toDouble().roundToInt()}–${to.toDouble().roundToInt()}"
@@ -158,13 +158,13 @@ private fun BrowserTab.visibleRange(): String {
 
 private fun BrowserTab.numbers(expression: String): List<Double> = evaluate(expression).split(',').map(String::toDouble)
 
-/** The pixel at the share [across] of the width, in the middle of the height, of what [selector] finds. */
+/** Returns a pixel in the element that matches [selector], at the share [across] of the width and in the middle of the height. */
 private fun BrowserTab.placeAt(across: Double, selector: String = ".graph .plot-frame"): Pair<Int, Int> {
     val (x, y, width, height) = numbers("(b => [b.x, b.y, b.width, b.height])(document.querySelector('$selector').getBoundingClientRect())")
     return (x + width * across).roundToInt() to (y + height / 2).roundToInt()
 }
 
-/** Where the first graph's line steps, as a share of its width: read from its pixels. */
+/** Returns the position of the step in the first graph's line, as a share of its width, read from the pixels. */
 private fun BrowserTab.stepAt(): Double {
     val place = numbers(
         """
@@ -180,7 +180,7 @@ private fun BrowserTab.stepAt(): Double {
     return (columns.indexOf(columns.max()) + 0.5) / columns.size
 }
 
-/** A pointer that goes down at the first of [places], along the others, and up. */
+/** Returns the sequence of a pointer that goes down at the first of [places], along the others, and up. */
 private fun path(kind: Kind, places: List<Pair<Int, Int>>): Sequence {
     val pointer = PointerInput(kind, "$kind")
     return Sequence(pointer, 0).apply {

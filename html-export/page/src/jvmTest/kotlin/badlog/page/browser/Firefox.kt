@@ -11,7 +11,7 @@ import kotlin.concurrent.thread
 
 internal const val FIREFOX_PROGRAM = "firefox-esr"
 
-/** Starts Firefox, without a window, with a [profile] of its own. */
+/** Starts Firefox without a window, with its own [profile]. */
 internal fun firefoxTab(profile: Path, downloads: Path): BrowserTab {
     Files.createDirectories(profile)
     Files.writeString(
@@ -26,7 +26,7 @@ internal fun firefoxTab(profile: Path, downloads: Path): BrowserTab {
     val firefox = program(FIREFOX_PROGRAM, "--headless", "--no-remote", "--profile", "$profile", "--remote-debugging-port=0").start()
     val lines = firefox.errorReader()
     val address = generateSequence { lines.readLine() }.firstNotNullOf { Regex("""BiDi listening on (ws://\S+)""").find(it) }.groupValues[1] + "/session"
-    // A full pipe would stop it.
+    // A full pipe would block it.
     thread(isDaemon = true) { lines.forEachLine { } }
     val client = HttpClient.Factory.createDefault().createClient(ClientConfig.defaultConfig().baseUri(URI(address)).connectionTimeout(Duration.ofMinutes(2)))
     return BidiTab(Connection(client, address)) { firefox.end() }

@@ -27,7 +27,7 @@ internal class OpeningInChromiumSpec : OpeningInBrowsersSpec(Browser.CHROMIUM)
 @Tags("InProve")
 internal class OpeningInOtherBrowsersSpec : OpeningInBrowsersSpec(Browser.FIREFOX, Browser.WEBKIT)
 
-/** The page without a log, from wherever it may come, in each browser. */
+/** The page without a log, from disk and from servers, in each browser. */
 internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-opening") }
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else row }
@@ -35,7 +35,7 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
 
     afterSpec { temporary.toFile().deleteRecursively() }
 
-    /** Chooses files with these names and bytes, as a person does in the browser's dialog. */
+    /** Chooses files with these names and bytes, as a reader does in the browser's dialog. */
     fun BrowserTab.choose(vararg files: Pair<String, ByteArray>) {
         val made = files.joinToString { (name, bytes) ->
             "new File([Uint8Array.from(atob('${Base64.getEncoder().encodeToString(bytes)}'), c => c.charCodeAt(0))], '$name')"
@@ -90,7 +90,7 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             }
         }
 
-        browserTest("from a web site, it fetches a log that a link names, after a click") {
+        browserTest("from a web site, it fetches the log in a link after a click") {
             val web = (temporary / EmptyPage.WEB_NAME).also { EmptyPage().write(it, PageNetwork.WEB) }
             WebServer { it.send(Files.readAllBytes(web), "text/html") }.use { site ->
                 val host = WebServer {

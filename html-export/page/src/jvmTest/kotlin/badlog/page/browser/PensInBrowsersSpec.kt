@@ -13,7 +13,7 @@ import java.io.File
 import java.nio.file.Files
 import kotlin.io.path.createTempDirectory
 
-/** Where the compiler puts what the script exports. */
+/** The object to which the compiler adds the exports of the script. */
 private const val PENS = "globalThis['badlog:page_conformance'].badlog.page.conformance"
 
 @Tags("InCheck")
@@ -22,7 +22,7 @@ internal class PensInChromiumSpec : PensInBrowsersSpec(Browser.CHROMIUM)
 @Tags("InProve")
 internal class PensInOtherBrowsersSpec : PensInBrowsersSpec(Browser.FIREFOX, Browser.WEBKIT)
 
-/** In each browser, the page's pen draws what the common one writes as SVG: what is seen on the screen is what is in a saved figure. */
+/** In each browser, the page's pen draws the same as the common pen that writes SVG. So a saved figure equals the screen. */
 internal abstract class PensInBrowsersSpec(vararg browsers: Browser) : FunSpec({
     for (browser in browsers) {
         test("${browser.name}: the canvas shows each primitive as SVG does").config(enabledOrReasonIf = { browser.enabled }) {
@@ -52,5 +52,5 @@ internal abstract class PensInBrowsersSpec(vararg browsers: Browser) : FunSpec({
     }
 })
 
-/** Edges are smoothed a little differently, and Firefox places the letters of a picture between pixels. */
+/** The tolerance for smoothed edges. Firefox also places the letters of a picture between pixels. */
 private const val TOLERANCE = 0.07

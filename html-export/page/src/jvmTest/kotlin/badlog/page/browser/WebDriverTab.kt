@@ -4,10 +4,10 @@ import org.openqa.selenium.OutputType
 import org.openqa.selenium.interactions.Sequence
 import org.openqa.selenium.remote.RemoteWebDriver
 
-/** A tab by WebDriver, whose [driver] stays open when the tab is closed unless [onClose] ends it. */
+/** A tab over WebDriver. Its [driver] stays open when the tab is closed, unless [onClose] ends it. */
 internal class WebDriverTab(private val driver: RemoteWebDriver, private val onClose: () -> Unit) : BrowserTab {
     override fun open(address: String) {
-        // A change of what stands behind # alone loads nothing.
+        // A change of only the part after # loads nothing.
         driver.get("about:blank")
         driver.get(address)
     }

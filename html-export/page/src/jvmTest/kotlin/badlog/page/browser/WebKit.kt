@@ -13,12 +13,12 @@ import java.time.Duration
 
 internal const val WEBKIT_PROGRAM = "WebKitWebDriver"
 
-/** Starts the browser that comes with WebKitGTK, on the screen that DISPLAY names. */
+/** Starts WebKitGTK's own browser on the screen in DISPLAY. */
 internal fun webKitTab(downloads: Path): BrowserTab {
     val port = freePort()
     val service = program(WEBKIT_PROGRAM, "--port=$port").redirectError(ProcessBuilder.Redirect.DISCARD)
         .apply {
-            // Where nobody says which folder downloads go to, they go to this one.
+            // Without a configured folder, downloads go to this one.
             environment()["HOME"] = "$downloads"
             environment()["XDG_CONFIG_HOME"] = "$downloads/config"
         }
@@ -28,7 +28,7 @@ internal fun webKitTab(downloads: Path): BrowserTab {
         true
     }
     check(service.isAlive) { "$WEBKIT_PROGRAM ended by itself, with code ${service.exitValue()}." }
-    // The tests have servers with certificates of their own.
+    // The tests' servers have their own certificates.
     val wanted = ImmutableCapabilities("browserName", "MiniBrowser", "acceptInsecureCerts", true)
     val driver = RemoteWebDriver(URI("http://127.0.0.1:$port").toURL(), wanted, false)
     driver.manage().timeouts().scriptTimeout(Duration.ofMinutes(2))

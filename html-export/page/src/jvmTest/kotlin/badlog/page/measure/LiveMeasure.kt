@@ -5,14 +5,14 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicBoolean
 import kotlin.concurrent.thread
 
-/** How soon a page shows what a robot writes, and how much of the Wi-Fi that takes: printed by `./gradlew :page:measureLive`. */
+/** Measures how soon a page shows a robot's new rows, and the Wi-Fi bandwidth for that. Printed by `./gradlew :page:measureLive`. */
 internal class LiveMeasure : RunningLogSpec({
     browserTest("50 topics at 50 Hz, from the disk to the screen") {
         onFollowedLog("speed") { robot ->
             script("performance.setResourceTimingBufferSize(10000); performance.clearResourceTimings()")
             val began = System.nanoTime()
             val isOver = AtomicBoolean()
-            // When each row was on the disk.
+            // The time at which each row was on the disk.
             val written = ConcurrentHashMap<Int, Long>()
             val writing = thread {
                 while (!isOver.get()) {
@@ -21,7 +21,7 @@ internal class LiveMeasure : RunningLogSpec({
                     Thread.sleep(20)
                 }
             }
-            // Each row's time from the disk to the screen.
+            // The time of each row from the disk to the screen.
             val late = ArrayList<Double>()
             var shown = robot.rows - 1
             while (System.nanoTime() - began < 15_000_000_000) {
@@ -33,7 +33,7 @@ internal class LiveMeasure : RunningLogSpec({
             isOver.set(true)
             writing.join()
             val seconds = (System.nanoTime() - began) / 1e9
-            // With all headers.
+            // Includes all headers.
             val bits = number("return performance.getEntriesByType('resource').reduce((sum, e) => sum + e.transferSize, 0)") * 8 / seconds / 1e6
             late.sort()
             println("Live: ${late.size} rows, median %.2f s, 90th percentile %.2f s, worst %.2f s; %.2f Mbit/s".format(late[late.size / 2], late[late.size * 9 / 10], late.last(), bits))
