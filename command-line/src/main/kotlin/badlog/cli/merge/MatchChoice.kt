@@ -12,7 +12,7 @@ import java.nio.file.Path
 /** Which logs a command reads as one. */
 internal sealed interface MatchChoice {
     /**
-     * Returns the result of [work] on what is read in place of the logs below [paths], and on what makes logs of that.
+     * Returns the result of [work] on the paths to read in place of [paths], and on a maker of logs for them.
      *
      * @param outcomes reports logs that cannot be read.
      */

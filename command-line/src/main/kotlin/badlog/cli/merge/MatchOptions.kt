@@ -19,7 +19,7 @@ internal class MatchOptions : OptionGroup() {
     private val aligned by option("--align", metavar = "enabled").choice("enabled")
         .help("Shift logs so that “enabled” matches in all.")
 
-    /** The folder to search for the Driver Station's logs; empty for that of each log, null for none. */
+    /** The folder to search for the Driver Station's logs; empty for each log's own folder, null for none. */
     val station: Path? by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
         .help("Add the Driver Station log of the same match.")
 

@@ -66,7 +66,7 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     addAll(renamedLines(merge))
 }
 
-/** Returns what has another name than in its log. */
+/** Returns the topics and values with another name than in their logs. */
 internal fun renamedLines(merge: Merged): List<String> = buildList {
     for (renaming in merge.renamed.take(LISTED)) {
         val why = if (renaming.reason.isEmpty()) "" else "; ${renaming.reason}"

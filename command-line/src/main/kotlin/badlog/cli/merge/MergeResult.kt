@@ -10,16 +10,16 @@ internal sealed interface MergeResult {
     /** The logs, at their times in it. */
     val moved: MovedLogs
 
-    /** What was wrong in them. */
+    /** The problems of all of them. */
     val problems: List<Problem> get() = moved.parts.flatMap { it.recording.problems }
 
-    /** What it says about that. */
+    /** The outcome of the merge. */
     val outcome: Outcome
 
     /**
-     * Returns what somebody should know who reads that log in place of the others, each as one or more lines.
+     * Returns remarks for a person who reads that log in place of the others, each as one or more lines.
      *
-     * @param isOfDoubts whether only what is doubtful.
+     * @param isOfDoubts whether to return only doubts.
      */
     fun remarks(isOfDoubts: Boolean): List<String>
 

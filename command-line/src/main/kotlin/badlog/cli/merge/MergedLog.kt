@@ -23,7 +23,7 @@ import java.util.concurrent.ConcurrentHashMap
 /**
  * A log that was made of several, [merged], and is read in place of [first].
  *
- * @param problems what was wrong in them.
+ * @param problems the problems of all of them.
  */
 internal class MergedLog private constructor(val first: Path, private val merged: Path, private val problems: List<Problem>) : LogMaker {
     override fun isSource(file: Path, head: ByteArray): Boolean = file == first
@@ -38,7 +38,7 @@ internal class MergedLog private constructor(val first: Path, private val merged
         /**
          * Merges [parts] as [merging] says, in a file in [folder], and reports how they were moved.
          *
-         * @param isJson whether only what is doubtful is reported.
+         * @param isJson whether to report only doubts.
          * @throws Failure if they cannot become one.
          */
         fun of(parts: List<LogPart>, merging: Merging, folder: Path, console: Console, isJson: Boolean): MergedLog {
@@ -54,7 +54,7 @@ internal class MergedLog private constructor(val first: Path, private val merged
 /**
  * Puts beside each log of a robot the Driver Station's of its match; a log without one is read as it is.
  *
- * @param isJson whether only what is doubtful is reported.
+ * @param isJson whether to report only doubts.
  * @param warn reports how logs were moved.
  */
 internal class LogBesideStation(private val merging: Merging, private val isJson: Boolean, private val warn: (String) -> Unit) : LogMaker {

@@ -70,7 +70,7 @@ internal class Merging(
         return MergeResult.Made(merged, moved, target, records.leftOut)
     }
 
-    /** The files stay as they are; their clocks are stated beside them, that of the first robot's log being the match's. */
+    /** The files stay as they are, with their clocks beside them. The clock of the first robot's log is the match's. */
     private fun zipped(moved: MovedLogs, target: Path): MergeResult {
         moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} is of several logs; name these, to make one ZIP of all.") }
         val robot = moved.parts.find { it.role == FileRole.ROBOT }
@@ -82,7 +82,7 @@ internal class Merging(
     }
 }
 
-/** Returns [folder], or that of [log] if it is empty. */
+/** Returns [folder], or the folder of [log] if it is empty. */
 internal fun folderBeside(log: Path, folder: Path): Path = if (folder.toString().isEmpty()) log.toAbsolutePath().parent else folder
 
 /** Whether [target] is to be a ZIP of the logs as they are. */

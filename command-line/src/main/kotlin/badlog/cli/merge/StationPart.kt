@@ -52,7 +52,7 @@ internal class StationFinder {
     private fun logsBelow(folder: Path) = logsIn.computeIfAbsent(folder, ::StationLogs)
 }
 
-/** Returns the same log without what is before [seconds]. */
+/** Returns the same log without its samples before [seconds]. */
 internal fun LogPart.since(seconds: Double): LogPart {
     if (!(firstX * secondsPerX < seconds)) return this
     // So that rounding puts nothing before that.

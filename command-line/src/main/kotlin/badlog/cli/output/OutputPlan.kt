@@ -86,7 +86,7 @@ internal class OutputPlan(
 /** The options of all commands that write one file for each log. */
 internal class OutputOptions : OptionGroup() {
     private val out by option("-o", "--out", metavar = "PATH").convert { ResultPlace.of(it) }
-        .help("Write to this file; a name without an ending is a folder.")
+        .help("Write to this file; without an ending, to this folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
     /** Returns the plan for the logs below [paths], which may be one. */

@@ -89,7 +89,7 @@ internal class ReportTask(
                 xTopic,
                 stations?.let { it::over },
                 measures = charts != null,
-                // Rules use the Driver Station's log only for what the robot's lacks.
+                // Rules use the Driver Station's log only for signals that the robot's lacks.
                 maker = if (stations == null) maker else MatchMaker,
             )
         } catch (e: SearchException) {

@@ -40,7 +40,7 @@ import kotlin.random.Random
 /** Enabled from 5 to 8 s and from 9 to 15 s of 17. */
 private fun dslog() = TestDslog(start = STATION_START).records(250).records(150, Status.BOTH_AUTO).records(50).records(300, Status.BOTH_TELEOP).records(100)
 
-/** A robot's log of that, whose clock began [later] than the Driver Station's log. */
+/** A robot's log of that, with a clock that began [later] than the Driver Station's log. */
 private fun Path.robot(name: String, topic: String, later: Double) = wpilog(
     name,
     listOf(
@@ -269,8 +269,7 @@ class MatchSpec : FunSpec({
 
     test("what is doubtful or damaged in a merged log is said, also in JSON: a single edge, and what the Driver Station's log lost") {
         inFolder { folder ->
-            fun enabled(name: String, late: Double) =
-                folder.wpilog(name, listOf(Logged("$name/Robot Enabled", "boolean", "", listOf(late to false, late + 4 to true, late + 5 to true)), Logged("$name/a", "double", "", listOf(late to 1.0))))
+            fun enabled(name: String, late: Double) = folder.wpilog(name, listOf(Logged("$name/Robot Enabled", "boolean", "", listOf(late to false, late + 4 to true, late + 5 to true)), Logged("$name/a", "double", "", listOf(late to 1.0))))
             val (one, two) = enabled("one.wpilog", 0.0) to enabled("two.wpilog", 7.0)
             for (json in listOf(emptyList(), listOf("--json"))) {
                 val ended = badlog("info", one, two, "--align", "enabled", *json.toTypedArray())

@@ -9,7 +9,7 @@ public interface LogMaker {
     public fun isSource(file: Path, head: ByteArray): Boolean
 
     /**
-     * Writes a WPILOG of what is in [file] to [made], and returns the problems found on the way.
+     * Writes a WPILOG of the logs in [file] to [made], and returns the problems found on the way.
      *
      * @param checkpoint called from time to time; may throw to cancel.
      * @throws NotReadException if that cannot be one log.

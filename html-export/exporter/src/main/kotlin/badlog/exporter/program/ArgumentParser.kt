@@ -77,7 +77,7 @@ internal class ArgumentParser {
     private fun isAttachment(word: String): Boolean = try {
         val file = Path.of(word)
         val name = "${file.fileName}"
-        // A log may have any name; what a file without an ending is, its name does not show.
+        // A log may have any name, also one without an ending.
         '.' in name.drop(1) && !LogName.of(name).mayBeLog && PAGES.none { name.endsWith(it, ignoreCase = true) } &&
             Files.isRegularFile(file) && !beginsLikeLog(file)
     } catch (_: InvalidPathException) {
@@ -161,7 +161,7 @@ internal class ArgumentParser {
         val BEFORE_FILE = Regex("--attach|-[tcgo]*a")
         val WITH_FILE = Regex("--attach=.+|-[tcgo]*a.+")
 
-        /** What the line of JSON of a bag has near its beginning. */
+        /** A key near the beginning of a bag. */
         const val BAG = "\"topics\""
         const val HEAD = 1 shl 16
     }

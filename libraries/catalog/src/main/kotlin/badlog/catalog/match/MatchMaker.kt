@@ -67,14 +67,14 @@ object MatchMaker : LogMaker {
         }
         writing(made) {
             BufferedOutputStream(Files.newOutputStream(made), BUFFER).use { out ->
-                // What a reader lacks in it is a problem of the logs already.
+                // Its losses are problems of the logs already.
                 WpilogWriter(recording).write({ _, _ -> checkpoint() }) { bytes, size -> out.write(bytes, 0, size) }
             }
         }
         return recording.problems
     }
 
-    /** Returns the files that [manifest], a `match.json`, names and that exist, with the second files of logs; none if it cannot be read. */
+    /** Returns the existing files that [manifest] names, with the second files of logs; none if it cannot be read. */
     fun filesOf(manifest: Path): Set<Path> = try {
         logsBeside(manifest, statedIn(manifest, textOf(manifest))).values.flatMapTo(HashSet(), ::partsOfLog)
     } catch (_: UnreadableFileException) {
@@ -142,7 +142,7 @@ object MatchMaker : LogMaker {
     private const val MANIFEST_BYTES = 1 shl 20
 }
 
-/** Returns what wrote the log called [name], whose content is [recording]. */
+/** Returns the writer of the log called [name] with the content [recording]. */
 fun roleOf(name: String, recording: Recording): FileRole = when {
     recording.isOfDriverStation -> FileRole.STATION
     recording.format == RevlogFormat -> FileRole.MOTORS

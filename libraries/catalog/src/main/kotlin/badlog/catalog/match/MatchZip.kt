@@ -97,7 +97,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         return bound.size
     }
 
-    /** Returns the size of what is inside the log [target] if that is itself compressed; 0 otherwise. */
+    /** Returns the inflated size of the log [target] if it is itself compressed; 0 otherwise. */
     private fun inflatedBytes(log: Named, target: Path, most: Long, checkpoint: () -> Unit): Long {
         val head = reading(target) { Files.newInputStream(target).use { it.readNBytes(XZ.size) } }
         if (head.contentEquals(XZ)) throw refused("“${shown(log.name)}” in it is compressed with xz; put the log itself into the ZIP.")
@@ -115,7 +115,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         } catch (e: NotReadException) {
             throw e
         } catch (_: IOException) {
-            // A log that was cut off is read as far as it goes.
+            // A log that was cut off is read up to its end.
         }
         return bound.size
     }

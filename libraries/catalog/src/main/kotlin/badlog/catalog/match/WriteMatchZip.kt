@@ -20,7 +20,7 @@ import java.util.zip.ZipOutputStream
  *
  * @property role what wrote it; null if its content says so.
  * @property seconds what to add to its times for the clock of the match, in s.
- * @property error by how much that may be wrong, in s; null if nobody knows.
+ * @property error the possible error of [seconds], in s; null if unknown.
  */
 class FileForZip(val path: Path, val role: FileRole?, val seconds: Double, val error: Double?)
 

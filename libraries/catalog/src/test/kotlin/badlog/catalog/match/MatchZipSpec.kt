@@ -90,7 +90,7 @@ class MatchZipSpec : FunSpec({
         said(zipOf("a.wpilogxz" to byteArrayOf(0xFD.toByte(), 0x37, 0x7A, 0x58, 0x5A, 0))) shouldContain "compressed with xz"
         val random = Random(1).nextBytes(4 shl 20)
         unpacked(zipOf("a.csv.gz" to gzip(random))).keys shouldBe setOf("a.csv.gz")
-        // A log that a robot did not finish is read as far as it goes.
+        // A log that a robot did not finish is read up to its end.
         unpacked(zipOf("a.csv.gz" to gzip(random).copyOf(100_000))).keys shouldBe setOf("a.csv.gz")
     }
 

@@ -6,8 +6,8 @@ import kotlin.math.ceil
 import kotlin.math.sqrt
 
 /**
- * Returns how the clock of [log] relates to that of [other], by the battery voltage in both, which moves alike wherever it is measured;
- * null if one lacks it, or it moves too little or too alike at several times to show anything.
+ * Returns how the clock of [log] relates to the clock of [other], by the battery voltage in both. It moves alike wherever it is measured.
+ * Null if one lacks it, or it moves too little or too alike at several times to show anything.
  */
 fun batteryFit(log: ClockedLog, other: ClockedLog): ClockFit? {
     val (own, others) = (batteryOf(log) ?: return null) to (batteryOf(other) ?: return null)
@@ -37,7 +37,7 @@ private class Voltage(val series: Series, val secondsPerX: Double) {
         }
     }
 
-    /** Returns the offset of this clock if the first sample here is [lag] s after that of [other]. */
+    /** Returns the offset of this clock if the first sample here is [lag] s after the first of [other]. */
     fun from(other: Voltage, lag: Double): Double = other.begin + lag - begin
 
     val seconds: Double get() = end - begin
@@ -98,7 +98,7 @@ private const val FEWEST_SAMPLES = 50
 private const val COARSE = 0.2
 private const val FINE = 0.02
 
-/** In seconds: both must have so much in common, and neither may be longer than what can be compared at once. */
+/** In seconds: both must have this time in common, and neither may be longer than the maximum for a comparison. */
 private const val LEAST_COMMON = 30.0
 private const val LONGEST = 1200.0
 

@@ -4,7 +4,7 @@ package badlog.signals.clock
  * Where a log stands on the clock that it shares with others.
  *
  * @property seconds the offset to add to its times, in s.
- * @property fit how that was found; its error includes those of the logs on the way. Null if the offset was given.
+ * @property fit how that was found; its error includes the errors of the logs on the way. Null if the offset was given.
  */
 class ClockPlace(val seconds: Double, val fit: ClockFit? = null)
 
@@ -15,7 +15,7 @@ class ClockPlace(val seconds: Double, val fit: ClockFit? = null)
  * between fits that are equally sure.
  *
  * @param given the offsets that are known, in s, by the index of the log; at least one.
- * @param fitOf returns how the clock of the log with the first index relates to that of the log with the second; null if nothing shows it.
+ * @param fitOf returns how the clock of the log with the first index relates to the clock of the second; null if nothing shows it.
  */
 fun onOneClock(count: Int, given: Map<Int, Double>, fitOf: (own: Int, other: Int) -> ClockFit?): List<ClockPlace?> {
     val places = arrayOfNulls<ClockPlace>(count)
@@ -34,7 +34,7 @@ fun onOneClock(count: Int, given: Map<Int, Double>, fitOf: (own: Int, other: Int
     }
 }
 
-/** How the clock of the log with the index [own] relates to that of [other], which has a place. */
+/** How the clock of the log with the index [own] relates to the clock of [other], which has a place. */
 private data class Link(val own: Int, val other: Int, val fit: ClockFit)
 
 private val SUREST = compareBy<Link>({ -it.fit.edges }, { it.fit.error }, { it.own }, { it.other })

@@ -32,7 +32,7 @@ enum class FileRole(val role: String) {
  *
  * @property name its name, unique among the files.
  * @property log its content.
- * @property seconds the offset of its clock, in s, if somebody stated it; null if it is to be found.
+ * @property seconds the offset of its clock, in s, if it was stated; null if it is to be found.
  * @property error by how much that may be wrong, in s, if that is stated too.
  */
 class MatchFile(val name: String, val role: FileRole, val log: ClockedLog, val seconds: Double? = null, val error: Double? = null)
@@ -42,7 +42,7 @@ enum class ClockReason {
     /** It is the clock of the match. */
     OWN,
 
-    /** Somebody stated it. */
+    /** A `match.json` stated it. */
     STATED,
 
     /** By the moments at which the robot was enabled and disabled. */
@@ -62,7 +62,7 @@ enum class ClockReason {
  * A file on the clock of its match.
  *
  * @property seconds the offset to add to its times, in s.
- * @property error by how much that may be wrong, in s; null if nobody knows.
+ * @property error the possible error of [seconds], in s; null if unknown.
  * @property edges the number of moments that match; 0 if there are none to count.
  */
 class MatchPart(val file: MatchFile, val seconds: Double, val reason: ClockReason, val error: Double? = null, val edges: Int = 0) {
@@ -87,10 +87,10 @@ class MatchPart(val file: MatchFile, val seconds: Double, val reason: ClockReaso
  * The files of one match.
  *
  * @property parts the files on the clock of the first, which is a robot's log.
- * @property sentences what is missing.
+ * @property sentences one about each missing file.
  */
 class OneMatch(val parts: List<MatchPart>, val sentences: List<String>) {
-    /** The robot's log whose clock is that of the match. */
+    /** The robot's log that has the clock of the match. */
     val robot: MatchFile get() = parts.first().file
 }
 

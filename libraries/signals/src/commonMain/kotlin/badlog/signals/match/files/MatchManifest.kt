@@ -8,9 +8,9 @@ import badlog.signals.json.jsonArray
 import badlog.signals.json.jsonObject
 
 /**
- * What a `match.json` beside the files of a match states.
+ * The statements of a `match.json` about the files of a match.
  *
- * @property files what it says about each.
+ * @property files the statements about each.
  */
 class MatchManifest(val files: List<StatedFile>) {
     /** Returns the text of the file. */
@@ -77,19 +77,19 @@ class MatchManifest(val files: List<StatedFile>) {
 }
 
 /**
- * What a manifest says about a file.
+ * The statements of a manifest about a file.
  *
  * @property name its name in the folder of the manifest, with slashes.
  * @property role what wrote it; null if its content is to say.
  * @property seconds what to add to its times, in s, so that they are on the clock of the robot's log; null if that is to be found.
- * @property error by how much those may be wrong, in s; null if nobody knows.
+ * @property error the possible error of [seconds], in s; null if unknown.
  */
 class StatedFile(val name: String, val role: FileRole?, val seconds: Double?, val error: Double? = null)
 
 /** Thrown if a `match.json` cannot be used; [message] is a sentence. */
 class MatchManifestException(override val message: String) : Exception(message)
 
-/** Returns whether [name], with slashes, is that of a file below its folder on any system. */
+/** Returns whether [name], with slashes, names a file below its folder on any system. */
 fun isNameInside(name: String): Boolean =
     name.length in 1..MOST_NAME && name.none { it < ' ' || it == '\u007f' || it == '\\' || it == ':' } &&
         name.split('/').none { it.isEmpty() || it == "." || it == ".." }

@@ -14,12 +14,12 @@ import badlog.signals.clock.pickedWhereSet
 import badlog.signals.clock.secondsPerX
 
 /**
- * Returns one recording of this match, on the clock of its robot's log: the topics of that log as they are, then those of each other log
- * at times of their own, sorted if they went backwards. What is before the robot's log, or before 0, is left out, and what the Driver
- * Station logged long after it.
+ * Returns one recording of this match, on the clock of its robot's log: the topics of that log as they are, then the other logs' topics
+ * at times of their own, sorted if they went backwards. Samples before the robot's log, or before 0, are left out, and samples that the
+ * Driver Station logged long after it.
  *
- * A log whose topics are not all in one folder gets one, named after its file. Each file is a value in the folder `Files`, which says how
- * its clock was found and what of it is left out; what is missing, and the [left] files, are values too.
+ * A log with topics in several folders gets one, named after its file. Each file is a value in the folder `Files`, which says how
+ * its clock was found and how much is left out. Missing files, and the [left] ones, are values too.
  */
 fun OneMatch.recording(left: List<String> = emptyList()): Recording {
     val robot = robot.log
@@ -30,7 +30,7 @@ fun OneMatch.recording(left: List<String> = emptyList()): Recording {
     return robot.recording.copy(topics = topics, values = valuesOf(beside, left), problems = problems)
 }
 
-/** The samples of the log of [part] during that of [robot], at the robot's times. */
+/** The samples of the log of [part] during the log of [robot], at the robot's times. */
 private class PartBeside(val part: MatchPart, private val robot: ClockedLog) {
     private val log = part.file.log
     private val places = HashMap<DoubleArray, Place>()
@@ -51,7 +51,7 @@ private class PartBeside(val part: MatchPart, private val robot: ClockedLog) {
         }
     }
 
-    /** What is unusual about its times. */
+    /** Its unusual times. */
     val problems: List<Problem>
         get() = buildList {
             val sorted = places.values.count { it.isSorted }
@@ -89,10 +89,13 @@ private class PartBeside(val part: MatchPart, private val robot: ClockedLog) {
             }
             seconds[i] = last
         }
-        val placed = x.indices.filter { !seconds[it].isNaN() }.toIntArray()
-        val rows = stableOrder(seconds, placed.filter { seconds[it] in begin..end }.toIntArray())
+        val kept = IntArray(x.size)
+        var count = 0
+        for (i in x.indices) if (seconds[i] in begin..end) kept[count++] = i
+        val rows = stableOrder(seconds, kept.copyOf(count))
+        val placed = seconds.count { !it.isNaN() }
         val times = DoubleArray(rows.size) { seconds[rows[it]] / robot.view.secondsPerX }
-        return Place(rows, times, isSorted, withoutTime = x.size - placed.size, outside = placed.size - rows.size)
+        return Place(rows, times, isSorted, withoutTime = x.size - placed, outside = placed - rows.size)
     }
 }
 
@@ -109,7 +112,7 @@ private fun folderOf(name: String) = name.substringAfterLast('/').substringBefor
 private fun OneMatch.valuesOf(beside: List<PartBeside>, left: List<String>): List<Value> {
     val values = ArrayList(robot.log.recording.values)
     for (part in parts.drop(1)) {
-        // The time of day alone may be that of another match.
+        // The time of day alone may belong to another match.
         val isSure = part.reason != ClockReason.SYSTEM_TIME
         for (value in part.file.log.recording.values) {
             if (value.name == START_VALUE || value in values) continue

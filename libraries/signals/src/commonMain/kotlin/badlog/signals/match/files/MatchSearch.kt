@@ -12,10 +12,10 @@ import kotlin.math.abs
 /**
  * Returns which of [files] belong to one match: each log of a robot is one, with the files that fit it alone.
  *
- * Whoever stated the clock of a file has also said that it belongs here. A number or type of match that contradicts excludes any other file.
- * A file is then taken only if its clock fits by the moments of enabling or of driven motors, or by the battery voltage, and if the time of
- * day or the number of the match shows the same match: all matches have the same periods. Whatever is doubtful is in no match. The order
- * of [files] makes no difference.
+ * A file with a stated clock belongs here. A number or type of match that contradicts excludes any other file. Among the rest, a file is
+ * taken if its clock fits by the moments of enabling or of driven motors, or by the battery voltage, and if the time of day or the number
+ * of the match shows the same match: all matches have the same periods. Doubtful files are in no match. The order of [files] makes no
+ * difference.
  */
 fun matchesOf(files: List<MatchFile>): FoundMatches {
     val sorted = files.sortedWith(compareBy<MatchFile> { it.role }.thenBy(::rankOf).thenBy(NaturalOrder) { it.name })
@@ -47,7 +47,7 @@ fun matchesOf(files: List<MatchFile>): FoundMatches {
     return FoundMatches(found.map { parts -> OneMatch(parts, missingIn(parts, left.map { it.first })) }, left)
 }
 
-/** The log whose clock is stated as that of the match comes first, then others with a stated clock. */
+/** The log that is stated to have the clock of the match comes first, then others with a stated clock. */
 private fun rankOf(file: MatchFile) = if (file.seconds == 0.0) {
     0
 } else if (file.seconds != null) {
@@ -69,7 +69,7 @@ private fun homeOf(file: MatchFile, robots: List<MatchFile>): Int? = robots.indi
 private class PossiblePart(val part: MatchPart, val isSure: Boolean, val contradicts: Boolean)
 
 /**
- * Returns for each of [robots] that does not [have][haveOne] one the Driver Station's log of its match, or null. Those of [stations] that
+ * Returns for each of [robots] that does not [have][haveOne] one the Driver Station's log of its match, or null. [stations] that
  * are in no match are added to [left].
  */
 private fun stationsOf(
@@ -93,7 +93,7 @@ private fun stationOf(robot: MatchFile, stations: List<MatchFile>): PossiblePart
     val byClocks = clocksOf(pair.station, robot.log)
     val contradicts = byClocks != null && !agree(pair.fit.seconds, byClocks)
     val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
-    // Two edges may be those of any match, and a laptop's clock an hour off.
+    // A single edge may be of any match, and a laptop's clock an hour off.
     val isSure = if (pair.fit.edges < FEWEST_EDGES) isSame && byClocks != null else isSame || !contradicts
     return PossiblePart(MatchPart(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges), isSure, contradicts)
 }
@@ -122,10 +122,10 @@ private fun fitOf(file: MatchFile, robot: MatchFile): PossiblePart? {
         .takeIf { isDuring || isSame == true }
 }
 
-/** Returns how the clock of [own] relates to that of [others] by the time of day; null if one does not show it. */
+/** Returns how the clock of [own] relates to the clock of [others] by the time of day; null if one does not show it. */
 internal fun clocksOf(own: ClockedLog, others: ClockedLog): Double? = own.start?.let { start -> others.start?.let { start - it } }
 
-/** Whether [seconds] is what the clocks say, [byClocks], or an hour off, as with daylight saving time. */
+/** Whether [seconds] agrees with the clocks, [byClocks], or is an hour off, as with daylight saving time. */
 private fun agree(seconds: Double, byClocks: Double) = OFF.any { areNear(seconds - it, byClocks) }
 
 /** Whether two offsets between clocks, in s, are alike for clocks that were set by each other. */

@@ -4,7 +4,7 @@ import badlog.signals.clock.ClockFit
 import badlog.signals.match.isSameAs
 
 /**
- * Robots' logs, those of one robot and match together: a robot may write several at once, such as a bag and a WPILOG.
+ * Robots' logs, grouped by robot and match: a robot may write several at once, such as a bag and a WPILOG.
  *
  * @param files the logs, in order; those with a stated clock first.
  */

@@ -25,13 +25,13 @@ import kotlin.random.Random
 
 private val PERIODS = listOf(20.0, 35.3, 37.1, 172.2)
 
-/** What a match of the day left: the file of each role, and how far the clock of each is ahead of the robot's. */
+/** The files of a match of the day: one of each role, and how far the clock of each is ahead of the robot's. */
 private class Left(val files: List<MatchFile>, val ahead: Map<String, Double>)
 
 private fun file(name: String, role: FileRole, recording: Recording, seconds: Double? = null, error: Double? = null) = MatchFile(name, role, clocked(recording, name), seconds, error)
 
 /**
- * Twelve matches, some of them replayed, of two robots, each with a laptop of its own, of which one is an hour ahead. A robot writes a bag;
+ * Twelve matches, some of them replayed, of two robots, each with a laptop of its own; one is an hour ahead. A robot writes a bag;
  * a CAN bus has a log on a clock of its own, and motor controllers count from the start of the program.
  */
 private fun day(random: Random): List<Left> {
