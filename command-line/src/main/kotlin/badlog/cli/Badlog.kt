@@ -19,7 +19,7 @@ import java.io.InputStream
  * The command line: parses the arguments, then runs the command.
  *
  * @param input the input for `-` among the logs.
- * @param robots where robots answer.
+ * @param robots the addresses of robots.
  * @param parts finds commands that are loaded when they are called.
  * @param computer the rest of the computer.
  */
@@ -82,7 +82,7 @@ internal class Badlog(
     private companion object {
         const val ERROR = "Error: "
 
-        /** How Java says on Windows that a text with a `?` or `*` is not a path. */
+        /** The beginning of Java's message on Windows that a text with a `?` or `*` is not a path. */
         const val NO_PATH = "Illegal char <"
     }
 }

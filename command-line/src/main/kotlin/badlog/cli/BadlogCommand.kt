@@ -54,7 +54,7 @@ import java.io.InputStream
  * `badlog` and its subcommands. Add a new one here and nowhere else.
  *
  * @property arguments the arguments as typed.
- * @param robots where robots answer.
+ * @param robots the addresses of robots.
  * @param parts finds commands that are loaded when they are called.
  * @param input the standard input, for commands that communicate with another program.
  * @param computer the rest of the computer.
@@ -89,7 +89,7 @@ internal class BadlogCommand(
         DoctorCommand(computer, robots),
     )
 
-    /** The requested task, or null if there is none. */
+    /** The requested task; null if there is none. */
     val task: Task? get() = logCommands.firstNotNullOfOrNull { it.task }
 
     override val printHelpOnEmptyArgs: Boolean get() = true
@@ -121,7 +121,7 @@ internal class BadlogCommand(
 
     override fun run() = Unit
 
-    /** Returns [error], or one that says that the first argument is not a subcommand, if that is the mistake. */
+    /** Returns [error], or an error about the first argument if that is not a subcommand. */
     fun explained(error: CliktError): CliktError {
         val first = arguments.firstOrNull()
         val names = registeredSubcommandNames()

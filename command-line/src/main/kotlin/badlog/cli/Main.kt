@@ -42,7 +42,7 @@ private fun width(): Int = when (val columns = System.getProperty("badlog.column
 private const val MIN_WIDTH = 60
 
 private fun afterLoss(console: Console, results: ResultStream): ExitCode {
-    // A reader that only wanted the first line need not be told.
+    // A reader that only wanted the first line needs no message.
     if (!results.isReaderGone) console.warn("The results cannot be written (${results.failure?.message}); check whether the disk is full.")
     return ExitCode.NOTHING
 }

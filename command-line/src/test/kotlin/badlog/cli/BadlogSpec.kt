@@ -22,14 +22,14 @@ import java.io.InputStream
 class BadlogSpec : FunSpec({
     val commands = listOf("info", "recover", "convert", "cut", "merge", "export", "find", "table", "report", "replay", "record", "fetch", "open", "doctor", "lake", "sql", "mcp", "rules")
 
-    test("without arguments, and asked for help, it lists its sub-commands") {
+    test("without arguments, as with “help”, badlog lists its commands") {
         for (asked in listOf(badlog(), badlog("--help"), badlog("help"))) {
             asked.code shouldBe ExitCode.WHOLE
             for (command in commands) asked.out shouldContain "  $command "
         }
     }
 
-    test("each sub-command has help, asked for in either way, that fits a terminal") {
+    test("each command has help that fits a terminal, by “help” and by “--help”") {
         for (command in commands) {
             val help = badlog("help", command)
             help.code shouldBe ExitCode.WHOLE
@@ -40,7 +40,7 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("the help calls commands what its list calls them, that of the help itself included") {
+    test("the help explains commands, and never calls them subcommands") {
         badlog("help", "help").out shouldContain "Explains a command."
         for (help in (listOf("help", "completion") + commands).map { badlog("help", it).out } + badlog("help").out) {
             help.lines().filter { "sub-command" in it.lowercase() || "subcommand" in it.lowercase() }.shouldBeEmpty()
@@ -64,7 +64,7 @@ class BadlogSpec : FunSpec({
         badlog("--version").out shouldBe "badlog $BADLOG_VERSION\n"
     }
 
-    test("a mistyped command is reported with the one that was meant, before its arguments are looked at") {
+    test("a mistyped command is reported with a suggestion, whatever its arguments") {
         for (arguments in listOf(listOf("cutt"), listOf("cutt", "a", "b"), listOf("help", "cutt"), listOf("cutt", "--from", "1"))) {
             val ended = badlog(*arguments.toTypedArray())
             ended.code shouldBe ExitCode.USAGE
@@ -98,7 +98,7 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("only what begins with a dash is taken for an option, and how to say that it is none is reported") {
+    test("only an argument with a dash is an option, and the error says to put -- before an expression") {
         inFolder { folder ->
             badlog("info", folder.with("a=b.bag", BAG)).code shouldBe ExitCode.WHOLE
             val log = folder.with("a.bag", BAG)
@@ -112,7 +112,7 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("a file whose name begins with @ or - is a file") {
+    test("a name that begins with @ or - can be a file") {
         inFolder { folder -> badlog("info", "--", folder.with("@a.bag", BAG)).code shouldBe ExitCode.WHOLE }
     }
 

@@ -51,7 +51,7 @@ class BrokenFilesSpec : FunSpec({
 
     fun status(ended: Ended) = ended.json.map { it.getValue("status").jsonPrimitive.content }
 
-    test("what is not a log, missing, empty or a folder without logs: nothing could be done, in one sentence") {
+    test("a missing file, a file that is not a log and a folder without logs are reported in one sentence") {
         inFolder { folder ->
             val nothing = listOf(
                 folder.with("random.bag", Random(1).nextBytes(5000)),
@@ -72,7 +72,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("an empty file is not a log, but a finding") {
+    test("info reports an empty file as damaged, and recover and cut make nothing of it") {
         inFolder { folder ->
             val empty = folder.with("empty.bag", "")
             badlog("info", empty).code shouldBe ExitCode.SALVAGED
@@ -81,7 +81,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("what is cut is salvaged: exit code 3") {
+    test("a cut log is salvaged, with exit code 3") {
         inFolder { folder ->
             val gz = gzip(BAG.repeat(1) + "0.1,6,false,x\n".repeat(10_000))
             for (log in listOf(folder.with("cut.bag", CUT_BAG), folder.with("cut.bag.gz", gz.copyOf(gz.size / 2)))) {
@@ -94,7 +94,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("whatever is wrong in a WPILOG, nothing is a defect, and what is written of it is whole") {
+    test("results from any damaged WPILOG are whole") {
         val whole = wpilogBytes(
             listOf(
                 Logged("Speed", "double", "{\"unit\":\"m/s\"}", List(40) { it / 50.0 to it * 1.25 }),
@@ -125,7 +125,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("in a folder what is not a log is skipped, and what fails costs the others nothing") {
+    test("other files in a folder are skipped, and a failing file does not affect the others") {
         inFolder { folder ->
             folder.with("a.bag", BAG)
             folder.with("sub/b.csv", "Time,x\n0,1\n")
@@ -168,7 +168,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("no sub-command writes over what it reads, by force neither, nor over what is there without it") {
+    test("no command replaces its input, even with --force, or another file without it") {
         inFolder { folder ->
             val log = folder.with("a.bag", CUT_BAG)
             val before = log.readBytes().toList()

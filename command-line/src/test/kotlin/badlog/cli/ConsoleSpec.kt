@@ -19,7 +19,7 @@ import kotlin.io.path.div
 private const val HOSTILE = "Sp\u001b[2J\u009b\u202e\u200beed"
 
 class ConsoleSpec : FunSpec({
-    test("an answer of several lines has one kind of line ends, also on Windows, whose own is another") {
+    test("all lines end with LF, also on Windows") {
         val bytes = ByteArrayOutputStream()
         val windows = object : PrintStream(bytes, true, Charsets.UTF_8) {
             override fun println(text: String?) = print("$text\r\n")
@@ -37,7 +37,7 @@ class ConsoleSpec : FunSpec({
         return out.toString(charset)
     }
 
-    test("nothing that a log holds reaches a terminal as it is, whatever is asked for") {
+    test("control characters of a log never reach the terminal") {
         inFolder { folder ->
             val log = folder.with("ev$HOSTILE.bag", BAG.replace("Speed", HOSTILE).replace("\"42\"", "\"$HOSTILE\"").replace("\u001b[2J", "[2J"))
             val rules = folder.with("r.toml", "[[rule]]\nname='R'\nseverity='note'\neach='*eed'\nwhen='topic > 5'\ntext='{topic}'")
@@ -53,7 +53,7 @@ class ConsoleSpec : FunSpec({
         }
     }
 
-    test("what an encoding has no character for is spelled out, so that different names stay different") {
+    test("characters missing in an encoding are spelled out, so that different names stay different") {
         said("5× “Größe” …", Charsets.UTF_8) shouldBe "5× “Größe” …\n"
         said("5× “Größe” …", Charsets.ISO_8859_1) shouldBe "5× \"Größe\" ...\n"
         said("5× “Größe” …", Charsets.US_ASCII) shouldBe "5x \"Gr\\u00f6\\u00dfe\" ...\n"
@@ -70,7 +70,7 @@ class ConsoleSpec : FunSpec({
         shown(isTerminal = false) shouldBe ""
     }
 
-    test("whether a reader has gone is distinguished from a full disk") {
+    test("an ended reader is distinguished from a full disk") {
         fun after(message: String): ResultStream {
             val failing = object : OutputStream() {
                 override fun write(byte: Int) = throw IOException(message)
@@ -84,7 +84,7 @@ class ConsoleSpec : FunSpec({
         }
     }
 
-    test("many logs are not read for nobody") {
+    test("no more logs are read once the reader has ended") {
         inFolder { folder ->
             for (i in 1..9) folder.with("$i.bag", BAG)
             var writes = 0

@@ -53,10 +53,10 @@ class GuideSpec : FunSpec({
     }
 
     for (name in listOf("command-line.md", "wpilog.md", "cookbook.md", "faq.md", "advantagescope.md", "troubleshooting.md")) {
-        test("what $name shows is what the program prints") { check(name) }
+        test("$name shows the program's output") { check(name) }
     }
 
-    test("what fetch.md shows is what the program prints, beside a robot with two logs") {
+    test("fetch.md shows the program's output, beside a robot with two logs") {
         besideRobot { robot, robots ->
             robot.log("match.bag", (SAMPLES / "qualification-42.bag").readBytes(), secondsAgo = 3600)
             robot.log("elevator-bench.csv", (SAMPLES / "elevator-bench.csv").readBytes(), secondsAgo = 20 * 24 * 3600)

@@ -127,7 +127,7 @@ class ProgramOnWindowsSpec : FunSpec({
         answerOfWindows(listOf("info", "--only", "*battery voltage", "torn*.bag")) shouldBe said
     }
 
-    test("a path that begins as Windows' own programs write long ones means the same log").config(enabledOrReasonIf = { enabled }) {
+    test("a path with Windows' prefix for long paths is the same log").config(enabledOrReasonIf = { enabled }) {
         val path = "Z:$windows/$DEEP/Stück.bag".replace('/', '\\')
         answerOfWindows(listOf("info", "--json", "\\\\?\\$path")) shouldBe answerOfWindows(listOf("info", "--json", path))
     }

@@ -48,7 +48,7 @@ class ReadersOfMutantsSpec : FunSpec({
         withClue(what) { badlog(*arguments).code.code shouldBeLessThan 4 }
     }
 
-    test("any damaged log ends every command in order") {
+    test("every command ends in order on any damaged log") {
         inFolder { folder ->
             val random = Random(11)
             repeat(MUTANTS) { number ->
@@ -66,7 +66,7 @@ class ReadersOfMutantsSpec : FunSpec({
         }
     }
 
-    test("a damaged file of rules is one sentence, or rules") {
+    test("a damaged file of rules is read, or reported in one sentence") {
         val rules = RulesFile.BUILT_IN.source.encodeToByteArray()
         inFolder { folder ->
             val log = folder.with("log.bag", BAG)
@@ -84,7 +84,7 @@ class ReadersOfMutantsSpec : FunSpec({
         }
     }
 
-    test("a damaged question is a sentence, or an answer") {
+    test("a damaged question is answered, or reported in a sentence") {
         val question = "integral(if(Enabled, Speed, 0)) > 2 && count(changed(Log)) < 3 || max(Speed, 1 s) >= 1:30 and duration(Log contains 'go' for 0.02 s) > 0 s"
         inFolder { folder ->
             val log = folder.with("log.bag", BAG)

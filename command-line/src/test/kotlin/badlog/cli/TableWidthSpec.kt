@@ -55,7 +55,7 @@ class TableWidthSpec : FunSpec({
         }
     }
 
-    test("what goes to another program has no width, so nothing in it is shortened or broken") {
+    test("output for another program is neither shortened nor broken into lines") {
         inFolder { folder ->
             val log = folder.with("a folder with a long name/qualification-42-of-the-regional-championship-of-long-names.bag", LONG)
             folder.with("badlog-rules.toml", RULE)

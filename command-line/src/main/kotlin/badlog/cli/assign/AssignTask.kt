@@ -22,7 +22,7 @@ import java.nio.file.Path
 /**
  * Makes [topic] the signal [signal] in all logs beside [log].
  *
- * @param near returns which of some names a name may have been meant to be.
+ * @param near returns the names that are similar to a misspelled one.
  */
 internal class AssignTask(
     private val log: Path,
@@ -82,7 +82,7 @@ internal class AssignTask(
     }
 }
 
-/** What was assigned, for programs. */
+/** The assignment, for programs. */
 @Serializable
 private class AssignedJson(
     private val command: String,

@@ -2,7 +2,7 @@ package badlog.cli.command
 
 import com.github.ajalt.clikt.core.UsageError
 
-/** How a list of results is printed. */
+/** The form of a printed list of results. */
 internal enum class ResultForm {
     TEXT,
     CSV,

@@ -16,7 +16,7 @@ internal class CommandLine(val arguments: List<String>)
 /**
  * A subcommand with its options. Parsing only creates a [task], without running it.
  *
- * @param summary what it does, in one short sentence for the list of all commands.
+ * @param summary its purpose, in one short sentence for the list of all commands.
  * @param details further help; may be empty.
  * @param hasJson whether its results can be JSON.
  */

@@ -9,7 +9,7 @@ internal fun interface Task {
 }
 
 /**
- * How `badlog` ended, for scripts.
+ * The result of `badlog`, for scripts.
  *
  * @property code the exit code of the process.
  */

@@ -7,7 +7,7 @@ import com.github.ajalt.clikt.parameters.options.option
 
 /** `--topic`, for all commands that use topics. */
 internal class VirtualTopicOption : OptionGroup() {
-    /** What to calculate from other topics, in the order of the command line. */
+    /** The definitions of topics to calculate, in the order of the command line. */
     val definitions: List<String> by option("--topic", metavar = "FORMULA").multiple()
         .help("Add a topic: 'Power [W] = Voltage * Current'.")
 }

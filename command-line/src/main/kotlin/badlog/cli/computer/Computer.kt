@@ -27,8 +27,8 @@ internal class Computer(
     fun program(name: String): Path? = programOnPath(name, variable("PATH"))
 
     /**
-     * Returns the program of the window: where it is installed, or what [WINDOW] names; null if it is in none of the places used by its
-     * installers.
+     * Returns the program of the window: the one that [WINDOW] names, or else the installed one. Null if there is none at the places used by
+     * its installers.
      */
     fun window(): Path? = (listOf(variable(WINDOW)) + installed()).firstNotNullOfOrNull { it?.let(::executable) }
 

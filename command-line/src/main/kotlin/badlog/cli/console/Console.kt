@@ -39,7 +39,7 @@ internal class Console(
     /** Returns whether [file] only stands for the standard input or output, and is gone when the program ends. */
     fun isStandIn(file: Path): Boolean = file.toString() in names
 
-    /** Whether results are lost, because nobody reads them any more or the disk is full. */
+    /** Whether results are lost, because their reader has ended or the disk is full. */
     val isOutClosed: Boolean get() = out.checkError()
 
     /** Prints a result: [text] and a line end. */
@@ -57,10 +57,10 @@ internal class Console(
     /** Shows the progress of the work on [label], if that takes long. Must be closed. */
     fun progress(label: String): ProgressBar = ProgressBar(errSpelling.of(printable(label)), err, isTerminal)
 
-    /** Returns a line that shows the state of work without an end; null if no terminal would show it. Must be closed. */
+    /** Returns a line for the state of endless work; null if no terminal would show it. Must be closed. */
     fun status(): StatusLine? = if (isTerminal) StatusLine(err) else null
 
-    /** Shows how many files were searched for logs, if that takes long. Must be closed. */
+    /** Shows the number of files searched for logs, if that takes long. Must be closed. */
     fun searching(): SearchCount = SearchCount(err, isTerminal)
 
     /**
@@ -79,7 +79,7 @@ internal class Console(
     /** The output for bytes of a protocol; nothing else may be printed meanwhile. */
     val bytes: OutputStream get() = out
 
-    /** Returns the same console without results, for work whose result is only an intermediate step. */
+    /** Returns the same console without results, for intermediate steps. */
     fun withoutResults(): Console = Console(
         PrintStream(OutputStream.nullOutputStream()),
         err,
@@ -103,7 +103,7 @@ internal class Console(
 
     private fun String.lines(color: (String) -> String) = split('\n').joinToString("\n", transform = color)
 
-    /** In JSON, a file is called as it was typed. */
+    /** In JSON, a file has the name that was typed. */
     private fun named(text: String) = names.entries.fold(text) { all, (file, name) ->
         all.replace("\"$file\"", "\"$STAND_IN\"").replace(file, name)
     }
@@ -113,13 +113,13 @@ internal class Console(
         const val UNLIMITED = Int.MAX_VALUE
         private const val LINE_END = "\n"
 
-        /** What is typed for the standard input and output. */
+        /** The argument for the standard input or output. */
         private const val STAND_IN = "-"
     }
 }
 
 /**
- * Shows on a terminal how many files were searched for logs, if that takes noticeably long. Closing it leaves no trace.
+ * Shows on a terminal the number of files searched for logs, if that takes noticeably long. Closing it leaves no trace.
  *
  * @param patience nanoseconds before it is first shown, and between updates.
  */

@@ -3,9 +3,9 @@ package badlog.cli.console
 import java.io.IOException
 import java.io.OutputStream
 
-/** Passes bytes on to [out], and remembers why that failed, which a print stream does not report. */
+/** Passes bytes on to [out], and remembers its last failure, which a print stream does not report. */
 internal class ResultStream(private val out: OutputStream) : OutputStream() {
-    /** Why something could not be written, or null. */
+    /** The reason why something could not be written; null if all was written. */
     var failure: IOException? = null
         private set
 

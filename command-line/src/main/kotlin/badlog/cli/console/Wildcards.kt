@@ -9,11 +9,12 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * Returns [arguments] with the names of files in place of `*.bag` and the like. Elsewhere a shell does that; on Windows nobody does if the
- * pattern is in quotes, and a path cannot contain its characters. What matches no file stays as it is: an expression has `*` and `?`, too.
+ * Returns [arguments] with the names of files in place of `*.bag` and the like. On other systems the shell does that. On Windows a pattern in
+ * quotes reaches the program, and a path cannot contain its characters. An argument that matches no file is unchanged, because expressions have
+ * `*` and `?`, too.
  *
- * A `?` also stands for each letter of a name that Windows could not pass on, so that it must mean one file only. The one in `\\?\`, with
- * which programs of Windows begin long paths, is left out: Java writes it where it is needed.
+ * A `?` also replaces each letter that Windows could not pass on, so an argument with `?` must match only one file. The prefix `\\?\` of long
+ * paths is removed: Java adds it where it is needed.
  *
  * @param system the name of the operating system.
  */
@@ -49,8 +50,8 @@ private fun matching(argument: String): List<String> {
 }
 
 /**
- * Returns what to do about the one of [arguments] that is not a path on Windows, according to Java's [message], which ends with it;
- * null if it is none of them, or this [system] is another one.
+ * Returns advice on the one of [arguments] that is not a path on Windows. Java's [message] ends with it. Null if the path is not in
+ * [arguments], or if [system] is not Windows.
  */
 internal fun unreachable(arguments: List<String>, message: String, system: String = System.getProperty("os.name")): String? {
     val path = oneLine(message).split(BEFORE_PATH, limit = 2).getOrNull(1)
@@ -67,7 +68,7 @@ private fun oneLine(text: String) = text.trim().replace(Regex("\\s+"), " ")
 
 private const val WILD = "*?"
 
-/** What is before the path in Java's message: `Illegal char <*> at index 0: *.bag`. */
+/** The text before the path in Java's message: `Illegal char <*> at index 0: *.bag`. */
 private val BEFORE_PATH = Regex("Illegal char <.> at index \\d+: ")
 
 /** `\\?\C:\…` or `\\?\UNC\server\…`, as an argument or as the value of an option. */

@@ -40,7 +40,7 @@ import java.nio.file.Path
  * Writes logs in another format.
  *
  * @param virtualTopics definitions of topics to add.
- * @param only which topics to write.
+ * @param only the topics to write.
  */
 internal class ConvertTask(
     private val paths: List<Path>,
@@ -105,8 +105,8 @@ internal class ConvertTask(
     }
 
     /**
-     * Returns whether this entry is one of the topics of [recording], or needed by them. The names of a struct's fields begin with that of
-     * its entry.
+     * Returns whether to keep this entry: the topics of [recording], values, schemas, and everything if no topics are selected. The names of a
+     * struct's fields begin with the entry's name.
      */
     private fun RecordEntry.isWanted(recording: Recording) = only.isAll || isValue || SCHEMAS in "/$name" ||
         recording.topics.any { it.name == name || it.name.startsWith("$name/") || it.name.startsWith("$name (") }

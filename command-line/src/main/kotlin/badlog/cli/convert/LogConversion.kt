@@ -3,10 +3,10 @@ package badlog.cli.convert
 import badlog.cli.output.LogFormat
 
 /**
- * How logs are converted.
+ * The options for converting logs.
  *
  * @property isGzip whether to compress results although their logs were not.
- * @property xTopic the topic to make the x axis, or null.
+ * @property xTopic the topic to make the x axis; null for the log's own.
  * @property rows the times of rows for a log without rows, if the format needs them.
  * @property isChangesOnly whether to skip samples that equal the previous ones.
  */

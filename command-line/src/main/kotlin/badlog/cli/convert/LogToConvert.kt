@@ -14,9 +14,9 @@ import badlog.signals.withVirtualTopics
  * The log of [input], read to be written in another format.
  *
  * @param virtualTopics definitions of topics to add.
- * @param only which topics are wanted.
- * @param needed topics that are wanted besides.
- * @throws Failure when there is nothing in it, or none of what is wanted.
+ * @param only the selected topics.
+ * @param needed further topics to keep.
+ * @throws Failure if it has no topics, or none of the selected ones.
  */
 internal class LogToConvert(
     input: LogInput,
@@ -39,6 +39,6 @@ internal class LogToConvert(
     /** The names of the topics that were added. */
     val added: Set<String> = all.view.recording.topics.drop(read.topics.size).mapTo(HashSet()) { it.name }
 
-    /** What of it is wanted. */
+    /** The part of it with the selected topics. */
     val wanted: Recording = only.of(all.view, input.file, needed)
 }

@@ -27,10 +27,10 @@ import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
 
 /**
- * Writes logs as Parquet files, each with the columns that `badlog lake` gives it.
+ * Writes logs as Parquet files, each with the same columns as in `badlog lake`.
  *
  * @param virtualTopics definitions of topics to add.
- * @param only which topics to write.
+ * @param only the topics to write.
  */
 internal class ParquetTask(
     private val paths: List<Path>,
@@ -67,10 +67,10 @@ internal class ParquetTask(
     }
 
     companion object {
-        /** What `--to` calls it. */
+        /** Its name for `--to`. */
         const val OPTION = "parquet"
 
-        /** How the names of such files end. */
+        /** The ending of such files. */
         const val ENDING = ".parquet"
     }
 }

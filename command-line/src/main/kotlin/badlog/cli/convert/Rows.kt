@@ -15,7 +15,7 @@ import java.nio.file.Path
  * The times of rows for a log without rows.
  *
  * @param period the time between rows, in seconds; null for [DEFAULT_PERIOD].
- * @property topic a topic whose times are used instead, or null.
+ * @property topic a topic with times to use instead; null for none.
  */
 internal class Rows(private val period: Double?, val topic: String?) {
     /**
@@ -39,7 +39,7 @@ internal class Rows(private val period: Double?, val topic: String?) {
     }
 }
 
-/** Returns what rows at [times] omit of [recording], whose topics have times of their own. */
+/** Returns the omissions of rows at [times] from [recording], with topics at times of their own. */
 internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
     val between = recording.topics.sumOf { samplesBetween(it, times) }
     val topics = recording.topics

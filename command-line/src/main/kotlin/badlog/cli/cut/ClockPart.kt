@@ -44,7 +44,7 @@ internal class ClockPart private constructor(val indices: IntArray, val times: D
         /** The times of a WPILOG are whole microseconds. */
         const val MICROS = 1e6
 
-        /** Returns the first index in [times], which ascend, for which [isThere] is true, as it is for all that follow. */
+        /** Returns the first index in [times] at which [isThere] is true. Times ascend, and it is true for all later ones. */
         inline fun firstWhere(times: DoubleArray, isThere: (Double) -> Boolean): Int {
             var low = 0
             var high = times.size

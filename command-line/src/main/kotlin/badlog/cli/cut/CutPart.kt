@@ -48,7 +48,7 @@ internal fun nothingThere(view: LogView, noun: String): Failure {
 }
 
 /**
- * Returns the samples of [view], whose topics have times of their own, in [spans], which ascend. A value holds until the next
+ * Returns the samples of [view] in [spans], which ascend. The topics have times of their own. A value holds until the next
  * one: at the start of a span, each topic has the value that holds there. Events do not hold.
  *
  * @throws badlog.cli.input.Failure if there are none.

@@ -37,8 +37,8 @@ import java.nio.file.Path
 /**
  * Writes a part of each log.
  *
- * @param choices what to keep: the intersection of all of them.
- * @param xTopic the topic to use as x axis, or null.
+ * @param choices the choices of parts; their intersection is kept.
+ * @param xTopic the topic to use as x axis; null for the log's own.
  */
 internal class CutTask(
     private val paths: List<Path>,

@@ -13,7 +13,7 @@ internal fun interface PartChoice {
     /**
      * Returns the spans of x to keep; they may overlap.
      *
-     * @throws badlog.cli.input.Failure if the log lacks what is needed to select.
+     * @throws badlog.cli.input.Failure if the log lacks the data for the selection.
      */
     fun spans(view: LogView): List<Span>
 }
@@ -40,7 +40,7 @@ internal class EnabledChoice(private val margin: Double) : PartChoice {
     }
 }
 
-/** The time around each event, or change of state, whose text contains [text], regardless of case. */
+/** The time around each event, or change of state, with [text] in its text, regardless of case. */
 internal class EventChoice(private val text: String, private val before: Double, private val after: Double) : PartChoice {
     override fun spans(view: LogView): List<Span> {
         val x = view.xAxis.positions

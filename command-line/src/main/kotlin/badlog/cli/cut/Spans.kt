@@ -17,7 +17,7 @@ internal fun joined(spans: List<Span>): List<Span> {
     return joined
 }
 
-/** Returns the intersection of [one] and [other], both of which ascend and do not touch. */
+/** Returns the intersection of [one] and [other]. The spans of each ascend and do not touch. */
 internal fun intersection(one: List<Span>, other: List<Span>): List<Span> = buildList {
     var i = 0
     var j = 0
@@ -29,7 +29,7 @@ internal fun intersection(one: List<Span>, other: List<Span>): List<Span> = buil
     }
 }
 
-/** Returns which rows are in one of [spans]; [positions] has the x of each. A row without x belongs with the previous row. */
+/** Returns the rows in one of [spans]; [positions] has the x of each row. A row without x belongs to the previous row. */
 internal fun rowsIn(positions: DoubleArray, spans: List<Span>): BitSet {
     val rows = BitSet(positions.size)
     val apart = joined(spans)

@@ -31,8 +31,8 @@ internal enum class CheckState(val word: String) {
 /**
  * A line of a check-up.
  *
- * @property name what was checked.
- * @property text what was found, and what to do unless it is [CheckState.OK].
+ * @property name the subject of the check.
+ * @property text the result, with advice unless it is [CheckState.OK].
  */
 internal class CheckFinding(val name: String, val state: CheckState, val text: String)
 
@@ -40,7 +40,7 @@ internal class CheckFinding(val name: String, val state: CheckState, val text: S
  * Checks what [computer] has for badlog.
  *
  * @param addresses where a robot may answer; null to check no robot.
- * @param patience how long a robot may take to answer.
+ * @param patience the time that a robot may take to answer.
  */
 internal class Checkup(private val computer: Computer, private val addresses: List<RobotAddress>?, private val patience: Duration) {
     /** Returns one finding for each check. */

@@ -52,7 +52,7 @@ internal class FetchTask(
         return outcomes.end(isNothingFine = true)
     }
 
-    /** Returns why nothing more can currently be fetched, or null. */
+    /** Fetches all new logs. Returns the reason if that fails, or null. */
     private fun once(fetch: LogFetch, talk: FetchTalk): String? = try {
         fetch.run(talk)
         null
@@ -64,7 +64,7 @@ internal class FetchTask(
         e.message
     }
 
-    /** Reports what happens. While watching, only changes are reported. */
+    /** Reports events. While watching, only changes are reported. */
     private inner class FetchTalk(private val console: Console, private val outcomes: Outcomes) :
         FetchListener,
         AutoCloseable {

@@ -6,13 +6,13 @@ import badlog.files.UserFolders
 import java.nio.file.Path
 
 /**
- * Where robots answer, and what is known about them.
+ * The addresses and passwords of robots.
  *
  * @property addressesOf returns the addresses of a robot that a person typed, with the given user unless that is
  * null.
  * @property settings returns the folder of settings.
- * @property password the robot's password, or null for the known ones.
- * @property patience how long to wait.
+ * @property password the robot's password; null for the known ones.
+ * @property patience the time to wait for an answer.
  */
 internal class Robots(
     val addressesOf: (robot: String, user: String?) -> List<RobotAddress>,

@@ -21,7 +21,7 @@ import kotlin.math.roundToLong
 /**
  * Everything about one log, for people, in lines that fit a terminal.
  *
- * @param parts what to show below its summary.
+ * @param parts the parts to show below its summary.
  * @param signals the topics recognized as signals.
  * @param width the number of columns.
  */
@@ -34,7 +34,7 @@ internal class InfoText(
     private val view = summary.view
     private val recording = view.recording
 
-    /** The width of sentences, which nobody reads in longer lines. */
+    /** The width of sentences: longer lines are hard to read. */
     private val lineWidth = minOf(width, LINE_WIDTH)
 
     /** Returns the lines, without a newline at their end. */
@@ -50,7 +50,7 @@ internal class InfoText(
         },
     ).filter { it.isNotEmpty() }.joinToString("\n\n") { it.joinToString("\n") }
 
-    /** Returns what a person must know even if they asked for something else; that all is well is shown only on request. */
+    /** Returns the problems to show with any other answer, and the number of hints. */
     private fun worstLines(): List<String> {
         val (hints, others) = view.problems.partition { it.severity == Severity.NOTE }
         val more = if (hints.isEmpty()) emptyList() else listOf("${counted(hints.size.toLong(), "hint")}: see --problems")

@@ -12,7 +12,7 @@ import java.nio.file.Path
  * A summary of one log.
  *
  * @property bytes the size of its file.
- * @param numbers what is known about numbers that are not in [view].
+ * @param numbers the summaries of numbers that are not in [view].
  * @param only the topics to include.
  */
 internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, numbers: StreamedNumbers, only: TopicChoice) {
@@ -34,10 +34,10 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, nu
  * A summary of one topic.
  *
  * @property count the number of its samples: numbers, or texts of states and events.
- * @property rate samples per second from its first to its last, or null if x is not a time or they are at the same x.
- * @property min the smallest finite number, NaN without any.
- * @property max the largest finite number, NaN without any.
- * @property gaps the number of gaps; null for texts and sparse topics, in which they mean nothing.
+ * @property rate samples per second from its first to its last; null if x is not a time or they are at the same x.
+ * @property min the smallest finite number; NaN if there is none.
+ * @property max the largest finite number; NaN if there is none.
+ * @property gaps the number of gaps; null for texts and sparse topics, which always have them.
  */
 internal class TopicSummary private constructor(
     val topic: Topic,
@@ -51,7 +51,7 @@ internal class TopicSummary private constructor(
     val hasTexts: Boolean get() = isText(topic.kind)
 
     companion object {
-        /** Returns the summary of [topic] with [numbers], over [xAxis], whose unit is [secondsPerX] seconds. */
+        /** Returns the summary of [topic] with [numbers], over [xAxis] in units of [secondsPerX] seconds. */
         fun of(topic: Topic, numbers: NumberSummary, xAxis: XAxis, secondsPerX: Double?): TopicSummary {
             val x = topic.times ?: xAxis.positions
             val isText = isText(topic.kind)

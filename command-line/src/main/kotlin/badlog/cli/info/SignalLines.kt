@@ -6,7 +6,7 @@ import badlog.signals.vocabulary.SignalTopic
 import kotlinx.serialization.Serializable
 
 /**
- * Returns which topics were recognized as which signals, and why, in lines of [width] columns; without a limit, names are not shortened.
+ * Returns the topics that were recognized as signals, with the reasons, in lines of [width] columns; without a limit, names are not shortened.
  */
 internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
     if (signals.isEmpty()) return listOf("No topic matches a known signal; docs/signals.md explains how to name yours.")
@@ -29,7 +29,7 @@ internal class SignalJson private constructor(
     constructor(topic: SignalTopic) : this(topic.signal, topic.topic, topic.unit, topic.reason)
 }
 
-/** With more topics than this, such as the channels of a power distribution or the buttons of a controller, one stands for all. */
+/** The most similar topics to list. More, such as the channels of a power distribution or the buttons of a controller, are shortened to one. */
 private const val MOST_ALIKE = 3
 
 private val COLUMNS = listOf("SIGNAL", "TOPIC", "UNIT", "WHY").map { Column(it) }

@@ -22,12 +22,12 @@ internal class FileName private constructor(val stem: String, val ending: String
     /** Returns the same name with another ending. */
     fun with(ending: String, isGzip: Boolean = this.isGzip): String = "$stem$ending${if (isGzip) GZIP else ""}"
 
-    /** Returns the name of a file of the same log in another format, whose ending is [ending]. */
+    /** Returns the name of a file of the same log in another format with [ending]. */
     fun like(ending: String): FileName = FileName(stem, ending, isGzip)
 
     /** Returns the same name, with its stem shortened if it is too long for file systems. */
     fun fitting(): FileName {
-        // A file that is not a log has another ending, such as that of a page.
+        // A file that is not a log has another ending, such as `.html`.
         val other = "." + stem.substringAfterLast('.', "")
         if (other.length == 1 || other.length > MAX_ENDING || stem.encodeToByteArray().size <= MAX_BYTES) {
             return FileName(startOfBytes(stem, MAX_BYTES), ending, isGzip)
@@ -38,7 +38,7 @@ internal class FileName private constructor(val stem: String, val ending: String
     override fun toString(): String = with(ending)
 
     companion object {
-        /** File systems allow 255 in total, of which endings and numbers need some. */
+        /** File systems allow 255 in total; endings and numbers need some of them. */
         private const val MAX_BYTES = 220
         private const val MAX_ENDING = 6
         private const val GZIP = ".gz"

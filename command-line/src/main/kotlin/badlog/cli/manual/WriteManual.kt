@@ -20,7 +20,7 @@ fun main(arguments: Array<String>) {
     }
 }
 
-/** Returns the manual pages by their paths, such as `man/man1/badlog-cut.1`: one of each command, and that of `badlog` itself. */
+/** Returns the manual pages by their paths, such as `man/man1/badlog-cut.1`: one for each command, and one for `badlog` itself. */
 internal fun manual(): Map<String, String> {
     val names = listOf(null) + badlogCommand().registeredSubcommandNames()
     val pages = names.map { pageOf(it) }

@@ -1,8 +1,8 @@
 package badlog.cli.merge
 
 /**
- * The rows of several logs in one sequence: in the order of x if they have one, but never against the order of their own
- * log, whose clock may have been set. A row that several logs have, cell by cell, is included once.
+ * The rows of several logs in one sequence. They are in the order of x if they have one, but never against the order of their own
+ * log, because its clock may have been set. A row that several logs have, cell by cell, is included once.
  *
  * @param logs the logs; without x, they stay in this order.
  */

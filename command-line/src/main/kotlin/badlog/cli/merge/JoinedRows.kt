@@ -1,6 +1,6 @@
 package badlog.cli.merge
 
-/** Several sequences of rows side by side: a row for each x of any of them; those that have the same x share the row. */
+/** Several sequences of rows side by side: a row for each x of any of them. Rows with the same x become one row. */
 internal class JoinedRows(private val groups: List<AppendedRows>) {
     private val rows = List(groups.size) { IntArray(groups.sumOf { it.size }) }
 

@@ -11,14 +11,14 @@ import badlog.core.recording.Topic
 /**
  * Makes one recording of [parts], two or more, which must all have rows.
  *
- * @throws Failure if nothing shows how their rows belong together.
+ * @throws Failure if their rows have no common clock.
  */
 internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     private val groups: List<AppendedRows> = mode.groupsOf(parts).map(::AppendedRows)
     private val joined: JoinedRows
     private val first = parts.first()
 
-    // The x topic of all, or null if x is the row's index.
+    // The x topic of all; null if x is the row's index.
     private val xTopic: Topic?
 
     private val names = MergedNames()
@@ -99,19 +99,19 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     private fun isOther(unit: String, than: String) = unit != than && !Units.isNone(unit) && !Units.isNone(than)
 }
 
-/** How logs become one. */
+/** The ways to make one log of several. */
 internal enum class MergeMode {
-    /** Those with the same topics one after the other, then those with different ones side by side. */
+    /** Logs with the same topics one after the other, then these groups side by side. */
     BY_TOPICS,
 
-    /** All one after the other; topics that one lacks are empty there. */
+    /** All logs one after the other; topics that a log lacks are empty there. */
     APPEND,
 
-    /** All side by side. */
+    /** All logs side by side. */
     JOIN,
     ;
 
-    /** Returns which of [parts] follow each other; those in different lists are side by side. */
+    /** Returns [parts] in groups: logs in one group follow each other, and groups are side by side. */
     fun groupsOf(parts: List<LogPart>): List<List<LogPart>> = when (this) {
         APPEND -> listOf(parts)
         JOIN -> parts.map(::listOf)

@@ -7,7 +7,7 @@ import badlog.core.recording.Recording
  *
  * @property recording the recording with all of them.
  * @property groups the groups of logs that are side by side; those in one group follow each other.
- * @property renamed what has a different name than in its log.
+ * @property renamed the topics and values with another name than in their log.
  */
 internal class Merged(val recording: Recording, val groups: List<Group>, val renamed: List<Renaming>) {
     /**

@@ -8,10 +8,10 @@ import badlog.rules.PART_VALUE
 internal class MergedNames {
     private val taken = HashSet<String>()
 
-    /** What has a different name than in its log. */
+    /** The topics or values with another name than in their log. */
     val renamed = ArrayList<Renaming>()
 
-    /** Returns [name], or, if that is taken, or for [reason] if there is one, [name] in a folder with the file name of [part]. */
+    /** Returns [name]. If it is taken, returns it in a folder with the file name of [part], and records that with [reason]. */
     fun take(name: String, part: LogPart, reason: String = ""): String {
         if (taken.add(name)) return name
         val inFolder = "${part.folder}/$name"

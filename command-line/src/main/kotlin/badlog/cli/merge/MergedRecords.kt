@@ -38,7 +38,7 @@ internal class MergedRecords(parts: List<LogPart>, mode: MergeMode) {
     private val schemas = HashMap<Pair<String, String>, SharedEntry>()
     private val groups: List<List<LogPart>> = mode.groupsOf(parts).map { group -> group.sortedBy { it.firstX } }
 
-    /** What the logs with rows contain and records cannot express. */
+    /** The content of logs with rows that records cannot express. */
     var leftOut = Omissions()
         private set
 

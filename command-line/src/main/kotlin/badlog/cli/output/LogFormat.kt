@@ -37,7 +37,7 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
      *
      * @param changesOnly whether to skip a sample that equals the previous one; only in a format without rows.
      * @param progress called with the amount written so far, and the total.
-     * @return what this format cannot express.
+     * @return the content that this format cannot express.
      */
     fun write(
         recording: Recording,
@@ -69,17 +69,17 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
             entries.find { it.ending == name.ending.lowercase() } ?: BAG.takeIf { name.ending.lowercase() == ".badbag" }
         }
 
-        /** Returns the format most similar to the one [recording] was read from. */
+        /** Returns the format of the file that [recording] was read from, or else WPILOG. */
         fun of(recording: Recording): LogFormat = entries.find { it.recordingFormat == recording.format } ?: WPILOG
 
-        /** Returns the name of a log made from [recording]: that of its [file], if that has the format in which it is written. */
+        /** Returns the name of a log made from [recording]: the name of its [file], with another ending if its format cannot be written. */
         fun nameFor(file: Path, recording: Recording): FileName = FileName.of(file).let { name ->
             if (entries.any { it.recordingFormat == recording.format }) name else name.like(of(recording).ending)
         }
     }
 }
 
-/** Writes the rows [runs] of [recording], or all samples of one without rows, as a WPILOG; returns what that cannot express. */
+/** Writes the rows [runs] of [recording], or all samples of one without rows, as a WPILOG. Returns the omissions. */
 internal fun writeSamples(
     recording: Recording,
     runs: List<IntRange>,

@@ -6,12 +6,12 @@ import badlog.cli.text.wrapped
 import badlog.formats.wpilog.Omission
 
 /**
- * What a written file cannot express, or contains differently than its source.
+ * The differences of a written file from its source.
  *
- * @param things what is missing, each as a short text such as `38 units`.
- * @param omissions what a WPILOG cannot express.
- * @param remarks what else is missing, each as a sentence without its end.
- * @property hasLoss whether samples are missing that nobody asked to leave out.
+ * @param things the missing content, each as a short text such as `38 units`.
+ * @param omissions the content that a WPILOG cannot express.
+ * @param remarks other missing content, each as a sentence without its end.
+ * @property hasLoss whether samples are missing although all were requested.
  */
 internal class Omissions(
     private val things: List<String> = emptyList(),
@@ -19,10 +19,10 @@ internal class Omissions(
     private val remarks: List<String> = emptyList(),
     val hasLoss: Boolean = false,
 ) {
-    /** The text after the count of what was written. */
+    /** The text after the count of the written content. */
     val tail: String get() = if (things.isEmpty()) "" else "; the file cannot hold ${things.joinToString()}"
 
-    /** The lines below it: one or more for each kind of difference, however many topics that concerns. */
+    /** The lines below it: one or more for each kind of difference, for all topics together. */
     val lines: List<String>
         get() = remarks.map { wrapped("  ", it, indent = INDENT) } + omissions.groupBy { it.what }.map { (what, alike) ->
             wrapped("  differs: ", what.removeSuffix(".") + placeOf(alike) + ".", indent = INDENT)
@@ -52,7 +52,7 @@ internal class Omissions(
     companion object {
         private const val INDENT = 4
 
-        /** Returns [count] of [noun] as one of the things, or null for 0. */
+        /** Returns [count] with [noun], as a missing thing; null for 0. */
         fun thing(count: Int, noun: String): String? = if (count == 0) null else counted(count.toLong(), noun)
     }
 }

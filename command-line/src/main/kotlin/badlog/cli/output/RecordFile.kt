@@ -51,5 +51,5 @@ internal fun Recording.isEvent(entry: RecordEntry): Boolean =
 /** The attribute of events. */
 internal const val EVENT_LOG = "log"
 
-/** The suffix of a topic whose name another one also has. */
+/** The suffix of a topic that has the same name as another one. */
 private val NUMBERED = Regex(""" \(\d+\)""")

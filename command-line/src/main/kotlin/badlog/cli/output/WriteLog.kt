@@ -18,7 +18,7 @@ import java.util.zip.GZIPOutputStream
  * Writes the rows [runs] of [recording], or its samples, to [target], atomically; gzipped if its name ends in `.gz`.
  *
  * @param changesOnly whether to skip samples that equal the previous ones.
- * @return what [format] cannot express.
+ * @return the content that [format] cannot express.
  * @throws badlog.files.UnwritableFileException if it cannot be written.
  * @throws badlog.cli.input.Failure if the format needs rows, and there are none.
  */

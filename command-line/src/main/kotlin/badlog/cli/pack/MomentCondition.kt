@@ -12,11 +12,11 @@ import kotlin.math.max
 import kotlin.math.roundToInt
 
 /**
- * Returns a condition that is true at [moment] of [view] and nowhere outside [around], or at least not elsewhere in [around]: about the topic
- * that is then farthest from what it is otherwise, with a limit halfway between both. It is only a beginning, which a person may change. Null
- * if no topic has a value then that it does not also have otherwise.
+ * Returns a condition that is true at [moment] of [view] and nowhere outside [around]; if there is none, one that is true nowhere else in
+ * [around]. It is about the topic that differs most from its other samples, with a limit halfway between both. It is only a beginning, which a
+ * person may change. Null if no topic has an unusual value at the moment.
  *
- * @param near how far from [moment] a sample still belongs to it.
+ * @param near the distance from [moment] up to which a sample belongs to it.
  */
 internal fun conditionAt(view: LogView, moment: Double, around: Span, near: Double): String? {
     val signals = LogViewSignals(view)
@@ -36,11 +36,11 @@ internal fun conditionAt(view: LogView, moment: Double, around: Span, near: Doub
 /**
  * A condition about a topic.
  *
- * @property distance how far the samples of the moment are from the others, as a share of the others' range.
+ * @property distance the distance of the moment's samples from the others, as a share of the others' range.
  */
 private class MomentLimit(val text: String, val distance: Double)
 
-/** The samples of [series] within [moment], and those at other times, for which [isOther] is true. */
+/** The samples of [series] within [moment], and the samples at other times that fulfill [isOther]. */
 private class MomentSamples(series: Series, moment: Span, isOther: (Double) -> Boolean) {
     private val own = ArrayList<Double>()
     private val others = ArrayList<Double>()
@@ -57,7 +57,7 @@ private class MomentSamples(series: Series, moment: Span, isOther: (Double) -> B
         }
     }
 
-    /** Returns a condition for [topic], whose samples are numbers; null if nothing sets them apart. */
+    /** Returns a condition for [topic] with numbers; null if the moment's numbers are not set apart. */
     fun limit(topic: String): MomentLimit? {
         if (own.isEmpty() || others.size < FEWEST) return null
         val below = others.min() - own.min()
@@ -70,7 +70,7 @@ private class MomentSamples(series: Series, moment: Span, isOther: (Double) -> B
         return MomentLimit("$topic ${if (below >= above) "<" else ">"} ${plain(limit, gap)}", gap / range)
     }
 
-    /** Returns a condition for [topic], whose samples are truth values; null if nothing sets them apart. */
+    /** Returns a condition for [topic] with truth values; null if the moment's values are not set apart. */
     fun truth(topic: String): MomentLimit? {
         val isSteady = others.size >= FEWEST && others.all { it == others[0] }
         if (!isSteady || own.all { it == others[0] }) return null

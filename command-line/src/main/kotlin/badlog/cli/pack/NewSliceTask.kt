@@ -19,7 +19,7 @@ import kotlinx.serialization.Serializable
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Cuts the slice that [order] asks for into the pack [pack], which is begun if there is none, and adds its rule if that is new. */
+/** Cuts the slice for [order] into the pack [pack], which is created if it does not exist. Adds the rule if it is new. */
 internal class NewSliceTask(private val pack: Path, private val order: SliceOrder, private val isJson: Boolean) : Task {
     override fun run(console: Console): ExitCode = try {
         val made = console.progress("${order.log.fileName}").use(::make)
@@ -36,7 +36,7 @@ internal class NewSliceTask(private val pack: Path, private val order: SliceOrde
     /**
      * @property file the slice.
      * @property condition the condition of the rule; null if there was one before.
-     * @property verdict what the rule says of the slice.
+     * @property verdict the verdict of the rule on the slice.
      */
     internal class Made(val file: Path, val cut: SliceCut, val condition: String?, val verdict: SliceVerdict)
 

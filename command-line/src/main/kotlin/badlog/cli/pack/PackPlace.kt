@@ -5,13 +5,13 @@ import java.nio.file.Files
 import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 
-/** Finds packs whose endings may have been left out. */
+/** Finds packs by names that may lack an ending. */
 internal object PackPlace {
-    /** Returns the pack that [typed] means: one whose name it begins, or itself. */
+    /** Returns [typed] with the ending of an existing pack, or else unchanged. */
     fun existing(typed: Path): Path =
         listOf(RulePack.ENDING, RulePack.ZIP_ENDING).map { typed.with(it) }.firstOrNull { Files.exists(it, NOFOLLOW_LINKS) } ?: typed
 
-    /** Returns the pack that [typed] means, or a new one, whose name has the ending with which it is used beside logs. */
+    /** Returns the existing pack for [typed], or a new one with the ending of packs beside logs. */
     fun forWriting(typed: Path): Path = existing(typed).let { pack ->
         if (Files.exists(pack, NOFOLLOW_LINKS) || "$pack".endsWith(RulePack.ENDING)) pack else typed.with(RulePack.ENDING)
     }

@@ -28,10 +28,10 @@ internal class PackRules(folder: Path) {
 
     private fun isEmpty(folder: Path) = Files.isDirectory(folder) && Files.newDirectoryStream(folder).use { it.none() }
 
-    /** Returns whether slices can be for the rule [name]: one of the pack, or a built-in one. */
+    /** Returns whether [name] is a rule that slices can be for, in the pack or built in. */
     fun has(name: String): Boolean = name in names || RuleSet.BUILT_IN.rules.any { it.name == name }
 
-    /** Writes the file if there is none, and adds a rule [name] with [condition] unless that is null. */
+    /** Writes the file if it does not exist, and adds a rule [name] with [condition] unless that is null. */
     fun add(name: String, condition: String?) {
         val before = if (Files.exists(file)) Files.readString(file).trimEnd() + "\n" else BEGINNING
         val text = if (condition == null) before else "$before\n${ruleText(name, condition)}"

@@ -6,11 +6,11 @@ import badlog.core.recording.Topic
 import badlog.core.recording.Value
 
 /**
- * Removes from a log what says whose it is: team number, addresses in a network, names of people and of their files. Numbers stay, and so do
- * the names of topics and of the event.
+ * Removes the traces of a log's owner: team number, network addresses, names of people and of their files. Numbers stay, and so do the names
+ * of topics and of the event.
  */
 internal class Privacy(recording: Recording) {
-    /** What is removed, in the order in which it is reported. */
+    /** The kinds of removed texts, in the order of the report. */
     enum class Kind(val noun: String, val nouns: String, val mark: String) {
         TEAM("team number", "team numbers", "[team]"),
         ADDRESS("address", "addresses", "[address]"),
@@ -18,7 +18,7 @@ internal class Privacy(recording: Recording) {
         PATH("path", "paths", "[path]"),
     }
 
-    /** How often each was removed. */
+    /** The number of removals of each kind. */
     val removed: Map<Kind, Int> get() = counts
     private val counts = sortedMapOf<Kind, Int>()
 
@@ -41,7 +41,7 @@ internal class Privacy(recording: Recording) {
 
     private val words = known.map { (kind, text) -> kind to wordOf(text) }
 
-    /** Returns [recording], the one that was examined or a part of it, without what is private. */
+    /** Returns [recording], the examined one or a part of it, without private texts. */
     fun without(recording: Recording): Recording = recording.copy(
         // Keys of the first line that badlog does not know may hold anything.
         headerLine = null,
@@ -49,7 +49,7 @@ internal class Privacy(recording: Recording) {
         topics = recording.topics.filter { !isNumberOfTeam(it) }.map(::without),
     )
 
-    /** Returns [text] without what is private. */
+    /** Returns [text] with marks in place of its private parts. */
     fun without(text: String): String {
         val general = FORMS.fold(text) { left, (kind, form) -> form.replace(left, kind) }
         return words.fold(general) { left, (kind, form) -> form.replace(left, kind) }
@@ -67,7 +67,7 @@ internal class Privacy(recording: Recording) {
 
         isPerson(value.name) -> value.copy(text = removed(Kind.PERSON))
 
-        // The number of a match may be that of the team.
+        // The number of a match may equal the team's.
         endOf(value.name).startsWith("match") -> value
 
         else -> value.copy(text = without(value.text))
@@ -83,7 +83,7 @@ internal class Privacy(recording: Recording) {
         return if (texts == topic.texts.dictionary) cleaned else cleaned.copy(texts = topic.texts.with(texts))
     }
 
-    /** Returns these texts, which are now called [texts]; of each there is one. */
+    /** Returns these texts with [texts] as the dictionary, each only once. */
     private fun TextColumn.with(texts: List<String>): TextColumn {
         val dictionary = texts.distinct()
         val place = dictionary.withIndex().associate { (index, text) -> text to index }
@@ -115,7 +115,7 @@ internal class Privacy(recording: Recording) {
 
         private fun endOf(name: String) = name.substringAfterLast('/').lowercase().filter { it.isLetterOrDigit() }
 
-        /** A short number or name would also be a part of texts that have nothing to do with it. */
+        /** A short number or name would also be a part of unrelated texts. */
         fun isDistinctive(kind: Kind, text: String) = text.length >= SHORTEST && when (kind) {
             Kind.TEAM -> text.length <= LONGEST_TEAM && text.all(Char::isDigit)
             else -> text.lowercase() !in NOBODY

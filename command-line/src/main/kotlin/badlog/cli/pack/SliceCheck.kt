@@ -14,11 +14,11 @@ import badlog.signals.overItsTime
 import java.nio.file.Files
 
 /**
- * What a rule found in a slice.
+ * The result of a rule in a slice.
  *
  * @property rule the name of the rule; null if there is none for the slice.
- * @property text what it found, or why it found nothing, as a sentence or more.
- * @property passes whether that is what the slice demands.
+ * @property text the result and its reason, as a sentence or more.
+ * @property passes whether the slice demands this result.
  * @property isMistake whether the rule itself is wrong.
  */
 internal class SliceVerdict(

@@ -18,7 +18,7 @@ import badlog.signals.overItsTime
 import badlog.signals.withSignals
 
 /**
- * The slice that [order] asks for, cut from its log.
+ * The slice for [order], cut from its log.
  *
  * @throws Failure if the log has no such moment.
  */
@@ -31,7 +31,7 @@ internal class SliceCut(private val order: SliceOrder, progress: Progress) {
     private val second: Double = if (Units.isNone(unit) && !view.xAxis.isIndex) 1.0 else 1 / (Units.secondsIn(unit) ?: throw noTime())
     private val moment: Double = order.at.on(view.xAxis)
 
-    /** Where it is in the log. */
+    /** The range of the slice on the log's x axis. */
     val span: Span
 
     init {
@@ -46,25 +46,25 @@ internal class SliceCut(private val order: SliceOrder, progress: Progress) {
 
     private val privacy = Privacy(view.recording)
 
-    /** It, without what is private. */
+    /** The slice, without private texts. */
     val recording: Recording = privacy.without(part()).let { it.copy(values = it.values.ofPart(place)) }
 
     /** The format in which it can be written. */
     val format: LogFormat get() = if (recording.format.hasRows) LogFormat.BAG else LogFormat.WPILOG
 
-    /** What is not in it, since it is private, and how often that occurs. */
+    /** The number of private texts that were removed, by kind. */
     val removed: Map<Privacy.Kind, Int> get() = privacy.removed
 
     /** Its place in the log, for people. */
     val place: String get() = "${XTime.text(span.from, unit)} to ${XTime.text(span.to, unit)}"
 
-    /** Returns its name, made from [stem], that of its log. */
+    /** Returns the slice's name, made from the log's name [stem]. */
     fun nameFrom(stem: String): String = "${privacy.without(stem)} at ${XTime.text(moment, unit)}"
 
     /**
      * Returns the condition of a new rule that holds at its middle.
      *
-     * @throws Failure if it was not given, and nothing sets the moment apart.
+     * @throws Failure if it was not given, and no topic has an unusual value at the moment.
      */
     fun condition(): String = order.condition ?: conditionAt(view, moment, span, NEAR * second) ?: throw Failure(
         "Nothing in ${order.log} is unusual at ${XTime.text(moment, unit)}; say with --when what the rule is about, as in " +
@@ -81,10 +81,10 @@ internal class SliceCut(private val order: SliceOrder, progress: Progress) {
         Failure("${order.log} has no x axis in a unit of time; make one of its topics the x axis with badlog convert --x.")
 
     private companion object {
-        /** How far a slice reaches to both sides, in s. */
+        /** The length of a slice before and after its moment, in s. */
         const val REACH = 10.0
 
-        /** What still belongs to the moment, in s: nobody names one more precisely. */
+        /** The distance up to which a sample belongs to the moment, in s: people do not give moments more precisely. */
         const val NEAR = 0.5
     }
 }

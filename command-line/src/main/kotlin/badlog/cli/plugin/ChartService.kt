@@ -3,7 +3,7 @@ package badlog.cli.plugin
 import badlog.report.LogReport
 import badlog.report.page.PageCharts
 
-/** What `badlog report --charts` calls: draws charts of many logs. */
+/** Draws charts of many logs, for `badlog report --charts`. */
 public interface ChartService {
     /**
      * Returns the charts of [logs].

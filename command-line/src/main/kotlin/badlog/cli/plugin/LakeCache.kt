@@ -8,16 +8,16 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.name
 
 /**
- * Where the lakes are that badlog makes for itself: one for each folder of logs that was asked about.
+ * The lakes that badlog makes for itself: one for each queried folder of logs.
  *
- * @param answers where answers are kept between runs; lakes stand beside it.
- * @param layoutVersion the version of the layout that they have.
+ * @param answers the folder of cached answers; the lakes are beside it.
+ * @param layoutVersion the version of their layout.
  */
 public class LakeCache(private val answers: Path, private val layoutVersion: Int) {
     /**
-     * The place of the lake of [folder], which exists. Lakes of former layouts, which nobody can read any longer, are removed.
+     * Returns the place of the lake of [folder], which must exist. Removes lakes of former layouts, which are no longer readable.
      *
-     * @param user who has a lake of its own of the same folder; empty for the person at the command line.
+     * @param user the name of another user with a lake of its own of the same folder; empty for the person at the command line.
      */
     public fun lakeOf(folder: Path, user: String = ""): Path {
         removeFormer()
@@ -34,7 +34,7 @@ public class LakeCache(private val answers: Path, private val layoutVersion: Int
             val former = Files.list(parent).use { all -> all.filter { isFormer(it.name) }.toList() }
             for (lakes in former) lakes.toFile().deleteRecursively()
         } catch (_: IOException) {
-            // They take room, and do no other harm.
+            // They only take space.
         }
     }
 
@@ -44,7 +44,7 @@ public class LakeCache(private val answers: Path, private val layoutVersion: Int
     private companion object {
         const val NAME = "lakes-v"
 
-        /** What the folder was called before layouts had versions. */
+        /** The folder's name before layouts had versions. */
         const val WITHOUT_VERSION = "lakes"
         const val HEX = 16
     }

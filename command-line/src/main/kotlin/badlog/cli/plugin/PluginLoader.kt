@@ -12,7 +12,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.listDirectoryEntries
 
 /**
- * Finds commands whose libraries are too large for people who never use them. They are services, such as [McpService], in jars in
+ * Finds commands with libraries that are too large for people who never use them. They are services, such as [McpService], in jars in
  * a separate folder, and are loaded by a separate class loader when one of them is called.
  *
  * @param program the loader of the program's classes. A service found there, as when Gradle runs it, takes precedence.
@@ -71,8 +71,8 @@ internal class PluginLoader(private val program: ClassLoader, private val folder
 
 /**
  * Loads classes from [jars] before [program], so that a part may have other versions of libraries than the program. Only Java,
- * Kotlin and badlog itself come from the program, because both communicate through them. What Java has comes from Java, even if a jar also has
- * it, such as its interfaces of XML: their objects come from Java as well.
+ * Kotlin and badlog itself come from the program, because both communicate through them. Java's classes come from Java, even if a jar also has
+ * them, such as the interfaces of XML: their objects come from Java as well.
  */
 private class PluginClassLoader(jars: List<Path>, private val program: ClassLoader) :
     URLClassLoader("part", jars.map { it.toUri().toURL() }.toTypedArray(), program) {

@@ -8,8 +8,8 @@ import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 
 /**
- * What `badlog lake`, `badlog sql`, `badlog convert --to parquet` and the assistant's tool `sql` call: folders of logs as tables. Each
- * function throws [SeasonException] if it fails.
+ * Folders of logs as tables, for `badlog lake`, `badlog sql`, `badlog convert --to parquet` and the assistant's tool `sql`. Each function
+ * throws [SeasonException] if it fails.
  */
 public interface SeasonService {
     /** The version of the layout of lakes. */
@@ -34,9 +34,9 @@ public interface SeasonService {
     ): LakeReport
 
     /**
-     * Opens [lake] for queries, whose answers may also be written to the Parquet file [output], if it is not null.
+     * Opens [lake] for queries. Answers can also be written to the Parquet file [output], if it is not null.
      *
-     * @param isConfined whether those who ask must not learn where files are: queries read nothing but the tables then.
+     * @param isConfined whether queries may read nothing but the tables, so that they do not reveal where files are.
      */
     public fun open(lake: Path, output: Path?, isConfined: Boolean = false): SqlSession
 
@@ -47,10 +47,10 @@ public interface SeasonService {
 /** Writes logs as Parquet files, see [SeasonService.parquet]. */
 public interface ParquetSession : AutoCloseable {
     /**
-     * Writes the samples of [view] to [target], and where some topics share rows and others have times of their own, the latter to a second
-     * file beside it.
+     * Writes the samples of [view] to [target]. If some topics share rows and others have times of their own, the latter go to a second file
+     * beside it.
      *
-     * @param log what the column `log` holds.
+     * @param log the content of the column `log`.
      * @param file the name of the log's file.
      * @param signals the names of topics, such as those that identify match and time.
      * @return each file and its number of rows; nothing if the log has no samples.
@@ -68,7 +68,7 @@ public class WrongQueryException(message: String) : SeasonException(message)
  * The result for a lake.
  *
  * @property logs the result for each log, in order.
- * @property removed the number of removed logs, whose files are gone.
+ * @property removed the number of logs that were removed because their files are gone.
  */
 public class LakeReport(public val logs: List<LakeState>, public val removed: Int)
 
@@ -98,7 +98,7 @@ public interface SqlSession : AutoCloseable {
     /** Returns the tables that queries can use. */
     public fun tables(): List<SqlTable>
 
-    /** Ends the query that runs at the moment on another thread, which fails then. */
+    /** Cancels the query that is running on another thread; it fails then. */
     public fun cancel()
 }
 

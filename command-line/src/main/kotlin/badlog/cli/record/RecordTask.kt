@@ -24,9 +24,9 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Records [servers] until somebody ends the program, or this thread is interrupted.
+ * Records [servers] until the program is ended, or this thread is interrupted.
  *
- * @param places where the robot is looked for, for people.
+ * @param places the searched addresses of the robot, as text for people.
  */
 internal class RecordTask(
     private val servers: List<RecordedServer>,
@@ -80,7 +80,7 @@ internal class RecordTask(
     }
 }
 
-/** Reports what happens, and shows how far it is. Called on two threads. */
+/** Reports events, and shows the progress. Called on two threads. */
 private class RecordTalk(private val console: Console, private val outcomes: Outcomes, private val isJson: Boolean) :
     RecordListener,
     AutoCloseable {
@@ -94,7 +94,7 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
     var hasFiles = false
         private set
 
-    /** Says why there is none. */
+    /** Returns the reason why there is none, as a sentence. */
     @Synchronized
     fun nothing(places: String): String = if (isConnected) {
         "Nothing was recorded, because the robot was not enabled; without --each-enable, the whole session is."

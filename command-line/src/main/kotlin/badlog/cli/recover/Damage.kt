@@ -15,7 +15,7 @@ import badlog.core.recording.Severity
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** What a damaged log has lost, and what was repaired in it. */
+/** The losses and repairs of a damaged log. */
 internal class Damage(private val recording: Recording) {
     private val problems: List<Problem> =
         recording.problems.filter { it.severity == Severity.ERROR || it.kind in MENDED }
@@ -34,7 +34,7 @@ internal class Damage(private val recording: Recording) {
     // Other logs have records instead of rows of cells.
     private val hasRows: Boolean = recording.format.hasRows
 
-    /** Returns the outcome for [file], whose clean log is [target] without [leftOut]; null for [target] if it needs none. */
+    /** Returns the outcome for [file]. Its clean log is [target], without [leftOut]; null if it needs none. */
     fun outcome(file: Path, target: Path?, leftOut: Omissions): Outcome {
         val json = RecoverJson(
             target?.toString(),
@@ -68,7 +68,7 @@ internal class Damage(private val recording: Recording) {
     }
 
     private companion object {
-        /** These lose nothing, but a clean log has none of them. */
+        /** The problems that lose no data, but that a clean log does not have. */
         val MENDED = setOf(
             ProblemKind.LINES_JOINED,
             ProblemKind.QUOTES_REPAIRED,
@@ -78,10 +78,10 @@ internal class Damage(private val recording: Recording) {
             ProblemKind.NAME_IN_DOUBT,
         )
 
-        /** A WPILOG has all but this. */
+        /** The problems that lose only the end of a log. */
         val AT_END = setOf(ProblemKind.RECORD_CUT, ProblemKind.RECORDS_LOST, ProblemKind.GZIP_CUT)
 
-        /** What followed was never written, or cannot be read. */
+        /** The problems with a rest of unknown size that was never written, or cannot be read. */
         val OPEN_ENDED = setOf(ProblemKind.GZIP_CUT)
     }
 }

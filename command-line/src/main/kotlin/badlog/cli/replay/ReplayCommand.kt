@@ -80,8 +80,8 @@ internal class ReplayCommand :
 /**
  * Serves [file] with [virtualTopics] to dashboards until its end, or, if it is looping, until the program is ended.
  *
- * @param optionsFor returns how a range of the log is replayed; null for all of it.
- * @param xTopic the topic to use as x axis, or null.
+ * @param optionsFor returns the options for a range of the log; null for all of it.
+ * @param xTopic the topic to use as x axis; null for the log's own.
  */
 internal class ReplayTask(
     private val file: Path,

@@ -36,13 +36,13 @@ internal class ReportPages(private val folder: ReportFolder) {
         }
     }
 
-    /** Why [log] has no page, or null. */
+    /** Returns the reason why [log] has no page; null if it has one. */
     fun failureOf(log: LogReport): String? = failures[log]
 
     /** Returns the properties of the page of [log] for programs. */
     fun json(log: LogReport): PageJson = PageJson(pages[log]?.toString(), failures[log])
 
-    /** Writes the index of [result], if at least one log could be read, with what [draw] returns. */
+    /** Writes the index of [result], with the charts from [draw], if at least one log could be read. */
     fun finish(result: ReportResult, outcomes: Outcomes, draw: (List<LogReport>) -> PageCharts) {
         folder.problemsBeside.forEach(outcomes::leaveOut)
         val readable = result.logs.filter { it.unreadable == null }
@@ -54,7 +54,7 @@ internal class ReportPages(private val folder: ReportFolder) {
         } catch (e: VirtualMachineError) {
             throw e
         } catch (e: Throwable) {
-            // Also an error of loading a class or of finding fonts: whoever lacks charts still has the index of the pages.
+            // Also an error of loading a class or of finding fonts: without charts, the index of the pages is still useful.
             outcomes.leaveOut("Charts cannot be drawn, so that the index has none: ${e.message ?: e.javaClass.simpleName}")
             PageCharts.NONE
         }
@@ -67,15 +67,15 @@ internal class ReportPages(private val folder: ReportFolder) {
 }
 
 /**
- * What a person asks of the pages.
+ * The options for the pages of a report.
  *
- * @property folder where they and their index go.
- * @property isForced whether files are replaced there that badlog did not make.
- * @property field the file of the field on which they draw paths; null for the one beside each log.
+ * @property folder the folder for them and their index.
+ * @property isForced whether to replace files there that badlog did not make.
+ * @property field the file of the field below the paths; null for the one beside each log.
  * @property hasCharts whether charts of all logs are drawn.
  */
 internal class PagesPlan(val folder: Path, val isForced: Boolean, val field: Path?, val hasCharts: Boolean)
 
-/** Where the page of a log is, or why there is none. */
+/** The place of a log's page, or the reason why there is none. */
 @Serializable
 internal class PageJson(private val output: String?, private val outputError: String?)

@@ -12,7 +12,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * What to look for in logs.
+ * The rules and hooks to run over logs.
  *
  * @property virtualTopics definitions of topics added to the logs' own.
  */
@@ -40,10 +40,10 @@ internal class Search(
     fun hooksWith(named: RulesFile?): List<HookRunner> =
         hooks + named?.hooks.orEmpty().map { HookRunner.of(it, rules?.toAbsolutePath()?.parent) }
 
-    /** Returns those of [skipped] that the user must know: a log need not have everything that the built-in rules look for. */
+    /** Returns the rules in [skipped] that the user must know; none for built-in rules, because a log need not have all their topics. */
     fun reportedOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
-    /** Returns the rules that were skipped for all logs; [skipped] has those of each log. */
+    /** Returns the rules that were skipped for all logs; [skipped] has the skipped rules of each log. */
     fun neverAsked(skipped: List<List<SkippedRule>>): List<SkippedRule> =
         reportedOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
 

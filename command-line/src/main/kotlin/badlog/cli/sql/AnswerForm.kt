@@ -10,7 +10,7 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** How answers are printed. */
+/** The form of printed answers. */
 internal enum class AnswerForm {
     /** A table; for long answers, its beginning. */
     TEXT {
@@ -27,7 +27,7 @@ internal enum class AnswerForm {
                 val most = if (i == columns.lastIndex) Int.MAX_VALUE else MAX_WIDTH
                 TextTable.Column(it.name, most, it.isNumber, it.isNumber || TIME_TYPES.any(it.type::startsWith))
             }
-            // The first column usually says what a row is about.
+            // The first column usually names the row.
             val table = TextTable(shown, console.width, repeated = if (shown.size > 1) 1 else 0)
             for (line in table.text(rows)) console.say(line)
             if (isCut) console.warn("Only the first ${counted(MAX_ROWS.toLong(), "row")} are shown; --csv prints all.")

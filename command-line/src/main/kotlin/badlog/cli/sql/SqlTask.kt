@@ -47,7 +47,7 @@ internal class SqlTask(
         }
     }
 
-    /** The lake of [folder], made or updated if it is not one itself, and whether all logs are in it. */
+    /** Returns [folder] if it is a lake, or else its updated lake, null if it has no logs; with the exit code for missing logs. */
     private fun lakeOf(service: SeasonService, console: Console): Pair<Path?, ExitCode> {
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
         val logs = LogFiles(listOf(folder), console)
@@ -63,7 +63,7 @@ internal class SqlTask(
         return lake to if (missing.isEmpty()) ExitCode.WHOLE else ExitCode.SALVAGED
     }
 
-    /** Returns the exit code if it differs from that of the lake. */
+    /** Answers the query; returns null, or an exit code to use in place of the lake's. */
     private fun answer(session: SqlSession, console: Console): ExitCode? = when {
         explainsTables -> null.also { explain(session, console) }
 

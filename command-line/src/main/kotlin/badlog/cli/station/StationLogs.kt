@@ -22,7 +22,7 @@ internal class StationLogs(private val folder: Path) {
     val size: Int get() = logs.size
 
     /**
-     * Returns the one of the same match as [robot], whose file is [file]; null if none can be identified.
+     * Returns the log of the same match as [robot], which was read from [file]; null if none can be identified.
      *
      * @param acceptsOnly see [StationSearch.over].
      */

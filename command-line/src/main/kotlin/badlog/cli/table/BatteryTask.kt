@@ -17,7 +17,7 @@ import badlog.viewer.shown.battery.BatteryAdvice
 import kotlinx.serialization.json.Json
 import java.nio.file.Path
 
-/** Makes a table with a row per battery, of every log below [paths]; what is known of logs is kept in [cache], null for nowhere. */
+/** Makes a table with a row per battery, of every log below [paths]. The folder [cache] keeps results; null for none. */
 internal class BatteryTask(private val paths: List<Path>, private val cache: Path?, private val form: ResultForm) : Task {
     override fun run(console: Console): ExitCode {
         val logs = LogFiles(paths, console)

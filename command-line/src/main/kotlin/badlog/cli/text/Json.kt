@@ -17,7 +17,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.encodeToJsonElement
 import kotlinx.serialization.json.jsonObject
 
-/** Returns [value], whose class defines what programs receive, as JSON. */
+/** Returns [value] as JSON; its class defines the properties for programs. */
 internal inline fun <reified T> jsonOf(value: T): JsonObject = Json.encodeToJsonElement(value).jsonObject
 
 /** A number that is written without a fraction if it has none, and as null if it is not finite. */
@@ -63,7 +63,7 @@ internal class ProblemJson(
     )
 }
 
-/** How much is lost. */
+/** The amount of lost data. */
 @Serializable
 internal class LossJson(private val rows: Int, private val cells: Int, private val bytes: Long) {
     constructor(loss: Loss) : this(loss.rows, loss.cells, loss.bytes)

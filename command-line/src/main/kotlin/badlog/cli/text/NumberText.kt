@@ -22,7 +22,7 @@ internal fun shortNumber(number: Double, digits: Int = DIGITS): String = when {
 /** Returns [count] in groups of three digits, separated by commas. */
 internal fun grouped(count: Long): String = count.toString().reversed().chunked(3).joinToString(",").reversed()
 
-/** Returns [count] with its noun, which is [noun] for one. */
+/** Returns [count] with its noun; [noun] is the singular. */
 internal fun counted(count: Long, noun: String, nouns: String = noun + "s"): String =
     "${grouped(count)} ${if (count == 1L) noun else nouns}"
 

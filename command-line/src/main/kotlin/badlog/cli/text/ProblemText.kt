@@ -19,7 +19,7 @@ private fun lineOf(problem: Problem, indent: String): String {
     return wrapped(indent + wordOf(problem.severity).padEnd(SEVERITY), line + problem.message + times)
 }
 
-/** A note, for people, is what a team writes at a moment. */
+/** The word is *hint* instead of *note*, because people know notes as texts of the team. */
 private fun wordOf(severity: Severity) = if (severity == Severity.NOTE) "hint" else severity.name.lowercase()
 
 private const val SEVERITY = 9

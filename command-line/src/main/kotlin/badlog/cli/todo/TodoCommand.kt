@@ -54,5 +54,5 @@ internal class TodoCommand :
     }
 }
 
-/** How a list is printed. */
+/** The form of a printed list. */
 internal enum class TodoForm { TEXT, MARKDOWN, JSON }

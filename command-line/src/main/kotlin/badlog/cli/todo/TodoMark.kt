@@ -14,17 +14,17 @@ import badlog.viewer.todo.matchText
 internal val TodoList.numbered: List<TodoItem> get() = open + done
 
 /**
- * What somebody wants to change on the list.
+ * A change of the list by a person.
  *
  * @param number the number of the item.
- * @param isDone whether it is done now; otherwise it is to be done, once more.
- * @param what what was done; may be empty.
- * @param author who says so.
+ * @param isDone whether it is done now; otherwise it is to be done again.
+ * @param what the work that was done; may be empty.
+ * @param author the name of the person.
  */
 internal class TodoMark(private val number: Int, private val isDone: Boolean, private val what: String, private val author: String) {
     /**
-     * Returns the change of [list], which [known] changes and [logs] made; null if the item is already as it is to be, and
-     * nothing new is said of it.
+     * Returns the change of [list], which was made of [known] changes and [logs]; null if the item already has that state, and there is no
+     * new text.
      *
      * @throws Failure if there is no such item.
      */
@@ -39,7 +39,7 @@ internal class TodoMark(private val number: Int, private val isDone: Boolean, pr
 
     private fun nextIn(list: TodoList) = matchText(list.next, list.lastMatch).ifEmpty { null }
 
-    /** Returns the sentence about the item of [list], which [change] marks; null if it is already as it is to be. */
+    /** Returns the sentence about the item of [list] after [change]; null if there was nothing to change. */
     fun sentenceFor(list: TodoList, change: TodoChange?): String {
         val title = "“${list.numbered[number - 1].title}”"
         return when {

@@ -34,9 +34,9 @@ import java.nio.file.Path
 /**
  * Prints the list that is beside the logs in [folder].
  *
- * @param page where it is also written as a page; null for nowhere.
+ * @param page the file for the list as a page; null for none.
  * @param cache the folder for cached findings; null for none.
- * @param mark what is changed before; null for nothing.
+ * @param mark a change to make before; null for none.
  */
 internal class TodoTask(
     private val folder: Path,
@@ -79,7 +79,7 @@ internal class TodoTask(
         return codeOf(files, result.logs, console)
     }
 
-    /** Returns the list, with what is marked on it. */
+    /** Returns the list, with the change of [mark]. */
     private fun marked(files: TodoFiles, logs: List<FoundLog>, console: Console): TodoList {
         val before = TodoList.of(files.changes, logs)
         if (mark == null) return before
@@ -113,7 +113,7 @@ private fun foundIn(log: LogReport, now: Long): FoundLog {
 
 private const val MILLIS = 1000L
 
-/** Where a page goes, [file], and whether something else there [isForced] out of the way. */
+/** The [file] for a page. If [isForced], it replaces any other file there. */
 internal class PagePlan(val file: Path, private val isForced: Boolean) {
     /**
      * Writes [page].

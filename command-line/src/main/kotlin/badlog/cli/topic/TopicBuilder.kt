@@ -6,7 +6,7 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
 /**
- * Builds a topic that is called [name] and is otherwise described as [like], sample by sample.
+ * Builds a topic with [name] and the other properties of [like], sample by sample.
  *
  * @param most the maximum number of samples.
  */
@@ -51,7 +51,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
         add(number)
     }
 
-    /** Returns the topic, whose samples are at [times], one for each, or in rows. */
+    /** Returns the topic, with one of [times] for each sample; null for samples in rows. */
     fun build(times: DoubleArray? = null): Topic {
         val column = TextColumn(textRows.copyOf(texts), textIds.copyOf(texts), dictionary.keys.toList())
         val counts = CellCounts(numbers, notFinite, truthValues, texts, empty, gaps)

@@ -13,7 +13,7 @@ import java.nio.file.Path
 /**
  * A selection of topics.
  *
- * @property patterns topics whose names match one of these are selected; if there are none, all topics are.
+ * @property patterns the patterns for the names of selected topics; if there are none, all topics are selected.
  */
 internal class TopicChoice(val patterns: List<NamePattern>) {
     /** The patterns for people. */

@@ -18,7 +18,7 @@ private const val HEADER = """{"topics":[{"name":"Time","unit":"s","attrs":["xax
 private val LOG = HEADER + "\nTime,Power/My Volts,Arm\n" + (0..60).joinToString("") { "${it / 10.0},${if (it in 20..40) 6 else 12},1\n" }
 
 class AssignSpec : FunSpec({
-    test("a topic that is named as a signal is one in all logs of the folder, for questions and for rules") {
+    test("an assigned topic is the signal in all logs of the folder, for questions and rules") {
         inFolder { folder ->
             val log = folder.with("a.bag", LOG)
             val other = folder.with("b.bag", LOG)
@@ -40,7 +40,7 @@ class AssignSpec : FunSpec({
         }
     }
 
-    test("a file above the new one, which the window will not use any more for this folder, is named") {
+    test("a file of signals in a folder above is reported if a new file hides it") {
         inFolder { folder ->
             val above = folder.with("badlog-signals.toml", "[[signal]]\nname = \"hood\"\ntopics = \"Arm\"\n")
             val log = folder.with("event/a.bag", LOG)
@@ -49,7 +49,7 @@ class AssignSpec : FunSpec({
         }
     }
 
-    test("what a person wrote stays as it is; only the name comes first") {
+    test("a person's file stays as it is, with the new topic first") {
         inFolder { folder ->
             val file = folder.with("badlog-signals.toml", "# ours\n[[signal]]\nname = \"battery\"\ntopics = \"Old\" # before\n")
             badlog("assign", folder.with("a.bag", LOG), "battery", "Power/My Volts").code shouldBe ExitCode.WHOLE
@@ -68,7 +68,7 @@ class AssignSpec : FunSpec({
         }
     }
 
-    test("what cannot be is refused with a sentence, and nothing is written") {
+    test("an impossible assignment is refused with a sentence, and nothing is written") {
         inFolder { folder ->
             val log = folder.with("a.bag", LOG)
             fun refused(signal: String, topic: String) = badlog("assign", log, signal, topic).run {

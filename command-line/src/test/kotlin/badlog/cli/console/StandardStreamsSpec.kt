@@ -25,7 +25,7 @@ class StandardStreamsSpec : FunSpec({
         return Ended(code, out.toString(Charsets.UTF_8), err.toString(Charsets.UTF_8))
     }
 
-    test("a log comes from the standard input, and is called so") {
+    test("a log from the standard input is called “standard input”") {
         val ended = piped(BAG, "info", "-")
         ended.code shouldBe ExitCode.WHOLE
         ended.out shouldStartWith "standard input\n  match   Match 42"
@@ -33,7 +33,7 @@ class StandardStreamsSpec : FunSpec({
         piped("", "info", "-", "no.bag").err shouldContain "no.bag"
     }
 
-    test("what would stand beside it goes to the standard output, and nothing else does") {
+    test("the result of a log from the standard input, and nothing else, goes to the standard output") {
         val ended = piped(BAG, "cut", "-", "--from", "0.05")
         ended.code shouldBe ExitCode.WHOLE
         val (header, rows) = ended.out.split("\n", limit = 2)
@@ -44,7 +44,7 @@ class StandardStreamsSpec : FunSpec({
         piped(BAG, "cut", "-", "--around", "-").out shouldBe ""
     }
 
-    test("either may be a file") {
+    test("input or output may be a file") {
         inFolder { folder ->
             piped("", "convert", folder.with("a.bag", BAG), "--to", "csv", "--out=-").out shouldStartWith "Time,Speed"
             piped(BAG, "convert", "-", "-o", folder / "b.csv").out shouldContain "standard input -> "
@@ -53,7 +53,7 @@ class StandardStreamsSpec : FunSpec({
         }
     }
 
-    test("what fails leaves the standard output empty, and names no file that nobody knows") {
+    test("a failure leaves the standard output empty, and names no internal file") {
         val ended = piped("prose, and no log", "cut", "-", "--from", "1")
         ended.code shouldBe ExitCode.NOTHING
         ended.out shouldBe ""

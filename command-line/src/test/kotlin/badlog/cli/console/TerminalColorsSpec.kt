@@ -38,7 +38,7 @@ class TerminalColorsSpec : FunSpec({
         for (line in listOf("", "1 error, 2 warnings", "Match Number      42", "  An error    in a text", "error")) colors.result(line) shouldBe line
     }
 
-    test("what the program prints has the same words with colors and without, and JSON has none") {
+    test("the output has the same words with and without colors, and JSON has no colors") {
         inFolder { folder ->
             val log = folder.with("a.bag", CUT_BAG)
             fun printed(vararg arguments: String): String {

@@ -33,14 +33,14 @@ class WildcardsSpec : FunSpec({
         }
     }
 
-    test("elsewhere the shell has done it, and * is a letter of a name") {
+    test("on other systems the shell expands patterns, and * is a letter of a name") {
         inFolder { folder ->
             (folder / "a.bag").writeText("")
             withWildcards(listOf("$folder/*.bag"), "Linux") shouldContainExactly listOf("$folder/*.bag")
         }
     }
 
-    test("a name whose letters Windows replaced is the one file that it can mean, and otherwise a reason to name its folder") {
+    test("a name with letters that Windows replaced finds the only matching file, or the error says to name its folder") {
         inFolder { folder ->
             (folder / "лог.bag").writeText("")
             withWildcards(listOf("$folder/???.bag"), WINDOWS) shouldContainExactly listOf("$folder/лог.bag")
@@ -57,14 +57,14 @@ class WildcardsSpec : FunSpec({
         }
     }
 
-    test("the argument that is no path is named, not a formula before it") {
+    test("the error names the argument that is not a path, not a formula before it") {
         val arguments = listOf("find", "max(Speed) > 3 * 2", "logs/my *.wpilog", "*")
         unreachable(arguments, noPath("logs/my *.wpilog"), WINDOWS) shouldBe "There is no file or folder logs/my *.wpilog; check the spelling."
         unreachable(arguments, noPath("logs/my\n*.wpilog"), WINDOWS) shouldBe "There is no file or folder logs/my *.wpilog; check the spelling."
         unreachable(arguments, "Error: missing argument FILE", WINDOWS) shouldBe null
     }
 
-    test("a long path as Windows' own programs write it means the same path") {
+    test("Windows' prefix for long paths is removed") {
         val arguments = listOf("info", """\\?\C:\logs\a.bag""", """\\?\UNC\pit\logs\b.bag""", """--out=\\?\D:\out""")
         withWildcards(arguments, WINDOWS) shouldContainExactly listOf("info", """C:\logs\a.bag""", """\\pit\logs\b.bag""", """--out=D:\out""")
         withWildcards(arguments, "Linux") shouldBe arguments

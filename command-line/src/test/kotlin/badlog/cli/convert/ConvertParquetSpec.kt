@@ -65,7 +65,7 @@ class ConvertParquetSpec : FunSpec({
         }
     }
 
-    test("pandas reads the topics that were asked for, and those that were added").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("pandas reads the selected and the added topics").config(enabledOrReasonIf = PYTHON.isHere) {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val target = folder / "a.parquet"

@@ -38,7 +38,7 @@ class ConvertSpec : FunSpec({
         }
     }
 
-    test("what CSV has no place for is listed") {
+    test("content that CSV cannot hold is listed") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("convert", log, "--to", "csv").out shouldContain "5 rows; the file cannot hold 2 units, 2 attributes, 1 value"
@@ -49,7 +49,7 @@ class ConvertSpec : FunSpec({
         }
     }
 
-    test("whole numbers that no double holds are listed, and so is what a CSV file of a spreadsheet says") {
+    test("rounded whole numbers of a CSV file are listed") {
         inFolder { folder ->
             val log = folder.with("a.csv", "Time;ID\n" + (0 until 5).joinToString("") { "0,0$it;${9007199254740993L + 2 * it}\n" })
             val json = badlogJson("convert", log, "--to", "bag").json.single()
@@ -68,7 +68,7 @@ class ConvertSpec : FunSpec({
         }
     }
 
-    test("two logs that would have one result have two") {
+    test("two logs with the same result name get two results") {
         inFolder { folder ->
             folder.with("in/a.bag", BAG)
             folder.with("in/a.badbag", BAG)
@@ -110,7 +110,7 @@ class ConvertSpec : FunSpec({
         }
     }
 
-    test("--only writes the topics whose names fit, and the x axis") {
+    test("--only writes the topics with matching names, and the x axis") {
         inFolder { folder ->
             badlog("convert", folder.with("a.bag", BAG), "--to", "csv", "--only", "sp*").code shouldBe ExitCode.WHOLE
             (folder / "a.csv").readText().lines().take(2) shouldBe listOf("Time,Speed", "0,1.5")

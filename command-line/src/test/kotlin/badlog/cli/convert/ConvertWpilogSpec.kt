@@ -93,7 +93,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("so do the samples, with all of their gaps and events") {
+    test("each sample log comes back from a WPILOG, with all of its gaps and events") {
         inFolder { folder ->
             for (name in listOf("qualification-42.bag", "practice.bag", "qualification-57.bag.gz")) {
                 val log = folder / "log.wpilog.gz"
@@ -105,7 +105,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("what a WPILOG cannot carry is listed, by topic in JSON") {
+    test("content that a WPILOG cannot hold is listed, by topic in JSON") {
         inFolder { folder ->
             val bag = folder.with(
                 "a.bag",
@@ -127,7 +127,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("a WPILOG becomes a WPILOG, and --changes-only leaves out what repeats") {
+    test("a WPILOG becomes a WPILOG, and --changes-only leaves out repetitions") {
         inFolder { folder ->
             val log = folder.sampleLog("practice.bag")
             badlog("convert", log, "-o", folder / "copy.wpilog").code shouldBe ExitCode.WHOLE
@@ -145,7 +145,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("--only copies the records of the topics whose names fit, and what describes them") {
+    test("--only copies the records of matching topics, and their schemas") {
         inFolder { folder ->
             val log = folder.sampleLog("practice.bag")
             badlog("convert", log, "--only", "arm/*", "-o", folder / "arm.wpilog").code shouldBe ExitCode.WHOLE
@@ -172,7 +172,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("samples that are in none of the rows are a loss, unless there are none") {
+    test("samples between the rows count as lost") {
         inFolder { folder ->
             folder.with("a.bag", "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"y\"}]}\nTime,y\n0,1\n0.3,2\n0.31,3\n")
             badlog("convert", "--to", "wpilog", folder / "a.bag")
@@ -198,7 +198,7 @@ class ConvertWpilogSpec : FunSpec({
         }
     }
 
-    test("no event is lost between rows, and those after the last one are reported") {
+    test("no event between rows is lost, and events after the last row are reported") {
         inFolder { folder ->
             val bag = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"y\"},{\"name\":\"Log\",\"attrs\":[\"log\"]}]}\n" +
                 "Time,y,Log\n0,1,\n0.3,2,a\n0.31,3,b\n0.5,4,c\n1,,d\n1.1,,e\n"

@@ -64,7 +64,7 @@ class CutSpec : FunSpec({
         }
     }
 
-    test("a part says what of the log it is, in each format that has values, and what is put together again is not a part") {
+    test("a part names its range of the log, and a merge of parts does not") {
         inFolder { folder ->
             val log = folder.sampleLog("practice.bag")
             for (whole in listOf(SAMPLES / "practice.bag", log)) {
@@ -82,7 +82,7 @@ class CutSpec : FunSpec({
         }
     }
 
-    test("of a state only its beginning counts") {
+    test("a state matches only at its beginning") {
         val state = "{\"topics\":[{\"name\":\"Time\",\"attrs\":[\"xaxis\"]},{\"name\":\"State\"}]}\nTime,State\n" +
             "0,IDLE\n1,RUN\n2,RUN\n3,RUN\n4,IDLE\n5,RUN\n"
         times(state, "--around", "run", "--before", "0", "--after", "0") shouldContainExactly listOf(1.0, 5.0)
@@ -94,7 +94,7 @@ class CutSpec : FunSpec({
         times(set, "--from", "101").map { if (it.isNaN()) "gap" else "$it" } shouldContainExactly listOf("101.0", "gap", "101.0")
     }
 
-    test("what is not there is reported with what is") {
+    test("an error names the missing data and the existing range") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("cut", log, "--from", "7").err shouldContain "there are no rows there; Time goes from 0 s to 0.08 s"

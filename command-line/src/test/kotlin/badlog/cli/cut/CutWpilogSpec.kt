@@ -51,7 +51,7 @@ class CutWpilogSpec : FunSpec({
         readRecording(folder / "a.cut.wpilog", LOG_FORMATS)
     }
 
-    test("a part begins with what each topic held there, but no event comes again") {
+    test("a part begins with the value of each topic there, without repeating events") {
         val part = cut("--from", "2.5", "--to", "4")
         part.held("Speed") shouldContainExactly listOf("2.5 1.0", "3.0 2.0", "4.0 3.0")
         part.held("Count") shouldContainExactly listOf("2.5 7.0")
@@ -62,7 +62,7 @@ class CutWpilogSpec : FunSpec({
         part.held("systemTime") shouldContainExactly emptyList()
     }
 
-    test("a sample that stands at the very beginning is what the topic held") {
+    test("a sample at the very beginning is the first value") {
         cut("--from", "2", "--to", "2").held("Speed") shouldContainExactly listOf("2.0 1.0")
         cut("--to", "1").held("Speed") shouldContainExactly listOf("1.0 0.0")
     }
@@ -75,7 +75,7 @@ class CutWpilogSpec : FunSpec({
         part.topics[0].unit shouldBe "m/s"
     }
 
-    test("the enabled parts, each with what held where it begins") {
+    test("--enabled keeps the enabled parts, each with the values at its beginning") {
         val part = cut("--enabled")
         part.held("Speed") shouldContainExactly
             listOf("2.0 1.0", "3.0 2.0", "4.0 3.0", "6.0 5.0", "7.0 6.0")
@@ -85,7 +85,7 @@ class CutWpilogSpec : FunSpec({
             listOf("5.5 4.0", "6.0 5.0", "7.0 6.0")
     }
 
-    test("around events and the beginnings of states") {
+    test("--around keeps the surroundings of events and beginnings of states") {
         cut("--around", "run", "--before", "0", "--after", "0").held("Mode") shouldContainExactly listOf("3.0 IDLE", "3.5 RUN")
     }
 
@@ -98,7 +98,7 @@ class CutWpilogSpec : FunSpec({
         }
     }
 
-    test("what was kept is reported in samples, in JSON too, and what is not there with what is") {
+    test("the number of kept samples is reported, also in JSON, and an error names the existing range") {
         inFolder { folder ->
             val whole = folder.wpilog("a.wpilog", log)
             badlog("cut", whole, "--from", "2.5", "--to", "4").out shouldContain "kept 9 of 22 samples\n  from 2.5 s to 4 s\n"
@@ -123,7 +123,7 @@ class CutWpilogSpec : FunSpec({
         }
     }
 
-    test("at any time of a part, every value is that of the whole") {
+    test("at any time of a part, every value equals the whole log's") {
         val places = Arb.int(0, 60)
         checkAll(Arb.list(places, 1..20), Arb.list(Arb.pair(places, places), 1..4)) { samples, pairs ->
             val times = samples.sorted().map { it.toDouble() }.toDoubleArray()

@@ -32,7 +32,7 @@ class DoctorSpec : FunSpec({
 
     fun robotsAt(port: Int) = Robots({ _, _ -> listOf(RobotAddress("127.0.0.1", emptyList(), port)) }, { error("not asked") }, null, Patience(Duration.ofSeconds(60)))
 
-    test("what is there is shown with its place, and the size of what is cached") {
+    test("found programs and folders are shown with their places and the size of the cache") {
         inFolder { folder ->
             for (name in listOf("xdg-open", "owlet", "badlog-window")) folder.with("bin/$name", "").toFile().setExecutable(true)
             folder.with(".cache/badlog/answers/a", "12345")
@@ -49,7 +49,7 @@ class DoctorSpec : FunSpec({
         }
     }
 
-    test("what is missing is not a failure, but a folder that cannot be used is") {
+    test("a missing program is not a failure, but an unusable folder is") {
         inFolder { folder ->
             val ended = badlogOn(computer(folder, emptyMap()), "doctor", "--json")
             ended.code shouldBe ExitCode.WHOLE
@@ -60,7 +60,7 @@ class DoctorSpec : FunSpec({
         }
     }
 
-    test("a robot that is named is looked for") {
+    test("doctor looks for a named robot") {
         inFolder { folder ->
             val socket = ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))
             val found = socket.use { badlogOn(computer(folder, emptyMap()), "doctor", "1014", robots = robotsAt(it.localPort)) }

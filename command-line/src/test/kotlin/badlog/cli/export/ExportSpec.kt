@@ -52,7 +52,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a log with the longest name there may be has a page") {
+    test("a log with the longest possible name gets a page") {
         inFolder { folder ->
             val log = folder.with("n".repeat(251) + ".bag", BAG)
             badlog("export", log).code shouldBe ExitCode.WHOLE
@@ -82,7 +82,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a video that is missing, lies elsewhere or is of several logs is refused, and why is said") {
+    test("a video that is missing, elsewhere or for several logs is refused with the reason") {
         inFolder { folder ->
             val log = folder.with("logs/a.bag", BAG)
             val video = folder.with("match.mp4", "a video")
@@ -99,7 +99,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a page holds the topics to calculate, and those that the log cannot be given are reported") {
+    test("a page has the topics to calculate, and impossible ones are reported") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val ended = badlog("export", log, "--topic", "Twice = Speed * 2", "--topic", "Odd = Sped * 2")
@@ -109,7 +109,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a page carries the rules that were named, else those beside the log, else the built-in ones, or none") {
+    test("a page has the named rules, or else the rules beside the log, or else the built-in ones, or none") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val builtIn = "The roboRIO browned out"
@@ -228,7 +228,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a page holds what hooks return, of the command line and of the rules").config(enabled = HAS_PYTHON) {
+    test("a page has the results of hooks, of the command line and of the rules").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             folder.with("two.py", "print('{\"findings\": [{\"text\": \"found by two\"}]}')")
@@ -242,7 +242,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a hook that fails or takes too long costs nothing but its part") {
+    test("a hook that cannot be started leaves out only its part, and wrong options are wrong usage") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val ended = badlog("export", log, "--hook", "no-such-program")

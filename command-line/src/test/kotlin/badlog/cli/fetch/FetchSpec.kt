@@ -23,7 +23,7 @@ import kotlin.io.path.div
 
 @Tags("InCheck")
 class FetchSpec : FunSpec({
-    test("what is new comes, and is said; then nothing is new, which is a success") {
+    test("new logs are fetched and reported; without new logs, fetch succeeds") {
         besideRobot { robot, robots ->
             inFolder { folder ->
                 robot.log("match.bag", matchBag(42))
@@ -39,7 +39,7 @@ class FetchSpec : FunSpec({
         }
     }
 
-    test("a program gets a line for each log, and why there is none") {
+    test("a program gets a line for each log, or the reason for a failure") {
         besideRobot { robot, robots ->
             inFolder { folder ->
                 val refused = badlogBeside(robots, "fetch", "1014", "--out", folder, "--json")
@@ -56,7 +56,7 @@ class FetchSpec : FunSpec({
         }
     }
 
-    test("a damaged log comes, and the exit code says that something is lost") {
+    test("a damaged log is fetched, and the exit code shows the loss") {
         besideRobot { robot, robots ->
             inFolder { folder ->
                 robot.log("cut.bag", matchBag(42).dropLast(3))
@@ -84,7 +84,7 @@ class FetchSpec : FunSpec({
         }
     }
 
-    test("whoever watches gets what comes later") {
+    test("--watch fetches until it is interrupted") {
         besideRobot { robot, robots ->
             inFolder { folder ->
                 robot.log("a.bag", matchBag(1))

@@ -52,7 +52,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("the exit code is 0 when every log is whole, however often it is named, and what is not a log is named with the reason") {
+    test("the exit code is 0 if every log is whole, and other files are skipped with the reason") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("find", log, log, "max(Speed) > 5", "--no-cache").code shouldBe ExitCode.WHOLE
@@ -86,14 +86,14 @@ class FindSpec : FunSpec({
         ended.out shouldContain "2708.3 W"
     }
 
-    test("the hint belongs to the mistake, though a log lacks what is right") {
+    test("the hint is about the mistake, even if a log also lacks a topic") {
         // Only some samples have a topic State.
         val ended = badlog("find", samples, "State = SCORING", "--no-cache")
         ended.code shouldBe ExitCode.USAGE
         ended.err shouldContain "“SCORING” is not a topic or signal of this log; put a text in single quotes, as in 'SCORING'."
     }
 
-    test("what the log does not show is unknown, with the reason") {
+    test("an answer that the log does not show is unknown, with the reason") {
         inFolder { folder ->
             folder.with("a.bag", BAG.replace("Enabled", "Other"))
             val ended = badlog("find", folder, "total(enabled)", "--no-cache")
@@ -102,13 +102,13 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("where no log can be given the topic, its definition is pointed at") {
+    test("if a topic can be calculated for no log, the error points at its definition") {
         val ended = badlog("find", samples, "max(Power) > 2000", "--topic", "Power = Volage * 2", "--no-cache")
         ended.code shouldBe ExitCode.USAGE
         ended.err shouldContain "Power = Volage * 2\n        ^^^^^^"
     }
 
-    test("a misspelled signal is suggested, beside the topic that comes near, though the question has no word of it") {
+    test("for a misspelled signal, the signal and a similar topic are suggested") {
         inFolder { folder ->
             val bag = HEADER_OF_VOLTAGE + "\nTime,V\n0,12\n1,11\n"
             folder.with("a.bag", bag)
@@ -123,7 +123,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("which logs lack what is said with their names, at most three for each") {
+    test("logs without a topic are named, at most three for each topic") {
         inFolder { folder ->
             folder.with("speed.bag", BAG)
             for (number in 1..5) folder.with("$number.bag", HEADER_OF_VOLTAGE + "\nTime,V\n0,12\n1,11\n")
@@ -132,7 +132,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("how many samples a signal left out, since no robot has such values, is said, as a line and in JSON, from the cache too") {
+    test("the number of implausible samples is reported, in text and JSON, also from the cache") {
         inFolder { folder ->
             val cells = "\nTime,V\n0,37.375\n1,12\n2,37.375\n3,11\n"
             for (name in listOf("a.bag", "b.bag")) folder.with(name, HEADER_OF_VOLTAGE + cells)

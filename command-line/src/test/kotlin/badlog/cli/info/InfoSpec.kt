@@ -96,7 +96,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("a topic's count, rate, range and gaps") {
+    test("info shows a topic's count, rate, range and gaps") {
         inFolder { folder ->
             val json = badlogJson("info", folder.with("a.bag", BAG)).json.single()
             val speed = topic(json, "Speed")
@@ -112,7 +112,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("a log shows the same of itself whether or not its numbers are kept") {
+    test("info is the same with and without numbers in memory") {
         val folders = listOf(SAMPLES, ROOT / "core/conformance")
         for (file in folders.flatMap { it.listDirectoryEntries("*.{bag,csv,bag.gz}") }) {
             fun json(needed: NumberSinks): JsonObject {
@@ -148,14 +148,14 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("nothing that a log holds moves the cursor") {
+    test("control characters of a log do not reach the output") {
         inFolder { folder ->
             val hostile = BAG.replace("\"42\"", "\"4\\u001b[2J\\n2\"").replace("Speed", "Sp\u001b[31meed")
             badlog("info", folder.with("a.bag", hostile)).out shouldNotContain "\u001b"
         }
     }
 
-    test("of many logs, a topic that they cannot be given is reported once") {
+    test("a topic that can be calculated for none of many logs is reported once") {
         inFolder { folder ->
             for (i in 1..4) folder.with("$i.bag", BAG)
             folder.with("5.bag", BAG.replace("Speed", "Sped"))
@@ -163,7 +163,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("topics that are calculated are reported as others, and those that cannot be are pointed at") {
+    test("calculated topics are listed like others, and a mistake in a definition is pointed at") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val ended = badlog("info", log, "--topic", "Twice [m/s] = Speed * 2", "--topic", "Odd = Sped")
@@ -175,7 +175,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("--only shows the topics whose names fit, of several logs too") {
+    test("--only shows the topics with matching names, also for several logs") {
         val shown = badlog("info", SAMPLES / "qualification-42.bag", "--only", "pdp/total*", "--only", "*battery voltage")
         shown.out shouldContain "PDP/Total Current"
         shown.out shouldContain "System/Battery Voltage"

@@ -86,7 +86,7 @@ class KilledLakeSpec : FunSpec({
         error("Each program had finished before it could be ended.")
     }
 
-    test("a lake whose making is killed again and again can be read, and becomes what it would have been") {
+    test("a lake can be read after repeated kills, and is complete after the last run") {
         inFolder { folder ->
             makeLogs(folder, MANY)
             untilInTheMiddle(folder) {
@@ -99,7 +99,7 @@ class KilledLakeSpec : FunSpec({
         }
     }
 
-    test("a lake whose making is canceled by Ctrl+C keeps what is done, without half files, and the next run does the rest")
+    test("Ctrl+C leaves a lake with whole files only, and the next run does the rest")
         .config(enabledOrReasonIf = { IF_ENDED_GENTLY }) {
             inFolder { folder ->
                 makeLogs(folder, SOME)

@@ -18,7 +18,7 @@ private val OPTION = Regex("^  (?:-\\w, )?(--[a-z-]+)", RegexOption.MULTILINE)
 class ManualSpec : FunSpec({
     val pages = manual()
 
-    test("each command has a page, and that of badlog lists them") {
+    test("each command has a manual page, and badlog's lists them") {
         for (name in badlogCommand().registeredSubcommandNames()) {
             pages shouldContainKey "man/man1/badlog-$name.1"
             pages.getValue("man/man1/badlog.1") shouldContain "\\fBbadlog $name\\fR"

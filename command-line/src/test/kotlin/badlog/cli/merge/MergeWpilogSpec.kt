@@ -36,7 +36,7 @@ private fun Recording.held(name: String): List<String> {
 private fun numbers(name: String, vararg samples: Pair<Double, Double>) = Logged(name, "double", "{\"unit\":\"V\"}", samples.toList())
 
 class MergeWpilogSpec : FunSpec({
-    test("pieces with the same topics follow each other in time, and what both have is there once") {
+    test("pieces with the same topics follow each other in time, and common records are included once") {
         inFolder { folder ->
             fun texts(vararg samples: Pair<Double, String>) = Logged("s", "string", "", samples.toList())
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0, 1.0 to 2.0, 2.0 to 3.0), texts(0.5 to "x")))
@@ -54,7 +54,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("a log that was cut in two comes back, with what was held where the second began") {
+    test("a log that was cut in two comes back, with one more value where the second begins") {
         inFolder { folder ->
             val whole = folder.sampleLog("practice.bag")
             badlog("cut", whole, "--to", "20", "-o", folder / "a.wpilog").code shouldBe ExitCode.WHOLE
@@ -75,7 +75,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("other topics stand beside, and taken names go into a folder") {
+    test("logs with other topics are joined side by side, and taken names go into a folder") {
         inFolder { folder ->
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
             val two = folder.wpilog("two.wpilog", listOf(numbers("a", 0.0 to 5.0), numbers("b", 0.5 to 6.0)))
@@ -86,7 +86,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("numbers and texts of one name stay two topics") {
+    test("numbers and texts with the same name stay two topics") {
         inFolder { folder ->
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
             val two = folder.wpilog("two.wpilog", listOf(Logged("a", "string", "", listOf(1.0 to "text"))))
@@ -97,7 +97,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("a bag beside a WPILOG keeps its times and gaps, without those of topics that are logged now and then") {
+    test("a bag beside a WPILOG keeps its times, and the gaps of topics that are not sparse") {
         inFolder { folder ->
             val bag = folder.with(
                 "b.bag",
@@ -128,7 +128,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("what has no common clock, or would need rows, is refused in one sentence") {
+    test("logs without a common clock, or without rows for a bag, are refused in one sentence") {
         inFolder { folder ->
             val log = folder.wpilog("a.wpilog", listOf(numbers("a", 0.25 to 1.0)))
             val csv = folder.with("c.csv", "Time,c\n0,1\n")
@@ -142,7 +142,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("one name with two types is two topics, and the result says which has which") {
+    test("one name with two types is two topics, and the result names both") {
         inFolder { folder ->
             val one = folder.wpilog("one.wpilog", listOf(numbers("a", 0.0 to 1.0)))
             val two = folder.wpilog("two.wpilog", listOf(Logged("a", "int64", "", listOf(1.0 to 2.0))))
@@ -164,7 +164,7 @@ class MergeWpilogSpec : FunSpec({
         }
     }
 
-    test("samples are appended as by sorting them, each that two logs have once") {
+    test("appended samples are sorted, and common ones included once") {
         val samples = Arb.list(Arb.pair(Arb.int(0, 9), Arb.int(0, 3)), 0..12)
         inFolder { folder ->
             checkAll(60, samples, samples) { one, other ->

@@ -46,7 +46,7 @@ class StationSearchSpec : FunSpec({
 
     fun said(vararg arguments: Any) = badlog(*arguments).run { (out + err).replace(Regex("\\s+"), " ") }
 
-    test("the Driver Station log of the robot's time is put beside its log, where both were enabled, and the error is reported") {
+    test("the Driver Station log of the same time is aligned by enabling, and the error is reported") {
         inFolder { folder ->
             folder.stations()
             val robot = folder.robot("robot.wpilog", -10.0)
@@ -60,7 +60,7 @@ class StationSearchSpec : FunSpec({
         }
     }
 
-    test("what the Driver Station logged before the robot's clock began is left out") {
+    test("Driver Station samples before the robot's time 0 are left out") {
         inFolder { folder ->
             val logs = (folder / "ds").createDirectory()
             logs.stations()
@@ -72,7 +72,7 @@ class StationSearchSpec : FunSpec({
         }
     }
 
-    test("a robot without a clock gets the only one there is, by enabled; of several none is taken for it") {
+    test("a robot's log without a clock gets the only Driver Station log, but none of several") {
         inFolder { folder ->
             val robot = folder.robot("robot.wpilog", -2.0, hasTime = false)
             said("merge", robot, "--with-ds", "-o", folder / "none.wpilog") shouldContain "No Driver Station log found in"

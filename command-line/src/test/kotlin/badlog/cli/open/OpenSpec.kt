@@ -36,7 +36,7 @@ private class Desk(private val folder: Path, hasWindow: Boolean, private val bro
 }
 
 class OpenSpec : FunSpec({
-    test("the window opens what is named, a log or a folder") {
+    test("the window opens the named log or folder") {
         inFolder { folder ->
             val desk = Desk(folder, hasWindow = true)
             val log = folder.with("logs/a.bag", BAG)
@@ -86,7 +86,7 @@ class OpenSpec : FunSpec({
         }
     }
 
-    test("the standard input opens as a page, which has it inside when the program has ended") {
+    test("the standard input opens as a page that contains the log") {
         inFolder { folder ->
             val ended = Desk(folder, hasWindow = true).run { open("-", input = BAG).also { started.single()[0] shouldBe "xdg-open" } }
             ended.code shouldBe ExitCode.WHOLE
@@ -109,7 +109,7 @@ class OpenSpec : FunSpec({
         }
     }
 
-    test("what cannot be opened is reported, and a damaged log opens") {
+    test("files that cannot be opened are reported, and a damaged log opens") {
         inFolder { folder ->
             val desk = Desk(folder, hasWindow = false, broken = setOf("xdg-open"))
             desk.open(folder / "none.bag").err shouldContain "There is no file or folder"

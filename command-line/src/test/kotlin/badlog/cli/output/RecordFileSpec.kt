@@ -30,7 +30,7 @@ private fun heldIn(log: Path): Map<String, List<String>> = recordsOf(log).entrie
 class RecordFileSpec : FunSpec({
     val where = { _: Any? -> if (REAL_LOGS.isNotEmpty()) Enabled.enabled else Enabled.disabled("the logs are not on this machine") }
 
-    test("parts of a season's logs have the records of the whole, and merged again are the whole").config(enabledOrReasonIf = where) {
+    test("parts of a season's logs have the same records, and merged again all of them").config(enabledOrReasonIf = where) {
         for (log in REAL_LOGS) {
             inFolder { folder ->
                 val whole = heldIn(log)
@@ -53,7 +53,7 @@ class RecordFileSpec : FunSpec({
         }
     }
 
-    test("a season's logs without what repeats hold the same, and are whole again without their end").config(enabledOrReasonIf = where) {
+    test("a season's logs keep their values without repetitions, and all records when recovered").config(enabledOrReasonIf = where) {
         for (log in REAL_LOGS) {
             inFolder { folder ->
                 badlog("convert", log, "--changes-only", "-o", folder / "c.wpilog")

@@ -23,7 +23,7 @@ class PrivacySpec : FunSpec({
         "FRC 1014, team #254" to "[team], [team]",
     )
     for ((text, left) in cleaned) {
-        test("of “$text” remains “$left”") { privacyOf().without(text) shouldBe left }
+        test("“$text” becomes “$left”") { privacyOf().without(text) shouldBe left }
     }
 
     val harmless = listOf(
@@ -31,10 +31,10 @@ class PrivacySpec : FunSpec({
         "CAN timeout, Elevator (ID 5)", "https://docs.wpilib.org/en/stable", "std::vector", "teams", "a/b = 3", "1:32.5",
     )
     for (text in harmless) {
-        test("“$text” says nothing of anybody") { privacyOf().without(text) shouldBe text }
+        test("“$text” is not private") { privacyOf().without(text) shouldBe text }
     }
 
-    test("a team's number and a user's name are found wherever they stand as words, once they are known") {
+    test("known team numbers and user names are removed wherever they are words") {
         val privacy = privacyOf("Team Number" to "1014", "Path" to "/Users/jane/x")
         privacy.without("Jane and 1014, not 11014, 10.14 or janet") shouldBe "[user] and [team], not 11014, 10.14 or janet"
         privacyOf("IP" to "10.2.54.2").without("robot 254") shouldBe "robot [team]"

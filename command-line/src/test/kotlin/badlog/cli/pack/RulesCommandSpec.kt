@@ -63,7 +63,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("a slice that fails, and why, is said, and so are rules without slices") {
+    test("failing slices are reported with the reason, and so are rules without slices") {
         inFolder { folder ->
             val pack = folder / "p"
             pack.with("badlog-rules.toml", RULE + RULE.replace("Fast", "Warm").replace("Speed", "Heat"))
@@ -92,7 +92,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("a pack without slices proves nothing, and one that is wrong is a mistake of its author") {
+    test("a pack without slices has the exit code for nothing, and a wrong pack the one for usage") {
         inFolder { folder ->
             (folder / "p").with("badlog-rules.toml", RULE)
             badlog("rules", "check", folder / "p").code shouldBe ExitCode.NOTHING
@@ -111,7 +111,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("a slice of a rule that is built in, and is wrong about it, is checked like any other") {
+    test("a slice of a built-in rule is checked like any other") {
         inFolder { folder ->
             val pack = folder / "p.badlog-rules"
             val begun = badlog("rules", "new", pack, "--from", SAMPLES / "qualification-42.bag", "--at", "1:33.7", "--name", "Browned out")
@@ -135,7 +135,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("whose log it is does not show in a slice, nor in its name, and what was removed is said") {
+    test("a slice and its name do not show the owner of the log, and removals are reported") {
         inFolder { folder ->
             val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Speed"},{"name":"TeamNumber"},{"name":"Log","attrs":["log"]}],"values":[{"name":"Team","value":"1014"},{"name":"Build","value":"/home/jane/robot"},{"name":"Match Number","value":"1014"}],"secret":"jane"}"""
             val rows = (0..600).joinToString("") { "${it / 10.0},${if (it == 300) 9 else 1},1014,${if (it == 300) "jane of frc1014 at 10.10.14.2" else ""}\n" }
@@ -154,7 +154,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("what cannot be begun is one sentence that says what to do") {
+    test("a slice that cannot be cut is reported in one sentence with the next step") {
         inFolder { folder ->
             val flat = folder.with("flat.bag", SLOW.replace(",9\n", ",1\n"))
             fun new(vararg more: Any) = badlog("rules", "new", folder / "p", "--from", flat, "--name", "Fast", *more)

@@ -35,12 +35,12 @@ import kotlin.io.path.readLines
 
 @Tags("InCheck")
 class PluginLoaderSpec : FunSpec({
-    test("the class path of the program stays as short as it was, since each jar on it costs time at every start") {
+    test("the class path of the program has only the listed jars, since each costs time at every start") {
         val wanted = Path.of("../../src/test/resources/class-path.txt").readLines().filter { it.isNotEmpty() && !it.startsWith('#') }
         namesIn(LIBRARIES) shouldContainExactly wanted
     }
 
-    test("a part has its own libraries, and none of those by which it talks with the program") {
+    test("a part has its own libraries, and none that it shares with the program") {
         val part = namesIn(LIBRARIES / PluginLoader.FOLDER)
         part shouldContain "assistant"
         part.filter { it.startsWith("kotlin-stdlib") || it.startsWith("kotlinx-serialization") } shouldContainExactly emptyList()
@@ -77,7 +77,7 @@ class PluginLoaderSpec : FunSpec({
         }
     }
 
-    test("the installed program draws charts with a part that also has what Java has") {
+    test("the installed program draws charts with a part that has copies of Java's classes") {
         inFolder { folder ->
             val process = program("report", SAMPLES.toString(), "--out", (folder / "report").toString(), "--charts", "--no-cache")
             process.inputReader().readText() shouldContain "Qualification 42"
@@ -88,7 +88,7 @@ class PluginLoaderSpec : FunSpec({
         }
     }
 
-    test("an installed program without the part says how to get it, and does all else") {
+    test("an installed program without the part says how to get it, and runs all other commands") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val own = jarsIn(LIBRARIES).single { it.name.startsWith("command-line") }
@@ -119,7 +119,7 @@ class PluginLoaderSpec : FunSpec({
         }
     }
 
-    test("what is not a folder is not asked about") {
+    test("mcp refuses a missing folder and a file") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val nowhere = folder / "nowhere"

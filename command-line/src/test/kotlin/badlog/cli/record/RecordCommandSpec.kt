@@ -61,7 +61,7 @@ class RecordCommandSpec : FunSpec({
         return ended!!
     }
 
-    test("what a robot publishes is in a log, and the last line says how much and where") {
+    test("published values are in the log, and the last line has their number and the log's place") {
         besideReplay { robot ->
             inFolder { folder ->
                 val ended = recorded(folder.resolve("logs"), robot)
@@ -77,7 +77,7 @@ class RecordCommandSpec : FunSpec({
         }()
     }
 
-    test("only wanted topics are recorded; a pattern may be that of the log's name or of the robot's") {
+    test("--only records matching topics, by their name in the log or on the robot") {
         besideReplay { robot ->
             inFolder { folder ->
                 for ((index, pattern) in listOf("NT:/PDP/*", "/pdp/*", "PDP/*").withIndex()) {

@@ -70,7 +70,7 @@ class RecoverSpec : FunSpec({
         }
     }
 
-    test("random damage is mended or refused, and never a defect") {
+    test("a log with random damage becomes whole, or is refused") {
         inFolder { folder ->
             checkAll(Arb.int(0, BAG.length), Arb.byteArray(Arb.int(0, 12), Arb.byte())) { at, noise ->
                 val bytes = BAG.encodeToByteArray()
@@ -85,7 +85,7 @@ class RecoverSpec : FunSpec({
         }
     }
 
-    test("what was lost is counted in rows, cells and bytes") {
+    test("losses are counted in rows, cells and bytes") {
         inFolder { folder ->
             val ended = badlogJson("recover", folder.with("a.bag", CUT_BAG))
             ended.code shouldBe ExitCode.SALVAGED
@@ -97,7 +97,7 @@ class RecoverSpec : FunSpec({
         }
     }
 
-    test("without --out a whole log is left alone, with it it is copied") {
+    test("a whole log is copied only with --out") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("recover", log).out shouldContain "whole; nothing to recover"

@@ -80,7 +80,7 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("random damage is mended or refused, and never a defect") {
+    test("a log with random damage becomes whole, or is refused") {
         val whole = wpilogBytes(LOG)
         inFolder { folder ->
             checkAll(Arb.int(0, whole.size), Arb.byteArray(Arb.int(0, 12), Arb.byte())) { at, noise ->
@@ -91,7 +91,7 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("what was lost is counted in records and bytes") {
+    test("losses are counted in records and bytes") {
         inFolder { folder ->
             val whole = wpilogBytes(LOG)
             val cut = badlogJson("recover", folder.with("a.wpilog", whole.copyOf(whole.size - 3))).json.single()
@@ -113,7 +113,7 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("a compressed log that is cut is salvaged, compressed, and nobody knows how much is lost") {
+    test("a cut compressed log is salvaged, stays compressed, and has an unknown loss") {
         inFolder { folder ->
             val out = ByteArrayOutputStream()
             GZIPOutputStream(out).use { it.write(wpilogBytes(LOG)) }
@@ -138,7 +138,7 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("what lost its end keeps its beginning to the byte, also what is not decoded") {
+    test("a log without its end keeps its beginning to the byte, also topics that are not decoded") {
         val whole = wpilogBytes(LOG + PHOTO)
         inFolder { folder ->
             checkAll(60, Arb.int(6, whole.size), Arb.element(0, 1, 30)) { size, noise ->
@@ -151,7 +151,7 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("what lost records in its middle keeps all others to the byte, also what is not decoded") {
+    test("a log with lost records keeps all others to the byte, also topics that are not decoded") {
         inFolder { folder ->
             val whole = wpilogBytes(LOG + PHOTO)
             val unknown = byteArrayOf(0, 99, 1, 5, 1)
@@ -162,7 +162,7 @@ class RecoverWpilogSpec : FunSpec({
         }
     }
 
-    test("what has not even the beginning of a WPILOG is not taken for a table of its bytes") {
+    test("a .wpilog file without a WPILOG's first bytes is refused, and not read as a table") {
         inFolder { folder ->
             val whole = wpilogBytes(LOG)
             val garbage = folder.with("a.wpilog", "GARBAGE!".encodeToByteArray() + whole.drop(8))

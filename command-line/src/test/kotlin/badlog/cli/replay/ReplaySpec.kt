@@ -24,7 +24,7 @@ class ReplaySpec : FunSpec({
         ended.err shouldContain "“Nix” is not a topic"
     }
 
-    test("a program gets the port, and why there is none") {
+    test("a program gets the port, or the reason for a failure") {
         val json = badlogJson("replay", match, "--port", "0", "--from", "0:10", "--to", "10.5", "--speed", "5").json.single()
         json.getValue("command").jsonPrimitive.content shouldBe "replay"
         json.getValue("status").jsonPrimitive.content shouldBe "whole"
@@ -32,7 +32,7 @@ class ReplaySpec : FunSpec({
         badlogJson("replay", "nix.bag").json.single().getValue("status").jsonPrimitive.content shouldBe "failed"
     }
 
-    test("a part that is not there is reported with what is there") {
+    test("a range outside the log is reported with the log's range") {
         badlog("replay", match, "--port", "0", "--from", "100", "--to", "50").err.let { said ->
             said shouldContain "--from 100 comes after --to 50"
             said shouldContain "from 0 to 155.991"

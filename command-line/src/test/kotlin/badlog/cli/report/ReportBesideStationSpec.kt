@@ -56,7 +56,7 @@ class ReportBesideStationSpec : FunSpec({
         }
     }
 
-    test("what the robot logged itself counts, and a match without a Driver Station log is as before") {
+    test("the robot's own signals take precedence, and a match without a Driver Station log is unchanged") {
         inFolder { folder ->
             folder.with("ds/2026_03_07 10_04_05 Sat.dslog", dslog.bytes)
             val robot = folder.robot(battery = true)

@@ -42,7 +42,7 @@ import kotlin.io.path.readText
 
 @Tags("InCheck")
 class ReportChartsSpec : FunSpec({
-    test("charts of the samples are written beside the index, and what is lacking for others is reported") {
+    test("charts of the samples are written beside the index, and missing data for others is reported") {
         inFolder { folder ->
             val ended = badlog("report", SAMPLES, "--out", folder / "report", "--charts", "--no-cache")
             // Two of them are damaged on purpose.
@@ -81,7 +81,7 @@ class ReportChartsSpec : FunSpec({
         }
     }
 
-    test("what fails in drawing costs the charts, and not the index") {
+    test("a failure in drawing leaves out the charts, not the index") {
         inFolder { folder ->
             folder.with("logs/a.bag", BAG)
             for (failure in listOf(NoClassDefFoundError("java/awt/Font"), AWTError("no screen"), IllegalStateException("no chart"), IOException("no room"))) {
@@ -108,7 +108,7 @@ class ReportChartsSpec : FunSpec({
         }
     }
 
-    test("logs without what charts show have none, and each chart says why") {
+    test("logs without the data of charts get none, with a reason for each chart") {
         inFolder { folder ->
             folder.with("logs/a.bag", BAG)
             val ended = badlog("report", folder / "logs", "--out", folder / "report", "--charts", "--no-cache")
@@ -119,7 +119,7 @@ class ReportChartsSpec : FunSpec({
         }
     }
 
-    test("charts need a folder, and never replace what badlog did not make") {
+    test("charts need a folder, and never replace other files") {
         inFolder { folder ->
             badlog("report", SAMPLES, "--charts").run {
                 code shouldBe ExitCode.USAGE

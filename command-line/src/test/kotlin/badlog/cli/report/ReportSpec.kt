@@ -36,7 +36,7 @@ class ReportSpec : FunSpec({
         json.getValue("findings").jsonArray.map { it.jsonObject.getValue("rule").jsonPrimitive.content } shouldContain "Browned out"
     }
 
-    test("damaged logs, files that are missing and what is not a log have a line of JSON each, and count") {
+    test("damaged logs, missing files and other files have a line of JSON each") {
         inFolder { folder ->
             folder.with("logs/a.bag", BAG)
             folder.with("logs/b.bag", CUT_BAG)
@@ -49,7 +49,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("rules that are wrong are a wrong usage, and rules that no log can be asked are left out") {
+    test("wrong rules are wrong usage, and rules that can run for no log are left out") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             fun rules(condition: String) = folder.with("r.toml", "[[rule]]\nname='R'\nseverity='note'\nwhen='$condition'\ntext='x'")
@@ -101,7 +101,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("pages and an index that links to the findings stand in the folder asked for") {
+    test("pages and an index that links to the findings are in the folder of --out") {
         inFolder { folder ->
             badlog("report", match, "--no-cache", "--out", folder / "pages").code shouldBe ExitCode.WHOLE
             (folder / "pages/index.html").readText() shouldContain "qualification-42.html#t="
@@ -119,7 +119,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("what hooks find is in the table and in the pages").config(enabled = HAS_PYTHON) {
+    test("findings of hooks are in the table and in the pages").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val hook = folder.with("h.py", "print('{\"findings\": [{\"text\": \"odd noise\", \"time\": 0.04}], \"values\": {\"a\": 7}}')")

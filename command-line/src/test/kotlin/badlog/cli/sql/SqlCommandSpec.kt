@@ -97,7 +97,7 @@ class SqlCommandSpec : FunSpec({
         }
     }
 
-    test("what is wrong is a sentence, and nothing is changed") {
+    test("a wrong query is reported, and nothing is changed") {
         inFolder { folder ->
             folder.with("a.bag", BAG)
             badlog("sql", folder, "DROP TABLE matches").run {

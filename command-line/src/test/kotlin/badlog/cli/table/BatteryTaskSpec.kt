@@ -40,7 +40,7 @@ class BatteryTaskSpec : FunSpec({
         }
     }
 
-    test("with a column, it is the battery of each log") {
+    test("--by battery with a column shows the battery of each log") {
         inFolder { folder ->
             folder.match(1, "B2")
             folder.match(2, "A1")
@@ -58,7 +58,7 @@ class BatteryTaskSpec : FunSpec({
         }
     }
 
-    test("what cannot be read is said, and a condition needs a column") {
+    test("unreadable logs are reported, and a condition needs a column") {
         inFolder { folder ->
             folder.with("notes.bag", "\u0000\u0001\u0002")
             table(folder, "--by", "battery").code shouldBe ExitCode.NOTHING

@@ -66,7 +66,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("CSV and JSON have exact numbers, and nothing where nothing is known") {
+    test("CSV and JSON have exact numbers, and no value if it is unknown") {
         inFolder { folder ->
             folder.match("1").let { it.writeText(it.readText().replace("Enabled", "Height")) }
             folder.with("2.bag", "{\"topics\":[{\"name\":\"Speed\",\"unit\":\"m/s\"}],\"values\":[]}\nSpeed\n0.1\n")
@@ -87,7 +87,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("only logs whose header values meet the condition are asked") {
+    test("only logs with header values that meet the condition are in the table") {
         inFolder { folder ->
             folder.match("1")
             folder.match("2", type = "Playoff")
@@ -98,7 +98,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("a header value that no log has is called so, with the nearest that one has") {
+    test("a header value that no log has is reported with a similar one") {
         inFolder { folder ->
             folder.match("1")
             folder.match("2")
@@ -113,7 +113,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("a topic that no log has, and a mistake in a question or the condition, are a wrong usage, pointed at") {
+    test("a topic that no log has, and a mistake in a question or the condition, are pointed at") {
         inFolder { folder ->
             folder.match("1")
             val missing = table(folder, "--value", "max(Speed)", "--value", "max(Sped)")
@@ -129,7 +129,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("damaged logs count as such, what is not a log is named, and a folder without logs is nothing") {
+    test("damaged logs and other files are reported, and a folder without logs has the exit code for nothing") {
         inFolder { folder ->
             val none = Files.createDirectories(folder / "none")
             val logs = folder / "logs"

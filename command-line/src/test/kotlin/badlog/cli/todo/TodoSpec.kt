@@ -31,7 +31,7 @@ class TodoSpec : FunSpec({
     // The log is years old, and so what was seen before it is not known.
     fun Path.write(subject: TodoSubject, deed: TodoDeed) = TodoFolder(this, "pit").append(newChange(subject, deed, "Ada", last = null).copy(seen = null))
 
-    test("an error of the last matches is on the list, until it is done; the checklist has the lines of rules and those of the team") {
+    test("an error of the last matches is on the list until it is done; the checklist has the lines of rules and of the team") {
         inFolder { folder ->
             folder.withMatch().with("checklist.md", "- [ ] Bumpers are tight\n")
             val before = badlog("todo", folder, "--no-cache")
@@ -83,7 +83,7 @@ class TodoSpec : FunSpec({
         }
     }
 
-    test("what cannot be marked is refused, and nothing is written") {
+    test("an impossible mark is refused, and nothing is written") {
         inFolder { folder ->
             folder.write(OwnTask("Radio"), TodoDeed.Open)
             val missing = badlog("todo", folder, "--done", "2")
@@ -125,7 +125,7 @@ class TodoSpec : FunSpec({
         }
     }
 
-    test("lines that cannot be read are reported, and cost nothing else; what is not a folder is refused") {
+    test("unreadable lines are reported and skipped; a path that is not a folder is refused") {
         inFolder { folder ->
             folder.write(OwnTask("Radio"), TodoDeed.Open)
             TodoFolder(folder, "pit").file.appendText("{\"id\":\n")

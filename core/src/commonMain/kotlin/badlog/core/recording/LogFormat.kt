@@ -41,7 +41,7 @@ public interface LogParser {
      */
     public val isFull: Boolean
 
-    /** Reads the next bytes of the file: those of [bytes] from [from] until [until]. Keeps no reference to the array. */
+    /** Reads the next bytes of the file, [bytes] from [from] up to but without [until]. Keeps no reference to the array. */
     public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size)
 
     /** Ends the file, and returns the recording. Call it once, last. */

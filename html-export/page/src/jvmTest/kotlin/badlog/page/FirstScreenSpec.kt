@@ -40,7 +40,7 @@ internal class FirstScreenSpec : PageSpec({
         onPage(ruled("qualification-42.bag"), Screen.PHONE) {
             await("incidents") { incidents().size == 1 }
             checkFirstGraph()
-            element(".findings-more button").text shouldBe "Show 9 more"
+            element(".findings-more button").text shouldBe "Show 8 more"
             click(".findings-more button")
             incidents().size shouldBe 2
             elements(".finding").count { it.isDisplayed } shouldBeGreaterThan 5

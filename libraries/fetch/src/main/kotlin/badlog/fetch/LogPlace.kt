@@ -13,7 +13,7 @@ import java.time.format.DateTimeFormatter
  * The place of a log in the folder of fetched logs.
  *
  * @property folder the event's folder, or null if the event is unknown.
- * @property name the file's name: the robot's name, followed by the match if it does not contain that. Without a match and a date in it,
+ * @property name the file's name: its name on the robot, followed by the match if it does not contain that. Without a match and a date in it,
  * the start of the log follows if it is known.
  * @property title the title of the match, or null.
  */

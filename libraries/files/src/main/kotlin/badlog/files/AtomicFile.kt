@@ -14,8 +14,7 @@ import java.nio.file.StandardOpenOption.WRITE
 import java.util.UUID
 
 /**
- * Creates [target] with what [write] writes: an older file is replaced only by a complete one. Its folder is created
- * if necessary.
+ * Creates [target] with the output of [write]: an older file is replaced only by a complete one. Its folder is created if necessary.
  *
  * @throws UnwritableFileException if it cannot be written.
  * @throws InterruptedException if the thread was interrupted.
@@ -30,8 +29,8 @@ public fun <T> writeAtomically(target: Path, write: (OutputStream) -> T): T = wr
 }
 
 /**
- * A file that is written atomically: under another name beside [target], which it replaces in [commit]. If it is closed or
- * interrupted before that, even by the end of the program, it leaves nothing.
+ * A file that is written atomically: under another name beside [target], which it replaces in [commit]. If it is closed or interrupted before that,
+ * even by the end of the program, nothing is left of it.
  *
  * @throws IOException if the folder cannot be written to.
  */
@@ -78,7 +77,7 @@ public class AtomicFile(target: Path) : AutoCloseable {
 /** Thrown if there was not enough room on the disk. */
 internal class DiskFullException(cause: IOException) : IOException(cause)
 
-/** A stream of [file] whose failures distinguish a full disk from other causes. */
+/** A stream of [file] that distinguishes a full disk from other failures. */
 private class RoomGuard(private val file: Path, stream: OutputStream) : FilterOutputStream(stream) {
     override fun write(bytes: ByteArray, from: Int, size: Int) = try {
         out.write(bytes, from, size)

@@ -48,7 +48,7 @@ public fun <T> reading(file: Path, work: () -> T): T = try {
     throw unreadable(file, e)
 }
 
-/** Returns the error of reading [file], a file or a folder, whose reason is [e]. */
+/** Returns the error of reading [file], a file or a folder, caused by [e]. */
 public fun unreadable(file: Path, e: Throwable): UnreadableFileException {
     val message = when (e) {
         is NoSuchFileException -> missingSentence("$file")
@@ -63,10 +63,10 @@ public fun unreadable(file: Path, e: Throwable): UnreadableFileException {
     return UnreadableFileException(file, message, e)
 }
 
-/** Returns the sentence about [path], at which there is nothing. */
+/** Returns the sentence that nothing exists at [path]. */
 public fun missingSentence(path: String): String = "There is no file or folder $path; check the spelling."
 
-/** The sentence for people who asked for logs if there are none where they asked. */
+/** The sentence for users who named a place without logs. */
 public const val NO_LOGS_SENTENCE: String = "No logs found. Name a log, or the folder it is in."
 
 /**
@@ -95,9 +95,9 @@ public fun requireRegularFile(file: Path) {
 /**
  * Checks, before any work, that [target] can be written: that it is not a folder, and is not among the files that are read.
  *
- * @param advice what to do if it cannot be; null for the usual, which is for those who choose the file itself.
+ * @param advice the remedy to name if it cannot be written; null for the usual one, for users who choose the file itself.
  * @param isRead returns whether an existing file is read.
- * @throws UnwritableFileException if it is.
+ * @throws UnwritableFileException if it is a folder, or is read.
  */
 public fun requireTarget(target: Path, advice: String? = null, isRead: (Path) -> Boolean = { false }) {
     if (Files.isDirectory(target)) {
@@ -129,7 +129,7 @@ public fun <T> writing(file: Path, work: () -> T): T = try {
     throw unwritable(file, e)
 }
 
-/** Returns the error of writing [file], a file or a folder, whose reason is [e]. */
+/** Returns the error of writing [file], a file or a folder, caused by [e]. */
 public fun unwritable(file: Path, e: IOException): UnwritableFileException {
     val message = when (e) {
         is AccessDeniedException -> if (isReplaceable(file)) {

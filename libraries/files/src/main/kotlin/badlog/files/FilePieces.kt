@@ -16,8 +16,8 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
 
     /**
-     * Returns how many bytes a gzip file may inflate to, or 0 if its end does not show it: the trailer of its last member, if
-     * there is one, has the size of that member.
+     * Returns the probable inflated size of a gzip file in bytes; 0 if its end does not show it. The trailer of its last member, if there is one, has
+     * the size of that member.
      */
     fun inflatedSize(): Long {
         if (readAt(maxOf(0, total - Int.SIZE_BYTES), Int.SIZE_BYTES) < Int.SIZE_BYTES) return 0
@@ -25,7 +25,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         return if (size in total..total * MAX_INFLATION) size else 0
     }
 
-    /** Returns where the line after the last line end begins; 0 if there is none. */
+    /** Returns the start of the line after the last line end; 0 if there is none. */
     fun lastLineEnd(): Long {
         var until = total
         while (until > 0) {
@@ -38,10 +38,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         return 0
     }
 
-    /**
-     * Passes all bytes before [until] to [sink], and reports the progress; ends when there are [enough]. The array is reused after the
-     * call.
-     */
+    /** Passes all bytes before [until] to [sink], and reports the progress; stops once [enough] returns true. The array is reused after the call. */
     fun forEach(until: Long = Long.MAX_VALUE, enough: () -> Boolean = { false }, sink: (bytes: ByteArray, size: Int) -> Unit) {
         var done = 0L
         var reported = 0L

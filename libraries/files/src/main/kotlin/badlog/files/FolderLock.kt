@@ -14,14 +14,14 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Runs [work], which reads a file in [folder], changes its content and writes it again, while no other thread or program does so by this
- * function. A hidden file in [folder] is locked for that, which stays there. [work] runs without a lock if none can be taken, as in some
+ * Runs [work], which reads a file in [folder], changes its content and writes it again, under a lock. Other threads and programs that use this
+ * function wait meanwhile. The lock is a hidden file in [folder], which stays there. [work] runs without a lock if none can be taken, as in some
  * folders of a network, or if none is free within a second.
  *
  * @throws InterruptedException if the thread was interrupted while waiting.
  */
 public fun <T> locking(folder: Path, work: () -> T): T {
-    // Two threads of one program cannot wait for one lock, and the first of their channels that is closed would release it.
+    // Two threads of one program cannot wait for one file lock; it would end with the first of their channels that is closed.
     if (!ownThreads.tryLock(PATIENCE.inWholeNanoseconds, NANOSECONDS)) return work()
     try {
         val channel = lockFileIn(folder) ?: return work()

@@ -20,8 +20,8 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
     private val room = Semaphore(ROOM, true)
 
     /**
-     * Does [work] on each of [files], which receives a number of cores, and passes each result to [each] on this thread. An
-     * exception from [work], [waiting] or [each] stops everything and is passed on.
+     * Runs [work] on each of [files], with a number of cores. Passes each result to [each] on this thread. An exception from [work], [waiting] or
+     * [each] stops everything and is passed on.
      *
      * @param waiting called on this thread several times a second while the next result is not there.
      */

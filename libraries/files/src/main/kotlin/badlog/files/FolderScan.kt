@@ -22,8 +22,8 @@ public class FolderScan private constructor(public val files: List<LogFile>, pub
         private const val MAX_DEPTH = 16
 
         /**
-         * Scans [folder] and all folders in it, without reading a file. Follows links, but never enters a folder twice. Skips
-         * hidden files, build folders, and packs of rules, whose slices are not logs of their own.
+         * Scans [folder] and all folders in it, without reading a file. Follows links, but never enters a folder twice. Skips hidden files, build
+         * folders, and packs of rules, since slices in a pack are not separate logs.
          *
          * @param checkpoint called for each file; may throw to cancel.
          * @throws IOException if [folder] itself cannot be read.
@@ -72,14 +72,14 @@ private fun whole(files: List<LogFile>): List<LogFile> {
     return wholeLogs(files, LogFile::path).map { file -> seconds[file.path]?.let(file::with) ?: file }
 }
 
-/** Returns whether [name] may be that of a log; the content decides later. A `.hoot` counts only if something can read it. */
+/** Returns whether [name] may belong to a log; the content decides later. A `.hoot` counts only if something can read it. */
 private fun isNamedLikeLog(name: String): Boolean {
     val parts = LogName.of(name)
     return !name.startsWith(".") && parts.mayBeLog && !name.endsWith(".tar.gz", ignoreCase = true) &&
         (!parts.ending.equals(LogName.HOOT, ignoreCase = true) || Owlet.isInstalled)
 }
 
-/** What the name of a folder with a pack of rules ends in. */
+/** The end of the name of a folder with a pack of rules. */
 private const val PACK = ".badlog-rules"
 
 private fun isPassedOver(folder: Path): Boolean {

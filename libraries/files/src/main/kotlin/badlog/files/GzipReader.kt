@@ -38,7 +38,7 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
     public val isCut: Boolean
         get() = isDamaged || !sawBody || (stage == Stage.BODY && tail != FLUSH_MARK)
 
-    /** Reads the bytes from [from] until [until] of [bytes], which follow those of previous calls. */
+    /** Reads the next bytes, from [from] until [until] of [bytes]. */
     public fun accept(bytes: ByteArray, from: Int, until: Int) {
         var at = from
         while (at < until) {

@@ -4,13 +4,13 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The first bytes of a `.hoot`, CTRE's log, as far as they are known; CTRE does not publish the format.
+ * The known part of the first bytes of a `.hoot`, CTRE's log; CTRE does not publish the format.
  *
  * @property bus the name of the CAN bus, in bytes 0 to 63.
- * @property compliancy which version of CTRE's converter can read it, in byte 70.
+ * @property compliancy the version of CTRE's converter that can read it, in byte 70.
  */
 internal class HootHeader private constructor(val bus: String, val compliancy: Int) {
-    /** Whether it is from before Phoenix 2024, whose logs nothing converts. */
+    /** Whether it is from before Phoenix 2024; no converter reads such logs. */
     val isTooOld: Boolean get() = compliancy < OLDEST
 
     companion object {
@@ -18,7 +18,7 @@ internal class HootHeader private constructor(val bus: String, val compliancy: I
         private const val COMPLIANCY = 70
         private const val OLDEST = 6
 
-        /** Returns the header of [hoot]; null if the file is too short to have one, or its bus has no name of text. */
+        /** Returns the header of [hoot]; null if the file is too short to have one, or the name of its bus is not text. */
         fun of(hoot: Path): HootHeader? {
             val bytes = reading(hoot) { Files.newInputStream(hoot).use { it.readNBytes(COMPLIANCY + 1) } }
             if (bytes.size <= COMPLIANCY) return null

@@ -29,7 +29,7 @@ private fun countLines(channel: FileChannel, from: Long, until: Long): Long {
     return count
 }
 
-/** Eight bytes at a time. */
+/** Returns the number of line feeds in the first [size] of [bytes]. Counts eight bytes at a time. */
 internal fun lineFeedsIn(bytes: ByteArray, size: Int): Int {
     var count = 0
     var at = 0

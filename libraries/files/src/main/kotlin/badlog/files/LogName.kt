@@ -3,8 +3,7 @@ package badlog.files
 import badlog.formats.LOG_ENDINGS
 
 /**
- * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped. Only the content shows what a file really
- * is.
+ * The parts of a log's name: `match.bag.gz` is `match`, `.bag` and gzipped. Only the content shows the real format.
  *
  * @property stem the name without [ending] and `.gz`.
  * @property ending the ending of a log, with its dot and in its original case; empty if there is none.
@@ -22,7 +21,7 @@ public class LogName private constructor(public val stem: String, public val end
         private const val CSV = ".csv"
         internal const val HOOT = ".hoot"
 
-        /** What the names of logs end in that can be read or be made readable here; `.gz` may follow. */
+        /** The endings of logs that can be read, or be made readable, here; `.gz` may follow. */
         public val ENDINGS: List<String> = LOG_ENDINGS + listOf(".wpilogxz", HOOT)
 
         /** Returns the parts of [name], which must not include folders. */

@@ -40,18 +40,18 @@ private fun isOfStation(topic: Topic) =
     topic.name.startsWith(STATION_TOPIC) || SCHEMA_FOLDER in topic.name || topic.name == "systemTime" || topic.name == "messages"
 
 /**
- * Returns the content of [log], one of [stationLogsIn], read by [formats]; null if it is not a log of the Driver Station, has no samples,
- * or cannot be read.
+ * Returns the content of [log], one of [stationLogsIn], read by [formats]. Null if it is not a log of the Driver Station, has no samples, or cannot
+ * be read.
  */
 public fun readStationLog(log: LogFile, formats: List<LogFormat>): Recording? = try {
     readRecording(log.path, formats, ReadOptions(cores = 1)).takeIf { it.isOfDriverStation && it.sampleCount > 0 }
 } catch (_: UnreadableFileException) {
-    // Whatever it is, it is not the log being searched for.
+    // Such a file is not the log being searched for.
     null
 }
 
 /**
- * Returns when [log], one of [stationLogsIn], began; null if that is not known before it is read.
+ * Returns when [log], one of [stationLogsIn], began, in s since 1970; null if its first bytes do not show it.
  *
  * @param headSize the number of its first bytes from which [startIn] returns the time, in s since 1970.
  */
@@ -61,14 +61,14 @@ public fun startOfStationLog(log: LogFile, headSize: Int, startIn: (ByteArray) -
     null
 }
 
-/** How the names of its logs begin from 2027 on. */
+/** The beginning of its logs' names from 2027 on. */
 private const val STATION_STEM = "FIRST_DS"
 
-/** How the names of its topics begin from 2027 on; those of a robot, such as `DS:controlWord`, have no slash. */
+/** The beginning of its topics' names from 2027 on; a robot's topics, such as `DS:controlWord`, have no slash. */
 private const val STATION_TOPIC = "DS:/"
 private const val SCHEMA_FOLDER = "/.schema/"
 
-/** Returns where a Driver Station keeps its logs on this computer: that of the seasons to 2026, and those from 2027 on. */
+/** Returns the folders of the Driver Station's logs on this computer: one for the seasons to 2026, the others from 2027 on. */
 public fun stationFolders(
     user: Path = Path.of(System.getProperty("user.home")),
     variable: (String) -> String? = System::getenv,
@@ -78,13 +78,13 @@ public fun stationFolders(
     return ofWindows.orEmpty() + listOf(user.resolve(".firstds"))
 }
 
-/** Returns those of [files], whose paths [pathOf] returns, that are not the second file of a log among them. */
+/** Returns [files] without the second files of logs among them; [pathOf] returns a file's path. */
 public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
     val paths = files.mapTo(HashSet(), pathOf)
     return files.filter { file -> firstPartOf(pathOf(file))?.let { it in paths } != true }
 }
 
-/** Returns the log whose second file is [file], if it exists; null if [file] has a name of a separate log. */
+/** Returns the log that [file] is the second file of, by its name; null for any other name. It need not exist. */
 public fun firstPartOf(file: Path): Path? = sibling(file, SECOND_ENDING, FIRST_ENDING)
 
 private fun sibling(file: Path, from: String, to: String): Path? {

@@ -7,8 +7,8 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
 /**
- * CTRE's program that converts a `.hoot`, a format that CTRE does not publish, to a WPILOG. It is never part of badlog: it is run if
- * [one is found][OwletSearch], as described in its help: `owlet INPUT OUTPUT -f wpilog`.
+ * CTRE's program that converts a `.hoot`, a format that CTRE does not publish, to a WPILOG. It is never part of badlog. If [one is
+ * found][OwletSearch], it is run as described in its help: `owlet INPUT OUTPUT -f wpilog`.
  */
 internal object Owlet {
     private val search by lazy { OwletSearch() }
@@ -16,11 +16,11 @@ internal object Owlet {
     /** Whether a log of this format can be read here. */
     val isInstalled: Boolean by lazy { search.any != null }
 
-    /** Converts [hoot] to the WPILOG [made] with the program for it that is found. */
+    /** Converts [hoot] to the WPILOG [made] with the program found for it. */
     fun convert(hoot: Path, made: Path, checkpoint: () -> Unit): List<Problem> =
         convert(hoot, made, checkpoint, programFor(hoot, search).toString())
 
-    /** Returns the program for [hoot]; if there is none, the failure says where to get it. */
+    /** Returns the program for [hoot]; if none is found, the exception says where to get it. */
     internal fun programFor(hoot: Path, search: OwletSearch): Path {
         val header = HootHeader.of(hoot)
         search.programFor(header?.compliancy)?.let { return it }
@@ -72,7 +72,7 @@ internal object Owlet {
         throw UnreadableFileException(hoot, missing(hoot, ""), e)
     }
 
-    /** How often, in ms, cancellation is checked. */
+    /** The interval between checks for cancellation, in ms. */
     private const val STEP = 50L
 
     /** The maximum number of characters quoted from its output. */

@@ -8,7 +8,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * Finds CTRE's program that converts a `.hoot` where teams have it: as the environment variable [SETTING] names it, a file or a folder; in
+ * Finds CTRE's program that converts a `.hoot` where teams have it. It may be named by the environment variable [SETTING], a file or a folder; be in
  * the folder into which AdvantageScope downloads one for each version of the format, or beside AdvantageScope; or on the PATH.
  *
  * @param system the name of the operating system.

@@ -50,7 +50,7 @@ internal class ParsingThreads(
         private set
     private var readsDecimalComma: BooleanArray? = null
 
-    /** Accepts the first [size] of [bytes], which follow those of previous calls. Keeps no reference to the array. */
+    /** Accepts the next bytes, the first [size] of [bytes]. Keeps no reference to the array. */
     fun accept(bytes: ByteArray, size: Int) {
         var at = 0
         while (at < size) {
@@ -62,14 +62,14 @@ internal class ParsingThreads(
         }
     }
 
-    /** Waits until everything is parsed, and returns what was read. Call it once, last. */
+    /** Waits until everything is parsed, and returns the recording. Call it once, last. */
     fun finish(): Recording {
         submit(filling.size)
         while (inFlight.isNotEmpty()) awaitFirst()
         return parser.finish()
     }
 
-    /** Drops what is not parsed yet. */
+    /** Drops the pieces that are not parsed yet. */
     override fun close() {
         putting.shutdownNow()
         batching.shutdownNow()
@@ -131,7 +131,7 @@ internal class ParsingThreads(
             throw e.cause ?: e
         }
 
-        /** Returns the end of the last complete line; that of the piece if it has none. */
+        /** Returns the end of the last complete line; the end of the piece if it has none. */
         fun Piece.lastLineEnd(): Int {
             var end = size
             while (end > 0 && bytes[end - 1] != LINE_FEED) end--

@@ -15,7 +15,7 @@ public sealed interface ReadResult {
     public fun orThrow(): Recording
 
     /**
-     * It was read.
+     * The log was read.
      *
      * @property recording its content.
      */
@@ -24,11 +24,11 @@ public sealed interface ReadResult {
     }
 
     /**
-     * There is nothing to show of it.
+     * The log was not read.
      *
      * @property file the file that was read.
-     * @property cause why.
-     * @property message why, and what to do, as a sentence, which does not always name [file].
+     * @property cause the kind of reason.
+     * @property message the reason and the remedy, in one sentence, which does not always name [file].
      */
     public class NotRead private constructor(
         public val file: Path,
@@ -42,11 +42,11 @@ public sealed interface ReadResult {
         /** The [message], with the path of [file] in it. */
         public val sentence: String get() = naming(file, message)
 
-        // Whoever reports bugs needs to see where they are.
+        // A report of a bug needs its stack trace.
         override fun orThrow(): Recording = throw failure?.takeIf { cause == Cause.BUG } ?: NotReadException(this)
 
         public companion object {
-            /** Returns what [failure] means, which ended the work on the log in [file]. */
+            /** Returns the result for [failure], which ended the work on the log in [file]. */
             public fun of(file: Path, failure: Throwable): NotRead = when (failure) {
                 is NotReadException -> failure.why
                 is TooLargeFileException -> NotRead(file, Cause.TOO_LARGE, failure.message, failure)
@@ -56,7 +56,7 @@ public sealed interface ReadResult {
                 else -> NotRead(file, Cause.BUG, "${bugIn(failure)}, with the file if you may share it.", failure)
             }
 
-            /** Returns that [file] is not a log because of [refusal], a sentence. */
+            /** Returns the result for [file], which is not a log because of [refusal], a sentence. */
             public fun noLog(file: Path, refusal: String): NotRead = NotRead(file, Cause.NO_LOG, refusal, failure = null)
         }
     }
@@ -69,7 +69,7 @@ public sealed interface ReadResult {
         /** The file is missing, may not be read, or its disk fails. */
         UNREADABLE,
 
-        /** A file that reading it needs cannot be written: usually the disk of the folder for temporary files is full. */
+        /** A file needed for reading cannot be written: usually the disk of the folder for temporary files is full. */
         NO_ROOM,
 
         /** It does not fit into memory. */
@@ -81,14 +81,14 @@ public sealed interface ReadResult {
 }
 
 /**
- * Thrown if a log was not read, by those who cannot go on without it.
+ * Thrown if a log was not read, by callers that cannot go on without it.
  *
  * @property why the reason.
  */
 public class NotReadException(public val why: ReadResult.NotRead) : UnreadableFileException(why.file, why.sentence)
 
 /**
- * Reads [file] as [readRecording] does; whatever prevents it is a result.
+ * Reads [file] as [readRecording] does; any failure becomes a result.
  *
  * @throws InterruptedException if the thread was interrupted.
  */
@@ -103,8 +103,8 @@ public fun readLog(
 }
 
 /**
- * Returns the result of [work] on the log in [file]; if that fails, for want of memory or because of a bug, the result of [otherwise]: a
- * failure of one log must not affect others. Passes on that the thread was interrupted, or the work cancelled.
+ * Returns the result of [work] on the log in [file]; if that fails, the result of [otherwise]. Even lack of memory or a bug is a result: a failure of
+ * one log must not affect others. Passes on that the thread was interrupted, or the work cancelled.
  */
 public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R, work: () -> R): R = try {
     work()
@@ -123,7 +123,7 @@ public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R
 /** Returns [message], a sentence about [file], with the path of the file in it. */
 public fun naming(file: Path, message: String): String = if ("$file" in message) message else "$file: $message"
 
-/** Returns the sentence about [what], which needs too much memory: what is wrong, and what helps. */
+/** Returns the sentence that [what] needs too much memory, with a remedy. */
 public fun tooLargeSentence(what: String): String {
     val megabytes = Runtime.getRuntime().maxMemory() shr 20
     return "$what does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS, to -Xmx8g for example."

@@ -4,11 +4,11 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Where results go, as typed after `--out`.
+ * The place for results, as typed after `--out`.
  *
  * @property path the file or folder.
- * @property isFolder whether it is a folder: one that exists, a name with a slash at its end, or, of what does not exist, a name without
- *   an ending. Whoever writes a file named `page` nearly always wants a folder.
+ * @property isFolder whether it is a folder: one that exists, a name with a slash at its end, or, if nothing exists there, a name without an ending.
+ *   Users who type `page` nearly always want a folder.
  */
 public class ResultPlace private constructor(public val path: Path, public val isFolder: Boolean) {
     public companion object {

@@ -1,8 +1,8 @@
 package badlog.files
 
 /**
- * Returns [name], which comes from a robot or a log and may contain anything, as a name for a file or folder on any system: without
- * folders, forbidden characters or invisible ones; not hidden, and not too long.
+ * Returns [name] as a name for a file or folder on any system. It may come from a robot or a log and contain anything; the result has no folders,
+ * forbidden or invisible characters, is not hidden, and not too long.
  */
 public fun safeName(name: String): String {
     val signs = buildString {

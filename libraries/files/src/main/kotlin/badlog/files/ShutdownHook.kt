@@ -1,6 +1,6 @@
 package badlog.files
 
-/** Does [work]. If the program is asked to end meanwhile, for example by Ctrl+C, [atEnd] runs on another thread before the program ends. */
+/** Runs [work]. If the program is asked to end meanwhile, for example by Ctrl+C, [atEnd] runs on another thread before the program ends. */
 public fun <T> withShutdownHook(atEnd: () -> Unit, work: () -> T): T {
     val runtime = Runtime.getRuntime()
     val thread = Thread(atEnd, "badlog-end")

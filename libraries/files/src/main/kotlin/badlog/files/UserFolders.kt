@@ -9,7 +9,7 @@ import java.nio.file.Path
  * @property cache the folder of cached results, which may be deleted at any time.
  */
 public class UserFolders(public val settings: Path, public val cache: Path) {
-    /** The folder of what is known of logs, which all programs share. */
+    /** The folder of stored answers about logs, which all programs share. */
     public val answers: Path get() = cache.resolve("answers")
 
     public companion object {

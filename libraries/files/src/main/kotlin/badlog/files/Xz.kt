@@ -12,7 +12,7 @@ import java.io.OutputStream
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Writes to [out] everything that can be inflated of [file], which is compressed with xz. Returns a problem if data is missing. */
+/** Inflates [file], which is compressed with xz, into [out], up to damage or 4 GB. Returns a problem if data is missing. */
 internal fun inflateXz(file: Path, out: OutputStream, checkpoint: () -> Unit): List<Problem> {
     var inflated = 0L
     reading(file) { ReadGuard(file, Files.newInputStream(file)) }.use { source ->
@@ -49,7 +49,7 @@ private class ReadGuard(private val file: Path, source: InputStream) : FilterInp
 /** If a file ends early, the inflated part of a piece is lost. */
 private const val PIECE = 1 shl 12
 
-/** Twice what `xz -9` needs. */
+/** Twice the need of `xz -9`. */
 private const val MEMORY_KB = 128 shl 10
 
 /** No robot's log is larger, but a small file can inflate to any size. */

@@ -16,7 +16,7 @@ import kotlin.io.path.writeText
 private fun Path.names() = listDirectoryEntries().map { it.name }.sorted()
 
 class AtomicFileSpec : FunSpec({
-    test("a file takes the place of an older one when it is whole, and its folders are made") {
+    test("a complete file replaces an older one, and its folders are created") {
         inFolder { folder ->
             val file = folder.resolve("deep/er/a.txt")
             writeAtomically(file) { it.write("old".encodeToByteArray()) }
@@ -31,7 +31,7 @@ class AtomicFileSpec : FunSpec({
         }
     }
 
-    test("what fails on the way leaves the older file, and nothing beside it") {
+    test("a failure leaves the older file, and nothing beside it") {
         inFolder { folder ->
             val file = folder.resolve("a.txt").apply { writeText("old") }
             shouldThrow<IllegalStateException> {
@@ -46,7 +46,7 @@ class AtomicFileSpec : FunSpec({
         }
     }
 
-    test("what cannot be written is named in one sentence; who is interrupted stops") {
+    test("a file that cannot be written is reported in one sentence, and an interrupt stops the writing") {
         inFolder { folder ->
             val file = folder.resolve("a.txt").apply { writeText("old") }
             val below = file.resolve("b.txt")

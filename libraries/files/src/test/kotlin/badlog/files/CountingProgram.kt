@@ -4,7 +4,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.exists
 
-/** Counts in the folder that [args] name first, as often as they say next, as soon as its input is closed; writes a letter when it can begin. */
+/**
+ * Counts in the folder that is the first of [args], as often as the second says. It begins as soon as its input is closed, and writes a letter when
+ * it can begin.
+ */
 fun main(args: Array<String>) {
     val (folder, times) = args
     print("r")

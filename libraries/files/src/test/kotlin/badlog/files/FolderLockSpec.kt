@@ -36,7 +36,7 @@ class FolderLockSpec : FunSpec({
         counted(folder) shouldBe 300
     }
 
-    test("where no lock can be taken, the work is done without one") {
+    test("if no lock can be taken, the work is done without one") {
         val folder = tempdir().toPath()
         Files.createDirectories(folder.resolve(".badlog.lock"))
         countIn(folder, 3)
@@ -44,7 +44,7 @@ class FolderLockSpec : FunSpec({
         locking(Files.writeString(folder.resolve("no folder"), "")) { 4 } shouldBe 4
     }
 
-    test("a program that keeps the lock does not keep others from their work") {
+    test("a program that keeps the lock does not block the work of others") {
         val folder = tempdir().toPath()
         FileChannel.open(folder.resolve(".badlog.lock"), CREATE, WRITE).use {
             it.lock()

@@ -13,7 +13,7 @@ class FolderRunSpec : FunSpec({
     val folder = tempdir().toPath()
     val files = (1..5).map { LogFile.of(folder.resolve("$it.csv").apply { writeText("Time,A\n") }) }
 
-    test("results come in the order of the files, whatever takes longest") {
+    test("results come in the order of the files, whichever takes longest") {
         val last = CountDownLatch(1)
         val names = ArrayList<String>()
         val work = { file: LogFile, _: Int ->
@@ -28,14 +28,14 @@ class FolderRunSpec : FunSpec({
         names shouldContainExactly files.map { it.name }
     }
 
-    test("whoever waits for a long file is called meanwhile") {
+    test("the callback for waiting is called during a long file") {
         val called = CountDownLatch(2)
         var done = 0
         FolderRun(threads = 1).forEach(files.take(1), { _, _ -> called.await() }, called::countDown) { _, _ -> done++ }
         done shouldBe 1
     }
 
-    test("whoever waits can cancel within a long file") {
+    test("the callback for waiting can cancel within a long file") {
         val isInterrupted = CountDownLatch(1)
         val never = CountDownLatch(1)
         val work = { _: LogFile, _: Int ->

@@ -22,7 +22,7 @@ private val IF_LINKS =
 class FolderScanSpec : FunSpec({
     fun found(folder: Path) = FolderScan.of(folder).files.map { folder.relativize(it.path).joinToString("/") }.sortedBy { it.lowercase() }
 
-    test("finds logs in all folders by their names, and passes over what is hidden") {
+    test("finds logs in all folders by their names, and skips hidden ones") {
         inFolder { folder ->
             listOf("b/Q10.bag", "b/Q9.bag", "a.csv", "c.wpilog.gz", "c.BADBAG", "d.tar.gz", ".hidden.bag", ".git/x.bag", "notes.txt")
                 .forEach { folder.put(it) }
@@ -31,7 +31,7 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("slices of a pack of rules are not logs of the folder, but are those of the pack") {
+    test("slices of a pack of rules are logs of the pack, not of the folder around it") {
         inFolder { folder ->
             listOf("a.bag", "our.badlog-rules/fires/Jammed/b.bag").forEach { folder.put(it) }
             found(folder) shouldBe listOf("a.bag")
@@ -39,7 +39,7 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("a .dslog with its .dsevents is one log of both sizes, and each alone is one, too") {
+    test("a .dslog with its .dsevents is one log with the size of both, and each alone is one, too") {
         inFolder { folder ->
             listOf("a/one.dslog", "a/one.dsevents", "a/two.dslog", "three.dsevents", "three.DSLOG", "Four.DSLOG", "Four.DSEVENTS", "five.dslog.gz", "five.dsevents.gz")
                 .forEach { folder.put(it) }
@@ -50,7 +50,7 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("follows no link round in circles").config(enabledOrReasonIf = { IF_LINKS }) {
+    test("follows links, but not in circles").config(enabledOrReasonIf = { IF_LINKS }) {
         inFolder { folder ->
             folder.put("a/Q1.bag")
             Files.createSymbolicLink(folder.resolve("a/again"), folder)
@@ -58,7 +58,7 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("shows when a file was written last, and how large it is") {
+    test("shows when a file was last written, and its size") {
         inFolder { folder ->
             folder.put("Q1.bag")
             FolderScan.of(folder).files.single() shouldBe LogFile.of(folder.resolve("Q1.bag"))
@@ -66,14 +66,14 @@ class FolderScanSpec : FunSpec({
         }
     }
 
-    test("passes over what Gradle builds, but not over a folder that only is called so") {
+    test("skips Gradle's build folders, but not other folders with that name") {
         inFolder { folder ->
             listOf("a/build.gradle", "a/build/Q1.bag", "b/build/Q2.bag").forEach { folder.put(it) }
             found(folder) shouldBe listOf("b/build/Q2.bag")
         }
     }
 
-    test("a folder that is not there is reported") {
+    test("a missing folder is reported") {
         inFolder { folder -> shouldThrow<IOException> { FolderScan.of(folder.resolve("none")) } }
     }
 })

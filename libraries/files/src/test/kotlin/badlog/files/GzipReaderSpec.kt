@@ -69,7 +69,7 @@ class GzipReaderSpec : FunSpec({
         }
     }
 
-    test("cut anywhere, it yields the beginning and says so") {
+    test("a file cut anywhere yields its beginning, and counts as cut") {
         var last = 0
         for (size in 1..whole.size - 9 step 11) {
             read(whole.copyOf(size)).run {
@@ -93,7 +93,7 @@ class GzipReaderSpec : FunSpec({
         }
     }
 
-    test("every field that a header can have is passed over") {
+    test("every field of a header is skipped") {
         val body = whole.copyOfRange(10, whole.size)
         val extra = byteArrayOf(3, 0, 9, 9, 9)
         val name = "log.bag\u0000".encodeToByteArray()
@@ -107,12 +107,12 @@ class GzipReaderSpec : FunSpec({
         }
     }
 
-    test("an extra field without a byte in it") {
+    test("an empty extra field") {
         val header = byteArrayOf(0x1F, 0x8B.toByte(), 8, 4, 0, 0, 0, 0, 0, 3, 0, 0)
         read(header + whole.copyOfRange(10, whole.size)).text shouldBe rows
     }
 
-    test("damaged inside, it yields what stands before the damage") {
+    test("a file damaged inside yields the data before the damage") {
         val random = Random(3)
         repeat(PropertyTesting.defaultIterationCount) {
             val damaged = whole.copyOf()
@@ -128,7 +128,7 @@ class GzipReaderSpec : FunSpec({
         }
     }
 
-    test("only the signature, or another method than deflate, is cut") {
+    test("a file of only the signature, or of another method than deflate, counts as cut") {
         read(byteArrayOf(0x1F, 0x8B.toByte())).isCut.shouldBeTrue()
         read(byteArrayOf(0x1F, 0x8B.toByte(), 7, 0, 0, 0, 0, 0, 0, 0, 0, 0)).isCut.shouldBeTrue()
     }

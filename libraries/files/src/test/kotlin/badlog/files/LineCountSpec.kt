@@ -8,7 +8,7 @@ import java.nio.file.Files
 import kotlin.random.Random
 
 class LineCountSpec : FunSpec({
-    test("line feeds are counted eight bytes at a time as they are one by one, whatever stands beside them") {
+    test("line feeds counted eight bytes at a time are as many as one by one, whatever bytes are beside them") {
         val random = Random(2468)
         repeat(5 * PropertyTesting.defaultIterationCount) {
             val near = byteArrayOf(9, 10, 11, 0, 0x0a, 0x8a.toByte(), -1, 0x7f)

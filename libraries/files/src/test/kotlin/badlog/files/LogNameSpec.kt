@@ -18,7 +18,7 @@ class LogNameSpec : FunSpec({
         }
     }
 
-    test("tables and compressed files may be logs, bags and WPILOGs are nothing else") {
+    test("tables and compressed files may be logs; bags and WPILOGs always are") {
         listOf("a.bag", "a.badbag.gz", "a.csv", "a.gz", "a.txt").map { LogName.of(it).mayBeLog } shouldBe
             listOf(true, true, true, true, false)
         listOf("a.bag", "a.badbag.gz", "a.csv", "a.gz", "a.wpilog").map { LogName.of(it).isOnlyOfLogs } shouldBe

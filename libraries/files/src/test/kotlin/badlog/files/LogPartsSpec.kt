@@ -10,7 +10,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 class LogPartsSpec : FunSpec({
-    test("a Driver Station log is read, and tells its start by its first bytes; what is another log, has no samples or is gone is none") {
+    test("a Driver Station log is read, and its first bytes show its start; other, empty and missing files are none") {
         inFolder { folder ->
             Files.write(folder.resolve("a.dslog"), STATION_LOG.bytes)
             Files.write(folder.resolve("head.dslog"), STATION_LOG.bytes.copyOf(DriverStationFormat.HEAD_SIZE))
@@ -45,7 +45,7 @@ class LogPartsSpec : FunSpec({
         }
     }
 
-    test("the Driver Station's logs are looked for where each season's puts them, on each system") {
+    test("the Driver Station's logs are searched for in each season's folders, on each system") {
         val user = Path.of("/home/pit")
         stationFolders(user) { null } shouldBe listOf(user.resolve(".firstds"))
         stationFolders(user) { if (it == "PUBLIC") "/Users/Public" else null } shouldBe listOf(

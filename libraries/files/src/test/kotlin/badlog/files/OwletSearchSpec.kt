@@ -20,7 +20,7 @@ private fun Path.program(name: String): Path = resolve(name).also {
 class OwletSearchSpec : FunSpec({
     fun search(user: Path, system: String = "Linux", vararg variables: Pair<String, Any>) = OwletSearch(system, user) { name -> variables.toMap()[name]?.toString() }
 
-    test("the header says which bus it is, and which converter can read it") {
+    test("the header names the bus, and the converter that can read it") {
         inFolder { folder ->
             checkNotNull(HootHeader.of(Files.write(folder.resolve("a.hoot"), hoot("canivore", 12)))).run {
                 bus shouldBe "canivore"
@@ -32,7 +32,7 @@ class OwletSearchSpec : FunSpec({
         }
     }
 
-    test("of several converters, the newest of the log's compliancy is taken, wherever AdvantageScope keeps it") {
+    test("of several converters for the log's compliancy, the newest is used, wherever AdvantageScope keeps it") {
         for ((system, data) in listOf("Linux" to ".config", "Mac OS X" to "Library/Application Support", "Windows 11" to "AppData/Roaming")) {
             inFolder { home ->
                 val owlets = home.resolve(data).resolve("AdvantageScope/owlet")
@@ -62,7 +62,7 @@ class OwletSearchSpec : FunSpec({
         }
     }
 
-    test("without a converter, one sentence says which is needed and where it comes from") {
+    test("without a converter, one sentence names the one that is needed, and its source") {
         inFolder { folder ->
             fun sentence(name: String, bytes: ByteArray) = shouldThrow<UnreadableFileException> { Owlet.programFor(Files.write(folder.resolve(name), bytes), search(folder)) }.message
             sentence("a.hoot", hoot("rio", 12)) shouldContain "owlet for its version C12; AdvantageScope downloads it"

@@ -32,7 +32,7 @@ class ParsingThreadsSpec : FunSpec({
         }
     }
 
-    test("many rows read the same on all cores, however many there are to be") {
+    test("many rows read the same on all cores, however many are expected") {
         val rows = (0 until 40_000).joinToString("") { "${it * 0.02},${it % 7},${if (it % 900 == 0) "said $it" else ""}\n" }
         val bytes = "{\"topics\":[{\"name\":\"Time\"},{\"name\":\"b\"},{\"name\":\"c\"}]}\nTime,b,c\n$rows".encodeToByteArray()
         val expected = describeFully(BagParser().apply { accept(bytes) }.finish())

@@ -70,7 +70,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("counts alone may be wanted while the numbers go elsewhere, on as many cores as there are") {
+    test("counts alone can be read while the numbers go elsewhere, on any number of cores") {
         inFolder { folder ->
             var sum = 0.0
             val sinks = NumberSinks { name, _ -> if (name == parse(LARGE).topics[0].name) NumberSink { _, number -> sum += number } else null }
@@ -80,7 +80,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("samples are kept only where they are wanted") {
+    test("samples are kept only if they are wanted") {
         inFolder { folder ->
             val topic = readRecording(fileOf(folder, VARIED_BAG.encodeToByteArray()), LOG_FORMATS, ReadOptions(keepSamples = false)).topics[0]
             topic.samples.size shouldBe 0
@@ -88,7 +88,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("of a file that is still being written, the whole lines are read and nothing is wrong") {
+    test("of a file that is still being written, the whole lines are read without a problem") {
         inFolder { folder ->
             for (size in 1..VARIED_BAG.length) {
                 val beginning = VARIED_BAG.encodeToByteArray().copyOf(size)
@@ -114,7 +114,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("a compressed file that is cut says so before all else, and keeps what can be inflated") {
+    test("a cut compressed file is reported before all else, and all that can be inflated is kept") {
         inFolder { folder ->
             val whole = gzip(LARGE.encodeToByteArray())
             readRecording(fileOf(folder, whole.copyOf(whole.size / 2)), LOG_FORMATS).run {
@@ -125,7 +125,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("what stands at a compressed file's end is no more than a hint of its size") {
+    test("the end of a compressed file is only a hint of its size") {
         inFolder { folder ->
             val text = LARGE.encodeToByteArray()
             for (size in listOf(0, 1 shl 20, -1)) {
@@ -152,7 +152,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("what progress throws is passed on as it is") {
+    test("an exception from the progress is passed on unchanged") {
         inFolder { folder ->
             val bytes = LARGE.encodeToByteArray()
             for (content in listOf(bytes, gzip(bytes))) {
@@ -175,7 +175,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("what cannot be read is named in one sentence") {
+    test("a file that cannot be read is reported in one sentence") {
         inFolder { folder ->
             val missing = folder.resolve("missing.bag")
             shouldThrow<UnreadableFileException> { readRecording(missing, LOG_FORMATS) }.run {
@@ -186,7 +186,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("a pipe is refused and not waited for").config(timeout = 2.minutes, enabledOrReasonIf = { IF_PIPES }) {
+    test("a pipe is refused without waiting for it").config(timeout = 2.minutes, enabledOrReasonIf = { IF_PIPES }) {
         inFolder { folder ->
             val pipe = folder.resolve("pipe")
             ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() shouldBe 0
@@ -225,7 +225,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("a .dslog is read with the .dsevents of its name beside it, compressed or not, and alone where there is none") {
+    test("a .dslog is read with the .dsevents of its name beside it, compressed or not, and alone if there is none") {
         inFolder { folder ->
             val log = folder.resolve("2026_03_07 10_04_05 Sat.dslog")
             Files.write(log, STATION_LOG.bytes)
@@ -240,7 +240,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("real logs, where they are, read from the disk as their bytes do") {
+    test("real logs, if present, are read from the disk as from their bytes") {
         val logs = File(System.getenv("BADLOG_REAL_LOGS").orEmpty()).listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty()
         for (log in logs) describeLog(readRecording(log.toPath(), LOG_FORMATS)) shouldBe describeLog(parseLog(log.readBytes()))
     }

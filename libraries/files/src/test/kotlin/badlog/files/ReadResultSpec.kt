@@ -32,7 +32,7 @@ class ReadResultSpec : FunSpec({
         readLog(growing, LOG_FORMATS, ReadOptions(untilLastLineEnd = true)).orThrow().run { rowCount to problems.size } shouldBe (1 to 0)
     }
 
-    test("what is not a log stays so until the file changes, and its sentence names the file once") {
+    test("a file that is not a log stays so until it changes, and its sentence names it once") {
         val read = readLog(other, LOG_FORMATS).shouldBeInstanceOf<ReadResult.NotRead>()
         read.cause shouldBe ReadResult.Cause.NO_LOG
         read.isLasting shouldBe true
@@ -53,7 +53,7 @@ class ReadResultSpec : FunSpec({
         read.message shouldContain "There is no file or folder $missing"
     }
 
-    test("a log that needs too much memory is described alike, wherever memory ended") {
+    test("a log that needs too much memory is reported alike, wherever memory ended") {
         val sentences = listOf(
             { throw TooLargeFileException(log, tooLargeSentence("$log"), OutOfMemoryError()) },
             { throw OutOfMemoryError() },
@@ -64,7 +64,7 @@ class ReadResultSpec : FunSpec({
         }
     }
 
-    test("a full disk for temporary files is no bug, and its sentence names the log and the file that needs room") {
+    test("a full disk for temporary files is not a bug, and its sentence names the log and the file that needs room") {
         val made = folder.resolve("made.wpilog")
         val read = notRead { writing(made) { throw IOException("No space left on device") } }
         read.cause shouldBe ReadResult.Cause.NO_ROOM
@@ -73,7 +73,7 @@ class ReadResultSpec : FunSpec({
         shouldThrow<NotReadException> { read.orThrow() }.message shouldBe read.sentence
     }
 
-    test("a bug is a result of one line, and is thrown as it was") {
+    test("a bug is a result of one line, and is thrown unchanged") {
         val bug = IllegalStateException("odd\nand long")
         val read = notRead { throw bug }
         read.cause shouldBe ReadResult.Cause.BUG

@@ -12,11 +12,11 @@ import io.kotest.property.checkAll
 import java.nio.file.Path
 
 class SafeNameSpec : FunSpec({
-    test("an ordinary name stays") {
+    test("an ordinary name stays unchanged") {
         for (name in listOf("FRC_20260316_104107_MILLC_Q42.wpilog", "Größe 1.bag.gz", "試合.bag", "a-b+c,(2).csv")) safeName(name) shouldBe name
     }
 
-    test("nothing reaches elsewhere, hides, or is a device") {
+    test("no name leads to another folder, is hidden, or is a device") {
         safeName("../x") shouldBe "_._x"
         safeName("/etc/passwd") shouldBe "_etc_passwd"
         safeName("C:\\x") shouldBe "C__x"
@@ -29,7 +29,7 @@ class SafeNameSpec : FunSpec({
         safeName("x".repeat(300) + ".bag.gz") shouldBe "x".repeat(173) + ".bag.gz"
     }
 
-    test("any name is one name in a folder, and stays what it is when it is made safe again") {
+    test("any name becomes one name in a folder, and making it safe again changes nothing") {
         checkAll(Arb.string(0, 300, Codepoint.ascii().merge(Codepoint.arabic()))) { name ->
             val safe = safeName(name)
             val folder = Path.of("/logs")

@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldNotBe
 import java.nio.file.Files
 
 class ThisComputerSpec : FunSpec({
-    test("a computer keeps what tells it from others of the same name") {
+    test("a computer keeps its id, which distinguishes it from others of the same name") {
         val ids = List(20) { tempdir().toPath().resolve("settings/badlog") }.map { settings ->
             computerId(settings).also { computerId(settings) shouldBe it }
         }
@@ -15,7 +15,7 @@ class ThisComputerSpec : FunSpec({
         ids.all { Regex("[0-9a-f]{4}").matches(it.orEmpty()) } shouldBe true
     }
 
-    test("without a folder of settings, and with a damaged one, there is none") {
+    test("without a folder of settings, or with a damaged id, there is no id") {
         val file = Files.writeString(tempdir().toPath().resolve("settings"), "a file")
         computerId(file) shouldBe null
         val folder = tempdir().toPath()
@@ -23,7 +23,7 @@ class ThisComputerSpec : FunSpec({
         computerId(folder) shouldBe null
     }
 
-    test("a name is a part of names of files") {
+    test("a name becomes a part of file names") {
         fileNamePart("Pit Laptop") shouldBe "pit-laptop"
     }
 })

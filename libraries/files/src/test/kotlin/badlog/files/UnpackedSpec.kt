@@ -60,8 +60,8 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("of an xz file that is cut or damaged all is read that can be inflated, and nothing throws") {
-        // As noise: what repeats is inflated at once.
+    test("all that can be inflated of a cut or damaged xz file is read, and nothing throws") {
+        // Noise: data that repeats is inflated at once.
         val large = log + noise()
         val packed = xz(large)
         val file = tempdir().toPath().resolve("cut.wpilogxz")
@@ -82,7 +82,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("a hoot log becomes a WPILOG by CTRE's program").config(enabledOrReasonIf = { IF_SHELL }) {
+    test("a hoot log is converted to a WPILOG by CTRE's program").config(enabledOrReasonIf = { IF_SHELL }) {
         inFolder { folder ->
             val made = folder.resolve("made.wpilog")
             val hoot = Files.write(folder.resolve("a b.hoot"), log)
@@ -92,7 +92,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("without CTRE's program, or where it fails, one sentence says what to do").config(enabledOrReasonIf = { IF_SHELL }) {
+    test("without CTRE's program, or if it fails, one sentence says what to do").config(enabledOrReasonIf = { IF_SHELL }) {
         inFolder { folder ->
             val made = Files.createFile(folder.resolve("made.wpilog"))
             val hoot = Files.write(folder.resolve("a.hoot"), log)
@@ -103,7 +103,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("a hoot log that has another name while it is copied is known by its own") {
+    test("a hoot log is recognized by its own name while it is copied under another one") {
         inFolder { folder ->
             val part = Files.write(folder.resolve(".copy.part"), log)
             unpacked(part) { it.path } shouldBe part
@@ -113,7 +113,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("what a program that was killed has left is removed, and nothing of a program that runs or of others") {
+    test("files that a killed program left are removed, but not files of running or other programs") {
         inFolder { folder ->
             val killed = ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-version").start()
             killed.waitFor()
@@ -127,7 +127,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("a conversion that somebody gives up ends").config(enabledOrReasonIf = { IF_SHELL }) {
+    test("a conversion that is canceled ends").config(enabledOrReasonIf = { IF_SHELL }) {
         inFolder { folder ->
             val made = Files.createFile(folder.resolve("made.wpilog"))
             val hoot = Files.write(folder.resolve("a.hoot"), log)
@@ -136,7 +136,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("a folder lists what can be read here") {
+    test("a folder lists only logs that can be read here") {
         inFolder { folder ->
             for (name in listOf("a.wpilogxz", "b.revlog", "c.WPILOG", "d.xz", "e.hoot")) Files.write(folder.resolve(name), log)
             val wanted = listOf("a.wpilogxz", "b.revlog", "c.WPILOG") + if (Owlet.isInstalled) listOf("e.hoot") else emptyList()
@@ -145,7 +145,7 @@ internal class UnpackedSpec : FunSpec({
     }
 })
 
-/** Records of an entry that nobody has begun, hard to compress. */
+/** Records of an entry that was never started, hard to compress. */
 private fun noise(): ByteArray = TestLog().let { log ->
     val random = Random(1)
     repeat(2000) { log.record(77, 1_000_000L + it, random.nextBytes(200)) }

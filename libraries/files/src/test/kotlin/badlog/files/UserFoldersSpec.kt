@@ -10,13 +10,13 @@ class UserFoldersSpec : FunSpec({
 
     fun settings(system: String, vararg variables: Pair<String, String>) = UserFolders.ofSystem(system, user) { variables.toMap()[it] }.settings.parent
 
-    test("HOME counts where the system's list of users has another folder") {
+    test("HOME takes precedence over the folder in the system's list of users") {
         settings("Linux") shouldBe user.resolve(".config")
         settings("Linux", "HOME" to "$other") shouldBe other.resolve(".config")
         settings("Mac OS X", "HOME" to "$other") shouldBe other.resolve("Library/Application Support")
     }
 
-    test("XDG's variables count before that, but not relative paths, which XDG has ignored") {
+    test("XDG's variables take precedence over HOME, except relative paths, which XDG ignores") {
         settings("Linux", "HOME" to "/x", "XDG_CONFIG_HOME" to "$other") shouldBe other
         settings("Linux", "XDG_CONFIG_HOME" to "relative") shouldBe user.resolve(".config")
     }

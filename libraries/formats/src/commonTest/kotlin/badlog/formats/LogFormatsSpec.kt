@@ -5,7 +5,7 @@ import io.kotest.matchers.collections.shouldBeUnique
 import io.kotest.matchers.shouldBe
 
 class LogFormatsSpec : FunSpec({
-    test("people read which logs can be opened, and how the names of each kind end") {
+    test("the readable logs are listed with the endings of each kind") {
         READABLE_LOGS shouldBe "bags (.bag, .badbag), CSV files (.csv), WPILOGs (.wpilog), Driver Station logs (.dslog, .dsevents), " +
             "and REV logs (.revlog)"
     }

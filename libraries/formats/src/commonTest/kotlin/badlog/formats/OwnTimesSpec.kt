@@ -57,7 +57,7 @@ class OwnTimesSpec : FunSpec({
         view.folders.flatMap { it.graphs }.map { it.name } shouldBe listOf("mode", "on")
     }
 
-    test("an array's element that went missing is a gap until it comes back") {
+    test("a missing array element is a gap until it comes back") {
         val view = TestLog().start(1, "names", "string[]")
             .record(1, 1_000_000, number(1, 4) + text("a")).record(1, 2_000_000, number(0, 4))
             .record(1, 3_000_000, number(1, 4) + text("a")).view()
@@ -65,7 +65,7 @@ class OwnTimesSpec : FunSpec({
             listOf(1.0 to 0.0, 2.0 to null, 3.0 to 0.0)
     }
 
-    test("attributes derive as they do from rows, and none makes an x axis") {
+    test("attributes derive topics as in a log of rows, and none makes an x axis") {
         val view = TestLog().start(1, "a", "double", "{\"unit\":\"m\",\"attrs\":[\"differentiate\",\"xaxis\"]}")
             .double(1, 0, 1.0).double(1, 2_000_000, 5.0).view()
         val derived = view.folders.flatMap { it.graphs }.single { it.isVirtual }
@@ -83,7 +83,7 @@ class OwnTimesSpec : FunSpec({
         view.identified(null, modes).enabledSpans() shouldBe listOf(EnabledSpan(Span(1.0, 3.0), true), EnabledSpan(Span(3.0, 9.0), false))
     }
 
-    test("writing what cannot be rows is refused as the caller's mistake") {
+    test("writing a recording without rows as a bag is refused as the caller's mistake") {
         val recording = parseLog(TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0)).bytes)
         val refused = runCatching { badlog.core.bag.RecordingWriter(recording).write { _, _ -> } }
         (refused.exceptionOrNull() is IllegalArgumentException) shouldBe true

@@ -17,14 +17,14 @@ private fun read(bytes: ByteArray, piece: Int): RecordingParser {
 }
 
 class RecordingParserSpec : FunSpec({
-    test("bags and WPILOGs are recognized by their first bytes, in whatever pieces these come") {
+    test("bags and WPILOGs are recognized by their first bytes, in pieces of any size") {
         for (piece in listOf(1, 4, 100_000)) {
             describe(read(VARIED_BAG.encodeToByteArray(), piece).finish()) shouldBe describe(parse(VARIED_BAG))
             describeLog(read(VARIED_LOG.bytes, piece).finish()) shouldBe describeLog(parseLog(VARIED_LOG.bytes))
         }
     }
 
-    test("files of a few bytes, or of none, are read as bags") {
+    test("files of a few bytes, and empty ones, are read as bags") {
         for (text in listOf("", "a\n", "a\n1\n", "WPILO")) {
             describe(read(text.encodeToByteArray(), 1).finish()) shouldBe describe(parse(text))
         }

@@ -93,7 +93,7 @@ class ResamplingSpec : FunSpec({
         }
     }
 
-    test("a sample that rounding puts after its row is in it, and none is lost") {
+    test("a sample that rounding puts after its row stays in that row, and none is lost") {
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"b","unit":"V"}],"values":[]}""" + "\n"
         checkAll(Arb.double(0.0, 1000.0).filter { it.isFinite() }, Arb.element(0.005, 0.01, 0.02, 0.1), Arb.int(1, 2000)) { start, period, count ->
             // As a reader calculates the times of records that have none.
@@ -107,7 +107,7 @@ class ResamplingSpec : FunSpec({
         }
     }
 
-    test("a topic that was sparse in a bag is sparse again: each sample is in one row, and rows between have none") {
+    test("a topic that was sparse in a bag is sparse again: each sample is in one row, and rows between are empty") {
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"seen","unit":"m"},{"name":"on"}],"values":[]}""" + "\n"
         checkAll(Arb.list(Arb.boolean(), 1..200)) { seen ->
             val rows = seen.indices.joinToString("") { row -> "${row * 0.02},${if (seen[row] && row % 3 == 0) row else ""},${if (row % 4 == 1) seen[row] else ""}\n" }
@@ -120,7 +120,7 @@ class ResamplingSpec : FunSpec({
         }
     }
 
-    test("of several samples of such a topic before one row, it has the last, and the others count as lost") {
+    test("of several samples of a sparse topic before one row, the row has the last, and the others count as lost") {
         val log = TestLog().start(1, "a", "double").start(2, "seen", "double", "{\"badlog\":\"sparse\"}")
         for (row in 0L..9) log.double(1, row * 20_000, 1.0)
         log.double(2, 20_000, 5.0).double(2, 110_000, 6.0).double(2, 115_000, 7.0)
@@ -132,7 +132,7 @@ class ResamplingSpec : FunSpec({
         samplesBetween(recording.topics.single { it.name == "seen" }, times) shouldBe 1
     }
 
-    test("times of a period go from the first sample on until none is after them") {
+    test("the times of a period begin at the first sample and reach the last one") {
         val log = parseLog(TestLog().start(1, "a", "double").double(1, 1_000_000, 1.0).double(1, 1_300_000, 1.0).bytes)
         periodicTimes(log, 0.1).size shouldBe 4
         periodicTimes(log, 1.0).toList() shouldBe listOf(1.0, 2.0)
@@ -142,7 +142,7 @@ class ResamplingSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { resampled(log, doubleArrayOf(1.0, 1.0)) }
     }
 
-    test("each time of a topic is there once, in order") {
+    test("each time of a topic occurs once, in order") {
         val log = TestLog().start(1, "a", "double")
         for (time in listOf(5L, 3, 5, 4, 3)) log.double(1, time * 1_000_000, 1.0)
         val recording = parseLog(log.bytes)

@@ -9,8 +9,8 @@ import badlog.signals.QuestionNames
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Reads the question [text] for logs of [shape], with [names]. If a name means nothing there, the message suggests those of all [signals],
- * not only of those that the question has the words of.
+ * Reads the question [text] for logs of [shape], with [names]. The message about an unknown name suggests names of all [signals], not only of
+ * the signals that have words of the question.
  */
 internal fun askedQuestion(text: String, shape: LogShape, names: QuestionNames, signals: SignalVocabulary): ParsedQuestion {
     val asked = Question.parse(text, names.vocabulary)

@@ -58,7 +58,7 @@ private val CSV_COLUMNS = listOf(
     "Age (months)",
 )
 
-/** A battery in the form for other programs; null for the [name] of the unknown one. Volts, watt-hours, and months. */
+/** A battery in the form for other programs, in volts, milliohms, watt-hours and months. The name of the unknown one is null. */
 @Serializable
 class BatteryJson private constructor(
     private val battery: String?,

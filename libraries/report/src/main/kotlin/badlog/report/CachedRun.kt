@@ -7,11 +7,12 @@ import badlog.files.LogFile
 import badlog.files.withShutdownHook
 
 /**
- * Does [work], which receives a number of cores, on those of [files] that are not in [cache], and passes all results in the order of
- * the files to [each] on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is
- * interrupted, or the program is asked to end.
+ * Does [work] on the [files] that are not in [cache], and passes it the number of cores that it may use. Passes all results to
+ * [each], in the order of the files
+ * and on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is interrupted, or the program is
+ * asked to end.
  *
- * @param waiting called on this thread several times a second while the next result is not there.
+ * @param waiting called on this thread several times a second until the next result is available.
  */
 internal fun <R : Any> runCached(
     files: List<LogFile>,

@@ -47,11 +47,11 @@ internal class QuantityJson(private val name: String, private val value: Double?
     constructor(quantity: Quantity) : this(quantity.name, finite(quantity.value), quantity.unit, finite(quantity.time))
 }
 
-/** How many samples of a topic were left out, since no robot has such values. */
+/** The number of samples of a topic that were left out, since no robot has such values. */
 @Serializable
 internal class ImplausibleJson(private val topic: String, private val samples: Int)
 
-/** One occurrence of something, in the form for other programs. */
+/** An occurrence, in the form for other programs. */
 @Serializable
 internal class OccurrenceJson private constructor(
     private val from: Double?,

@@ -29,8 +29,8 @@ class FindResult internal constructor(
 )
 
 /**
- * Returns what is wrong with the question itself that led to [results]; a missing topic is not a mistake if another log has it. If the
- * question failed for several logs, the one that understood most of it decides.
+ * Returns the mistake in the question that led to [results]; null if it was valid for a log. A missing topic is not a mistake if another log
+ * has it. If the question failed for several logs, the log that understood most of it decides.
  */
 fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
     if (results.any { it.reply is Reply.Answered || it.reply is Reply.LeftOut }) return null
@@ -45,13 +45,13 @@ sealed interface Reply {
      * The log has an answer; see [badlog.expression.Answer].
      *
      * @property outcome whether it holds.
-     * @property spans when it holds, at most the first hundred.
-     * @property spanCount how often it holds.
+     * @property spans the times when it holds, at most the first hundred.
+     * @property spanCount the number of times when it holds.
      * @property quantities the numbers that were compared.
-     * @property time where to look first; NaN if unknown.
+     * @property time the time to look at first; NaN if unknown.
      * @property timeUnit the unit of all times; empty if x has none.
-     * @property reason why the answer is not known, as a sentence; null if it is known, or if samples are missing.
-     * @property implausible the topics of which samples were left out, since no robot has such values, and how many.
+     * @property reason the reason for an unknown answer, as a sentence; null if it is known, or if samples are missing.
+     * @property implausible topics, each with the number of samples that were left out, since no robot has such values.
      * @property occurrences each occurrence, with the values just before, if the question asks for them; at most the first hundred.
      */
     @Serializable
@@ -74,7 +74,7 @@ sealed interface Reply {
         val implausible: List<Pair<String, Int>> = emptyList(),
     ) : Reply
 
-    /** One occurrence of something, see [badlog.expression.Occurrence]. */
+    /** An occurrence, see [badlog.expression.Occurrence]. */
     @Serializable
     class Occurrence internal constructor(
         @Serializable(with = SpanSerializer::class)
@@ -89,9 +89,9 @@ sealed interface Reply {
     /**
      * The question could not be evaluated for this log.
      *
-     * @property kind why: [UNKNOWN_TOPIC][ExpressionErrorKind.UNKNOWN_TOPIC] if the log lacks the topic.
-     * @property topic the part of the question that is wrong: the name of the missing topic.
-     * @property message what is wrong, as a sentence.
+     * @property kind the kind of the error: [UNKNOWN_TOPIC][ExpressionErrorKind.UNKNOWN_TOPIC] if the log lacks the topic.
+     * @property topic the wrong part of the question, such as the name of the missing topic.
+     * @property message the error, as a sentence.
      * @property pointed the message, the question, and carets below it.
      * @property isOfHeader whether it concerns the header values, rather than topics.
      */
@@ -103,15 +103,15 @@ sealed interface Reply {
         val pointed: String,
         val isOfHeader: Boolean = false,
     ) : Reply {
-        /** How much of the question the log understood. */
+        /** The length of the part of the question that the log understood. */
         internal val place: Int get() = pointed.substringAfterLast('\n').indexOf('^')
     }
 
     /**
      * The file cannot be read, or is not a log.
      *
-     * @property message why, as a sentence.
-     * @property isNoLog whether it is something other than a log.
+     * @property message the reason, as a sentence.
+     * @property isNoLog whether it is not a log.
      */
     @Serializable
     class Unreadable internal constructor(val message: String, val isNoLog: Boolean) : Reply

@@ -8,9 +8,9 @@ import badlog.files.terminal.TextTable.Column
 import badlog.rules.timeText
 
 /**
- * Returns the logs in which the question holds, as a table of match, file, time and value at most [width] columns wide, and below it
- * how many others there were and why, except for those that cannot be read. For a question that asks for a number, all logs that
- * have it.
+ * Returns the logs in which the question holds, as a table of match, file, time and value, at most [width] columns wide. Below it are the
+ * numbers of other logs with the reasons, except for unreadable ones. If the question asks for a number, the table has all logs with that
+ * number.
  */
 fun findText(results: List<FindResult>, width: Int = TEXT_WIDTH): String {
     val found = results.filter(::isFound)
@@ -79,17 +79,17 @@ private fun summaryOf(results: List<FindResult>, names: Map<LogFile, String>, fo
     return lines
 }
 
-/** Why the question was not asked of the log called [file]. */
+/** The [reply] that the question could not be evaluated for the log called [file]. */
 private class Refused(val file: String, val reply: Reply.NotAsked)
 
-/** Returns how many samples of which topics were left out in [replies], since no robot has such values. */
+/** Returns sentences with the numbers of samples that were left out in [replies], since no robot has such values. */
 private fun implausibleTexts(replies: List<Reply.Answered>): List<String> =
     replies.flatMap { it.implausible }.groupBy({ it.first }, { it.second }).map { (topic, counts) ->
         val samples = count(counts.sum(), "sample")
         "Left out $samples of “$topic” in ${count(counts.size, "log")}: no robot has such values."
     }
 
-/** Returns the first of [files] in a list, and how many more there are. */
+/** Returns the first of [files] as a list, and the number of the others. */
 private fun listed(files: List<String>): String {
     val more = files.size - MOST_LISTED
     return if (more <= 0) files.joinToString() else "${files.take(MOST_LISTED).joinToString()} and $more more"

@@ -5,13 +5,12 @@ import badlog.core.recording.NumberSinks
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Drops the numbers of topics that none of some expressions can name, so that a question needs no memory for them. It keeps too
- * much rather than too little: each topic whose path ends in something that occurs in the expressions, regardless of case, the x
- * axis, and possible signals.
+ * Drops the numbers of topics that no expression can name, so that a question needs no memory for them. It keeps too much rather than too
+ * little: possible signals, the x axis, and each topic if the last part of its path occurs in the expressions, regardless of case.
  *
  * @param expressions questions, and definitions of virtual topics.
- * @param xTopic the topic to use as x axis, or null.
- * @param signals the signals that the expressions name, and those that show when the robot was enabled.
+ * @param xTopic the topic to use as x axis; null for the log's own.
+ * @param signals the signals that the expressions name, and the signals that show when the robot was enabled.
  */
 class NamedTopics(
     expressions: List<String>,

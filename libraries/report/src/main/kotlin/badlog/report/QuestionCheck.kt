@@ -9,8 +9,8 @@ import badlog.expression.signals.Vocabulary
 import badlog.expression.syntax.ExpressionErrorKind
 
 /**
- * Returns what is wrong with [question] regardless of a log's topics, or null. Names of topics are guessed, so some mistakes only
- * show for an actual log; but nothing is reported that a usual name could make valid.
+ * Returns the mistake in [question] that does not depend on a log's topics; null if none is certain. Names of topics are guessed, so some
+ * mistakes only show for an actual log. A question that a usual name could make valid is not reported.
  */
 internal fun errorForEveryLog(question: String): ExpressionError? {
     val guessed = ArrayList<Signal>()

@@ -15,8 +15,8 @@ import badlog.expression.signals.Vocabulary
  * The clauses of a question that select logs: `min(battery) where Match Type = 'Playoff' lowest 3`.
  *
  * @property question the question for each log.
- * @property condition what must be true of a log's header values, as an expression; null for no condition.
- * @property count the number of logs whose answers are wanted; null for all.
+ * @property condition the condition for a log's header values, as an expression; null for none.
+ * @property count the number of logs to select; null for all.
  * @property isLowest whether to select the lowest numbers, rather than the highest.
  */
 internal class QuestionClauses private constructor(val question: String, val condition: String?, val count: Int?, val isLowest: Boolean) {
@@ -37,7 +37,7 @@ internal class QuestionClauses private constructor(val question: String, val con
             )
         }
 
-        /** Returns where the word is outside quotes and parentheses. */
+        /** Returns the place of `where` outside quotes and parentheses; negative if there is none. */
         private fun whereIn(text: String): Int {
             var quote = ' '
             var depth = 0

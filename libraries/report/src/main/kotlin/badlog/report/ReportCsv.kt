@@ -5,10 +5,10 @@ import badlog.rules.Finding
 import badlog.rules.incident.Incident
 
 /**
- * Returns all incidents and findings as CSV (RFC 4180): one line for each, with the file, the match, the rule, its severity, the topic,
- * the text, the time to look at first, the end of the first span, how many spans there are, the unit of the times, the incident that a
- * finding is part of, and what to look at next. An incident has the rule `incident`, and comes before the findings of its log. A log that
- * cannot be read also has a line, with the rule `unreadable`; a file that is not a log has none.
+ * Returns all incidents and findings as CSV (RFC 4180), one line for each. The columns are the file, the match, the rule, its severity, the
+ * topic, the text, the time to look at first, the end of the first span, the number of spans, the unit of the times, the incident of a
+ * finding, and the next step. An incident has the rule `incident`, and comes before the findings of its log. An unreadable log also has a
+ * line, with the rule `unreadable`; a file that is not a log has none.
  */
 fun reportCsv(result: ReportResult): String {
     val out = StringBuilder()

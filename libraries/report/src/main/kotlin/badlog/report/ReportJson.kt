@@ -115,8 +115,9 @@ internal class NotLookedAtJson(
     private val rulesSkipped: Int,
     private val lacking: List<String>,
     private val text: String,
+    private val howToLog: Map<String, Map<String, String>>,
 ) {
-    constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.couldNot, unseen.lacking, unseen.text)
+    constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.couldNot, unseen.lacking, unseen.text, howToLogAll(unseen.lacking))
 }
 
 /** A hook that failed for a log, and why, in the form for other programs. */

@@ -13,7 +13,7 @@ import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 
 /**
- * What was found in many logs.
+ * The findings in many logs.
  *
  * @property logs all files, in the given order.
  * @property skipped the rules that were skipped for some logs, in the order of the rules.
@@ -22,30 +22,30 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
     /** The batteries in the logs. */
     val batteries: SeasonOfLogs by lazy { SeasonOfLogs.of(logs) }
 
-    /** Returns how many findings there are of [severity]. */
+    /** Returns the number of findings of [severity]. */
     fun count(severity: Severity): Int = logs.sumOf { log -> log.findings.count { it.severity == severity } }
 }
 
 /**
- * What was found in one log.
+ * The findings in one log.
  *
  * @property file the file.
  * @property title the match, from the log or its file's name; null if neither has it, or the file cannot be read.
  * @property matchType the type of the match, such as `Qualification`, from the log or its file's name; null if neither has it.
  * @property match the match, from the log or its file's name; from the name alone if the file cannot be read.
- * @property began when it began, as the log or its file's name says, in s since 1970 on a clock on the wall; null if they do not.
+ * @property began the local time of its beginning, in s since 1970, from the log or its file's name; null if neither has it.
  * @property findings the findings, the worst first, and within a severity in the order of time.
- * @property incidents which of them belong together, and what came first; the worst first.
+ * @property incidents the findings that belong together, causes before effects; the worst incident first.
  * @property skipped the rules that were skipped for it, in the order of the rules; a rule that is a mistake here may be valid
  *   for another log.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null if it could be read.
- * @property isNoLog whether it is [unreadable] because it is something other than a log.
+ * @property isNoLog whether it is [unreadable] because it is not a log.
  * @property isSalvaged whether data of the log is lost, so that the findings are about the rest.
  * @property undefined the virtual topics that could not be calculated.
  * @property hookFailures the hooks that failed for it.
  * @property numbers numbers that summarize all of it, such as the resistance of its battery.
- * @property differences how it differs from the others of the report.
- * @property battery what it says of the robot's battery; null for nothing.
+ * @property differences its differences from the others of the report.
+ * @property battery its data about the robot's battery; null if it has none.
  */
 class LogReport internal constructor(
     val file: LogFile,
@@ -66,7 +66,7 @@ class LogReport internal constructor(
     val battery: BatteryUse? = null,
     private val ran: Int = 0,
 ) {
-    /** What rules could not look at. */
+    /** The number of rules that ran, and the signals missing for the others. */
     val notLookedAt: NotLookedAt get() = NotLookedAt(ran, skipped)
 }
 
@@ -74,6 +74,6 @@ class LogReport internal constructor(
  * A hook that failed for a log.
  *
  * @property hook its name.
- * @property message what went wrong, as a sentence.
+ * @property message the error, as a sentence.
  */
 class HookFailure internal constructor(val hook: String, val message: String)

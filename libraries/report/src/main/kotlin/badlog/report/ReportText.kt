@@ -58,8 +58,9 @@ fun notesOf(result: ReportResult): List<String> {
     val alone = readable.singleOrNull()?.takeIf { builtIn.isNotEmpty() }
     val unseen =
         alone?.let { (if (it.findings.isEmpty()) "Nothing found. " else "") + notLookedAtText(it.notLookedAt) } ?: builtInText(builtIn)
+    val toLog = howToLogText(if (alone != null) alone.notLookedAt.lacking else lackingIn(builtIn))
     val simulated = if (readable.size > 1) simulatedText(readable.filter { it.notLookedAt.simulated != null }) else null
-    return listOfNotNull(unseen, simulated) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
+    return listOfNotNull(unseen, toLog, simulated) + others.map { it.toString() } + undefinedTexts(readable.map { it.undefined }) +
         hookTexts(readable.flatMap { log -> log.hookFailures.map { it to log.file } })
 }
 

@@ -19,9 +19,9 @@ import java.nio.file.Path
 /**
  * The batteries in many logs.
  *
- * @property seasons what is known of each.
+ * @property seasons the data of each battery.
  * @property entries the logs, in the given order.
- * @property problems why a file about batteries is not used, as sentences.
+ * @property problems the reasons why files about batteries are not used, as sentences.
  */
 class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val entries: List<LogEntry>, val problems: List<String>) {
     /** Whether a log, or the team, names a battery. */
@@ -31,10 +31,10 @@ class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val ent
         internal val NONE = SeasonOfLogs(emptyList(), emptyList(), emptyList())
 
         /**
-         * Reads [files] on all cores, except for those that are known from before.
+         * Reads [files] on all cores, except for files with cached results.
          *
-         * @param folders the folders in which they were found; what the team wrote down is looked for up to them.
-         * @param cache a folder for what is known of logs, which the window uses, too; null for none.
+         * @param folders the folders in which they were found; the files of batteries are searched up to their common folder.
+         * @param cache a folder for results of logs, which the window uses, too; null for none.
          * @param progress called on this thread with the number of files done.
          */
         fun over(
@@ -82,7 +82,7 @@ class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val ent
     }
 }
 
-/** Returns the folder that has all [files] and [folders] in it or below it; null for no files. */
+/** Returns the folder with all [files] and [folders] in it or below it; null if there are neither. */
 internal fun commonFolderOf(files: List<LogFile>, folders: List<Path> = emptyList()): Path? =
     (files.map { it.path.toAbsolutePath().normalize().parent } + folders.map { it.toAbsolutePath().normalize() }.filter(Files::isDirectory))
         .reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one.root }

@@ -38,7 +38,7 @@ internal class SkippedRules(private val rules: RuleSet) {
         val refused = asked.filter { (outcome, _) -> outcome.refusal != null }
         val mistaken = refused.find { (outcome, _) -> outcome.mistake != null }
         val first = (mistaken ?: refused.firstOrNull() ?: return null).first
-        // A rule that can run for one log is valid; another log only lacks its topics.
+        // A rule that runs for one log is valid; other logs only lack its topics.
         val isMistake = mistaken != null && refused.size == asked.size
         val logs = refused.sumOf { (_, logs) -> logs }
         val why = (if (isMistake) first.mistake else first.refusal).orEmpty()

@@ -36,7 +36,7 @@ private const val FOUND = "Arm/Current while enabled was 21.5 A, 97 % above your
 class ComparedLogsSpec : FunSpec({
     fun compared(result: ReportResult) = result.logs.flatMap { log -> log.findings.filter { it.rule == "Unlike other matches" }.map { log.title to it.text } }
 
-    test("what differs in one of eight matches is found, from the cache and by reading, also after a match was added") {
+    test("a difference in one of eight matches is found, from the cache and by reading, also after a match was added") {
         inFolder { folder ->
             val logs = folder.season()
             fun run() = Report(cache = folder.resolve("cache")).over(logsIn(logs))

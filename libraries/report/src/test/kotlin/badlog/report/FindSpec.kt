@@ -147,7 +147,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("a log that lost something is reported, also from the cache") {
+    test("a log with losses is reported, also from the cache") {
         inFolder { folder ->
             folder.put("logs/1.bag", batteryBag(6.0))
             folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
@@ -158,7 +158,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("what was found is kept when the listener throws, whatever it throws") {
+    test("results are kept if the listener throws, whatever it throws") {
         for (failure in listOf(IllegalStateException(), InterruptedException())) {
             inFolder { folder ->
                 for (i in 1..3) folder.put("logs/$i.bag", batteryBag(6.0))

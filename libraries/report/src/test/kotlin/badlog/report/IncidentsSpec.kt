@@ -1,6 +1,8 @@
 package badlog.report
 
 import badlog.report.page.reportPage
+import badlog.rules.BUILT_IN_PROVEN
+import badlog.rules.RuleSet
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeLessThan
@@ -12,7 +14,7 @@ import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 
 class IncidentsSpec : FunSpec({
-    val result = Report().over(SAMPLES.filter { "42" in it.name })
+    val result = Report(RuleSet.BUILT_IN_PROVEN).over(SAMPLES.filter { "42" in it.name })
     val log = result.logs.single()
 
     test("the brownout of match 42 is its first incident, with what led to it") {

@@ -30,7 +30,7 @@ private fun findings(folder: Path, rules: RuleSet) = Report(rules).over(logsIn(f
 
 @Tags("InCheck")
 class ReportSpec : FunSpec({
-    test("the text is filled with what was found") {
+    test("placeholders in a rule's text are filled in") {
         inFolder { folder ->
             folder.put("Q1.bag", batteryBag(12.0, 6.0, 12.0, 6.5))
             val text = "{value}|{time}|{match}|{file}|{topic}|{count}|{duration}|{{x}}"
@@ -39,7 +39,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("what holds for the whole recording holds once, from its start to its end") {
+    test("a condition about the whole recording holds once, from its start to its end") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(12.0, 6.0, 8.0))
             val text = "{value}|{time}|{count}|{duration}"
@@ -58,7 +58,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a rule for each topic takes those that fit by name, unit and kind") {
+    test("a rule for each topic runs for topics with matching name, unit and kind") {
         inFolder { folder ->
             val currents = listOf("A/Current", "B/Current", "C/Current", "Limit Current", "Current State")
             val units = mapOf("B/Current" to "ul", "C/Current" to "V")
@@ -138,7 +138,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a log that lost something is reported, also from the cache, and what is not a log is reported as such") {
+    test("a log with losses is reported, also from the cache, and a file that is not a log is reported as such") {
         inFolder { folder ->
             folder.put("logs/1.bag", batteryBag(6.0))
             folder.put("logs/2.bag", batteryBag(6.0) + "0.1,\n0.2,12,3\n")
@@ -190,7 +190,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("whoever takes each result does half of the work, and progress ends with all of it") {
+    test("with a listener for results, each log is two steps of progress") {
         inFolder { folder ->
             for (i in 1..3) folder.put("$i.bag", batteryBag(6.0))
             fun stepsOf(each: (() -> Unit)?): List<Pair<Int, Int>> {
@@ -205,7 +205,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("what hooks find is listed with what rules find, and what they return is part of each log's result").config(enabled = HAS_PYTHON) {
+    test("findings of hooks are listed with those of rules, and their results are part of each log's result").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0, 12.0))
             val answer = """{"values":{"a":1},"findings":[{"text":"odd","severity":"error","time":0.1,"until":0.2},{"text":"whole"}]}"""
@@ -289,7 +289,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a log that cannot be read has the match that its name says") {
+    test("an unreadable log has the match of its file's name") {
         inFolder { folder ->
             folder.put("Q42.csv", "only words here\nand there\n")
             val log = Report(RuleSet.BUILT_IN).over(logsIn(folder)).logs.single()
@@ -300,7 +300,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("the JSON of a log has what was found, and which rules were skipped") {
+    test("the JSON of a log has its findings and the skipped rules") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(12.0))

@@ -44,7 +44,7 @@ class SeasonOfLogsSpec : FunSpec({
         }
     }
 
-    test("a file with a mistake is not used, which is said") {
+    test("a file with a mistake is not used, and reported") {
         inFolder { folder ->
             folder.putMatch(1, "A1", 20.0)
             folder.put("batteries.toml", "battery = 1")
@@ -54,7 +54,7 @@ class SeasonOfLogsSpec : FunSpec({
         }
     }
 
-    test("a log that is known from before is not read again") {
+    test("a log with cached results is not read again") {
         inFolder { cache ->
             inFolder { folder ->
                 folder.putMatch(1, "A1", 20.0)
@@ -66,7 +66,7 @@ class SeasonOfLogsSpec : FunSpec({
         }
     }
 
-    test("text, CSV and the page of a report have the batteries and what to do with them") {
+    test("text, CSV and the page of a report have the batteries, with advice") {
         inFolder { folder ->
             for (match in listOf(1, 3, 5)) folder.putMatch(match, "A1", 20.0)
             for (match in listOf(2, 4)) folder.putMatch(match, "=B2<i>", 30.0)

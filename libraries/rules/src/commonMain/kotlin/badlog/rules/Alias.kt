@@ -9,7 +9,7 @@ import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.unitScale
 
 /**
- * A name in a file of rules for a topic whose name differs from log to log.
+ * A name in a file of rules for a topic that has different names in different logs.
  *
  * @property names the patterns; the first that matches a topic counts.
  * @property unit the unit in which rules get the numbers, or null for the topic's own.

@@ -3,14 +3,13 @@ package badlog.rules
 import badlog.core.recording.Severity
 
 /**
- * A rule that compares the numbers of a log with those of the team's other logs, instead of evaluating a condition; `docs/rules.md`
- * explains each part.
+ * A rule that compares the numbers of a log with the team's other logs, instead of evaluating a condition. `docs/rules.md` explains each part.
  *
  * @property name its name, unique in a set of rules.
  * @property severity how serious it is.
- * @property group what it is about.
+ * @property group its subject.
  * @property next what to look at next, as a sentence; empty if not given.
- * @property signals the signals of whose topics the numbers are compared.
+ * @property signals the signals with the topics that have the numbers.
  * @property deviations the minimum distance of a number from the median of the others, in multiples of their usual distance from it.
  * @property percent the minimum distance from the median, in percent of it.
  * @property findings the maximum number of numbers of a log that become findings, the farthest first.

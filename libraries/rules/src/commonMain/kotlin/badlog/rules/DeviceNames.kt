@@ -9,12 +9,12 @@ import badlog.signals.json.jsonObject
 import badlog.signals.vocabulary.NamePattern
 
 /**
- * A device on the CAN bus, and what a team calls it.
+ * A device on the CAN bus, with a team's name for it.
  *
- * @property type its type, such as `TalonFX` or `motor`; empty if the team does not say.
+ * @property type its type, such as `TalonFX` or `motor`; empty if the team does not give it.
  * @property id its id on the bus.
  * @property name its name, such as `Front left drive`.
- * @property subsystem the part of the robot that it belongs to; empty if the team does not say.
+ * @property subsystem the part of the robot that it belongs to; empty if the team does not give it.
  */
 class NamedDevice(val type: String, val id: Int, val name: String, val subsystem: String) {
     /** Whether only the type could distinguish it from a device with the same id. */
@@ -39,9 +39,9 @@ class NamedDevice(val type: String, val id: Int, val name: String, val subsystem
     }
 }
 
-/** What a team calls the [devices] on its CAN bus, which logs call by their types and ids. */
+/** A team's names for the [devices] on its CAN bus; logs name them by their types and ids. */
 class DeviceNames(val devices: List<NamedDevice>) {
-    /** Returns [device], a device as a log calls it, by its name if it has one: `Front left drive (Drive, TalonFX 3)`. */
+    /** Returns [device], a device as logs name it, with its name if it has one: `Front left drive (Drive, TalonFX 3)`. */
     internal fun deviceText(device: String): String {
         val named = find(device) ?: return device
         val address = BusAddress.of(device)?.let { "${it.type} ${it.id}" }
@@ -54,7 +54,7 @@ class DeviceNames(val devices: List<NamedDevice>) {
         return if (named == null) topic else "$topic (${named.name})"
     }
 
-    /** Of several devices with the same id, the type must say which one is meant. */
+    /** Returns the entry for [device]. If several devices have the same id, the type must show which one is meant. */
     private fun find(device: String): NamedDevice? {
         if (devices.isEmpty()) return null
         val address = BusAddress.of(device) ?: return null

@@ -23,6 +23,7 @@ import badlog.expression.Quantity
  * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
  *   another fault.
  * @property isOnTrial whether its rule has not been proven.
+ * @property meanwhile the signals that were unusual nearly each time, by their names.
  * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
  */
 class Finding(
@@ -41,6 +42,7 @@ class Finding(
     val caveats: List<String> = emptyList(),
     val isForEach: Boolean = false,
     val isOnTrial: Boolean = false,
+    val meanwhile: List<String> = emptyList(),
 ) {
     /** Returns what was found at [place], one of [places]. */
     fun textAt(place: Span): String = texts.getOrNull(spans.indexOf(place)) ?: text

@@ -3,8 +3,8 @@ package badlog.rules
 import badlog.core.analysis.Span
 
 /**
- * Returns [hits] with those joined that follow each other soon, if they are many: something that flickers is one thing. Soon is within a
- * second, and for short hits as much more as leaves few of them.
+ * Returns [hits]; if they are many, those that follow each other soon are joined: something that flickers is one thing. Soon is within a second; for
+ * short hits, the time is doubled until few are left, but not beyond 8 s.
  */
 internal fun joinedHits(hits: List<Span>): List<Span> {
     if (hits.size <= MANY) return hits
@@ -31,7 +31,7 @@ private fun joined(spans: List<Span>, gap: Double): List<Span> {
     return joined
 }
 
-/** As many hits as somebody goes through one by one. */
+/** As many hits as a person goes through one by one. */
 private const val MANY = 50
 
 /** As many marks as leave a graph readable. */

@@ -6,10 +6,10 @@ import badlog.rules.number.timeWithin
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignal
 
-/** A channel of the power distribution, and what it drew on average. */
+/** A channel of the power distribution, and its mean current. */
 internal class LargestChannel(val topic: String, val amperes: Double)
 
-/** Returns those of [channels] that drew most within [spans], the largest first; [end] is when the log ends. */
+/** Returns the [channels] that drew most within [spans], the largest first, at most [MOST]; [end] is when the log ends. */
 internal fun largestChannels(channels: List<NamedSignal>, spans: List<Span>, samples: NamedSamples, end: Double): List<LargestChannel> {
     if (channels.isEmpty() || spans.isEmpty()) return emptyList()
     val ordered = spans.sortedBy { it.from }
@@ -22,5 +22,5 @@ internal fun largestChannels(channels: List<NamedSignal>, spans: List<Span>, sam
 
 private const val MOST = 4
 
-/** What a channel draws that does nothing, in amperes. */
+/** The current of a channel that does nothing, in amperes. */
 private const val LEAST = 2.0

@@ -11,7 +11,7 @@ import badlog.signals.namesWith
  *
  * @property findings the findings, in the order of the rules.
  * @property skipped the rules that were skipped, in order.
- * @property ran how many rules were not.
+ * @property ran the number of rules that ran.
  */
 class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>, val ran: Int = 0) {
     /** Returns these with the result of [asked]. */
@@ -68,8 +68,8 @@ fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, bef
 }
 
 /**
- * Returns the rules that would be skipped for [view], which needs no samples and was read from a file called [file], with the virtual
- * topics of [definitions].
+ * Returns the rules that would be skipped for [view] with the virtual topics of [definitions]. The log was read from a file called [file]; it needs
+ * no samples.
  */
 fun RuleSet.skippedFor(view: LogView, file: String, definitions: List<String> = emptyList()): List<SkippedRule> {
     val defined = vocabularyWith(view.namesWith(signals), definitions).let { all ->

@@ -4,17 +4,17 @@ import badlog.core.analysis.Series
 import badlog.expression.signals.Signals
 
 /**
- * What the state or event topic [name] of [signals] says where [question] found something in it.
+ * The texts of the state or event topic [name] of [signals] where [question] found something in it.
  *
- * Several messages may share a time, as those of a Driver Station log do, or a cell, where rows were made of them: then it is the ones
- * that the question is about, not those that happened to be logged with them.
+ * Several messages may share a time, as in a Driver Station log, or a cell, if rows were made of them. Then only the messages that the question is
+ * about are returned, not the ones that happened to be logged with them.
  */
 internal class Messages(private val question: RuleProgram.Question, private val signals: Signals, private val name: String) {
     private val series = signals.series(name)
     private val texts = signals.states(name)
     private val isAsked = HashMap<String, Boolean>()
 
-    // A question about other topics, too, cannot be asked of a text alone.
+    // A question that has other topics, too, cannot be evaluated for a text alone.
     private val canAsk = question.expression.topics.size == 1
 
     /** Returns the last text at or before [time], without the stack traces of errors; a single empty text before the first. */
@@ -38,10 +38,10 @@ internal class Messages(private val question: RuleProgram.Question, private val 
         question.expression.answerIfHolds(alone) != null
     }
 
-    /** Returns [text] without details that can be read in the log, such as a stack trace: its first line, or more if that says little. */
+    /** Returns [text] without details that can be read in the log, such as a stack trace: its first line, or more if that is short. */
     private fun shortened(text: String): String {
         val part = if (text.length > MAX_LETTERS && canAsk) text.split(BETWEEN).firstOrNull(::isAsked) ?: text else text
-        // AdvantageKit logs all that a loop wrote to the console as one text.
+        // AdvantageKit logs the console output of a loop as one text.
         val isConsole = canAsk && '\n' in part
         val message = if (isConsole) part.lines().run { drop(indexOfFirst(::isAsked).coerceAtLeast(0)) }.joinToString("\n") else part
         var end = message.indexOf('\n')
@@ -51,7 +51,7 @@ internal class Messages(private val question: RuleProgram.Question, private val 
     }
 
     private companion object {
-        /** What joins messages that share a cell; a message may have it, too. */
+        /** The separator of messages that share a cell; a message may have it, too. */
         const val BETWEEN = "; "
         const val FEW_LETTERS = 20
         const val MAX_LETTERS = 300

@@ -1,11 +1,11 @@
 package badlog.rules
 
 /**
- * What rules could not look at in a log: of the rules that did not run, those that are made for logs with other topics.
+ * The rules that could not run on a log, usually because they are made for logs with other topics. Rules with a mistake are not among them.
  *
- * @property ran how many rules ran.
- * @property couldNot how many did not.
- * @property lacking the signals that the log has no topic for, those first that most rules need; none of a simulated robot.
+ * @property ran the number of rules that ran.
+ * @property couldNot the number of rules that did not.
+ * @property lacking the signals that the log has no topic for, the most needed first; empty for a simulated robot.
  * @property simulated why the log is of a simulated robot; null if it is not.
  */
 class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
@@ -26,7 +26,7 @@ class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
         }
 }
 
-/** Returns the signals that logs lack for the rules [skipped], those first that most rules need. */
+/** Returns the signals that logs lack for the rules [skipped], the most needed first. */
 fun lackingIn(skipped: List<SkippedRule>): List<String> = skipped.mapNotNull { it.lacking }.groupBy { it }.entries
     .sortedByDescending { it.value.size }.map { it.key }
 

@@ -11,8 +11,8 @@ const val PART_VALUE: String = "Part"
 internal enum class LogEdge { START, END }
 
 /**
- * Returns whether this has the [edge] of a run: it was not cut out of a log, its first line was read, and it does not end in the middle of a
- * row or a record, as a file does that was copied in part or is still being written.
+ * Returns whether this has the [edge] of a run: it was not cut out of a log, its first line was read, and its end is complete. A file that was copied
+ * in part or is still being written ends in the middle of a row or a record.
  */
 internal fun Recording.has(edge: LogEdge): Boolean {
     val damage = if (edge == LogEdge.START) NO_START else NO_END
@@ -30,5 +30,5 @@ private val NO_END = NO_START + setOf(
     ProblemKind.TOO_MANY_ROWS,
 )
 
-/** Returns these values of a log, plus one that marks it as the part [text], such as `90 s to 98.5 s`. */
+/** Returns these values of a log, plus one that marks it as a part. [text] names the part, such as `90 s to 98.5 s`. */
 fun List<Value>.ofPart(text: String): List<Value> = filter { it.name != PART_VALUE } + Value(PART_VALUE, text)

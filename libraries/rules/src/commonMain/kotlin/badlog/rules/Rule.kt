@@ -3,13 +3,13 @@ package badlog.rules
 import badlog.core.recording.Severity
 
 /**
- * What to look for in every log; `docs/rules.md` explains each part.
+ * A condition to look for in every log; `docs/rules.md` explains each part.
  *
  * @property name its name, unique in a set of rules.
  * @property severity how serious it is.
  * @property condition the expression under `when`, with its limits filled in.
  * @property only the types of match to which it applies; empty for all.
- * @property group what it is about, such as `power`; empty for none, and in rules that were read from JSON.
+ * @property group its subject, such as `power`; empty for none, and in rules that were read from JSON.
  * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
  * @property next what to look at next if it holds, as a sentence; empty if not given.
  * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
@@ -37,7 +37,7 @@ class Rule internal constructor(
     internal val isOncePerEvent: Boolean = false,
     val isOnTrial: Boolean = false,
 ) {
-    /** Whether it is a built-in rule, in which nobody needs to look for a mistake. */
+    /** Whether it is a built-in rule: users need not look for a mistake in it. */
     val isBuiltIn: Boolean get() = place == null
 
     /** Whether it also runs over the log of a simulated robot: built-in rules about power, wear and sensors do not. */

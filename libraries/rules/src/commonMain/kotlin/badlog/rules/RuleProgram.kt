@@ -74,6 +74,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val device: String,
         val evidence: List<String>,
         val channels: List<NamedSignal>,
+        val others: List<NamedSignal> = emptyList(),
     ) : Parsed
 
     /** Why an expression cannot be evaluated. */
@@ -288,6 +289,11 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             turn?.device.orEmpty(),
             (used + shown).filter { it != timeTopic }.distinct().take(MAX_EVIDENCE),
             if (rule.text.has(CHANNELS)) signals.of(CHANNEL).map { NamedSignal.of(CHANNEL, listOf(it)) } else emptyList(),
+            if (rule.text.has(MEANWHILE)) {
+                rule.show.flatMap { name -> signals.of(name).map { NamedSignal.of(name, listOf(it)) } }
+            } else {
+                emptyList()
+            },
         )
     }
 
@@ -298,8 +304,8 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         return vocabulary.signals.filter { pattern.matches(it.name) }.map { it.name }
     }
 
-    private fun topicsOf(question: Question) =
-        question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) } + question.channels.flatMap { it.topics }
+    private fun topicsOf(question: Question) = question.expression.topics.flatMap { question.named[it]?.topics ?: listOf(it) } +
+        (question.channels + question.others).flatMap { it.topics }
 
     private fun refusal(rule: Rule, error: ExpressionError, names: Map<String, NamedSignal>, lacking: List<Signal>): Refusal {
         val name = error.text.substring(error.from, error.until)
@@ -339,6 +345,9 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         /** The placeholder in texts for the channels that drew most. */
         private const val CHANNELS = "channels"
         private const val CHANNEL = "channel current"
+
+        /** The placeholder in texts for signals that the rule shows, and that were unusual while it held. */
+        private const val MEANWHILE = "meanwhile"
 
         private const val IS_PART = "the file is only part of a log"
         private const val NO_AXIS = "the log has no x axis"

@@ -85,6 +85,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val time = if (at.isNaN() && spans.isNotEmpty()) spans[0].from else at
         val texted = TextedRule(rule, question, match, file, answer.timeUnit, devices)
         val channels = largestChannels(question.channels, found, samples, signals.range?.to ?: Double.NaN)
+        val meanwhile = unusualWithin(hits, question.others, samples)
         return Finding(
             rule.name,
             rule.severity,
@@ -94,6 +95,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
                 time = time,
                 count = if (whole == null) times else whole.size,
                 length = (whole ?: hits).sumOf { it.width },
+                meanwhile = meanwhile.map(::textOf),
                 channels = channels.map { "${it.topic} (${timeText(round(it.amperes * 10) / 10, "A")})" },
             ),
             at,
@@ -105,6 +107,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
             caveats = caveatsOf(question),
             isForEach = question.isForEach,
             isOnTrial = rule.isOnTrial,
+            meanwhile = meanwhile.map { it.signal },
             texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )
     }
@@ -153,6 +156,11 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     private fun textOf(quantity: Quantity): String {
         val (value, unit) = if (quantity.unit == FRACTION) PERCENT * quantity.value to "%" else quantity.value to quantity.unit
         return quantity.copy(value = roundedForText(value), unit = unit).text
+    }
+
+    private fun textOf(event: Meanwhile): String {
+        fun text(value: Double) = timeText(roundedForText(value), event.unit)
+        return "${event.signal} rose to ${text(event.most)} from its usual ${text(event.usual)}"
     }
 
     /** Returns the messages of the first topic of [question] that has some, or null. */

@@ -4,13 +4,13 @@ import badlog.rules.cause.CauseGraph
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Rules to run over logs, and the names they use. `docs/rules.md` has the format of the file that they are read from.
+ * Rules to run over logs, and the names they use. `docs/rules.md` has the format of their file.
  *
  * @property rules in the order of the file; no two have the same name.
  * @property signals the names of topics that rules refer to by their meaning.
  * @property causes which findings lead to which.
  * @property comparisons rules that compare a log with the team's others.
- * @property devices what the team calls the devices on its CAN bus.
+ * @property devices the team's names for the devices on its CAN bus.
  */
 class RuleSet internal constructor(
     internal val aliases: List<Alias>,
@@ -20,7 +20,7 @@ class RuleSet internal constructor(
     val comparisons: List<ComparisonRule> = emptyList(),
     val devices: DeviceNames = DeviceNames.NONE,
 ) {
-    /** What to check before each match, in the order of the rules, each once; empty in rules of a page. */
+    /** The items to check before each match, in the order of the rules, each once; empty in rules of a page. */
     val checklist: List<String> get() = rules.map { it.checklist }.filter { it.isNotBlank() }.distinct()
 
     /** Returns these rules with [signals] as the names of topics. */

@@ -18,8 +18,8 @@ import badlog.signals.vocabulary.patternsJson
 import badlog.signals.vocabulary.toJson
 
 /**
- * Returns these rules as a line of JSON, with everything that decides what they find in a log. It is in every page, so reasons are
- * omitted, which are in the guide.
+ * Returns these rules as a line of JSON, with everything that decides their findings in a log. It is in every page, so reasons are omitted; the guide
+ * has them.
  *
  * @param haveChecklist whether rules also have their lines of the checklist, which pages do not show.
  */
@@ -104,7 +104,7 @@ private fun ruleOf(value: JsonValue): Rule {
 internal fun severityOf(name: String): Severity =
     Severity.entries.find { it.name.equals(name, ignoreCase = true) } ?: throw UnreadableJsonException()
 
-/** Returns the text that [source] is, with none but these [places]. */
+/** Returns the text parsed from [source], which may have only these [places]. */
 internal fun textOf(source: String, places: List<String> = RuleText.PLACES): RuleText = try {
     RuleText.parse(source, places)
 } catch (_: RuleText.Mistake) {
@@ -132,7 +132,7 @@ private fun choiceOf(value: JsonValue): TopicChoice {
     return TopicsOfSignal(signal, json.strings("with"), json.isTrue("linked"), json.isTrue("ids"))
 }
 
-// Most conditions are alone on their lines, which need not be written twice.
+// Most conditions are alone on their lines, so these lines need not be written twice.
 private fun placeJson(place: RulePlace, condition: String): String = jsonObject(
     "number" to place.lineNumber.toString(),
     "line" to place.line.takeIf { it != usualLine(condition) }?.let(::quotedJson),

@@ -18,7 +18,7 @@ internal class RuleText private constructor(val source: String, private val part
     class Mistake(val from: Int, val until: Int, override val message: String) : Exception(message)
 
     companion object {
-        val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration", "channels")
+        val PLACES = listOf("value", "time", "match", "file", "topic", "other", "device", "count", "duration", "channels", "meanwhile")
 
         /** Reads [text], which may have the placeholders [places]; throws a [Mistake]. */
         fun parse(text: String, places: List<String> = PLACES): RuleText {

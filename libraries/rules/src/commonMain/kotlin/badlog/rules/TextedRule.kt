@@ -20,9 +20,16 @@ internal class TextedRule(
 
     /**
      * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
-     * its current.
+     * its current, and which saw the events [meanwhile].
      */
-    fun text(value: String, time: Double, count: Int, length: Double, channels: List<String> = emptyList()): String {
+    fun text(
+        value: String,
+        time: Double,
+        count: Int,
+        length: Double,
+        channels: List<String> = emptyList(),
+        meanwhile: List<String> = emptyList(),
+    ): String {
         val text = if (count == 1) once else rule.text
         return text.filled(
             mapOf(
@@ -36,6 +43,7 @@ internal class TextedRule(
                 "count" to count.toString(),
                 "duration" to timeText(rounded(length, LENGTH_DIGITS), timeUnit),
                 "channels" to if (channels.isEmpty()) "" else "; most by ${channels.joinToString()}",
+                "meanwhile" to if (meanwhile.isEmpty()) "" else "; at the same time, ${meanwhile.joinToString(" and ")}",
             ),
         )
     }

@@ -22,7 +22,7 @@ internal class TopicsByName(val patterns: List<NamePattern>, val except: List<Na
  * Topics that are the signal [signal].
  *
  * @property with signals of the same device that the rule also needs.
- * @property isLinked whether the rule is about two of them whose devices are linked; the second is [RuleProgram.OTHER].
- * @property hasIds whether it is also about devices that are named by ids alone, whose values with [with] come at different times.
+ * @property isLinked whether the rule is about two of them with linked devices; the second is [RuleProgram.OTHER].
+ * @property hasIds whether it is also about devices that are named by ids alone; their values and the values of [with] come at different times.
  */
 internal class TopicsOfSignal(val signal: String, val with: List<String>, val isLinked: Boolean, val hasIds: Boolean) : TopicChoice

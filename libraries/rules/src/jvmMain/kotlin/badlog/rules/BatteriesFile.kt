@@ -18,8 +18,8 @@ object BatteriesFile {
     fun parse(text: String): TeamBatteries = notTooDeep { BatteriesReader(TomlText(text)).read() }
 
     /**
-     * Returns [text], which is such a file, with [battery] as the one that was in the robot for [log], the place of a file or a match;
-     * everything else in it stays as it is. An empty name takes the battery back.
+     * Returns [text], such a file, with [battery] as the one that was in the robot for [log]. [log] is the place of a file or a match; everything
+     * else in the file stays as it is. An empty name removes the battery.
      *
      * @throws RulesException if [text] has a mistake, or is written in a way that only a person can change.
      */
@@ -58,7 +58,7 @@ object BatteriesFile {
         return lines.joinToString(lineEnd)
     }
 
-    /** Returns whether [line] is that of [log] among the batteries used. */
+    /** Returns whether [line] is the line for [log] among the batteries used. */
     private fun isFor(line: String, log: String): Boolean = listOf(quotedJson(log), "'$log'", log).any { key ->
         line.trimStart().startsWith(key) && line.trimStart().removePrefix(key).trimStart().startsWith("=")
     }
@@ -66,7 +66,7 @@ object BatteriesFile {
     /** The heading of the table, also behind a mark that some Windows editors write. */
     private val TABLE = Regex("\uFEFF?\\[ *\"?$USED\"? *]")
 
-    /** Returns what stands behind the battery's name in [line]: a comment. */
+    /** Returns the text behind the battery's name in [line]: a comment. */
     private fun behindValue(line: String): String = VALUE.find(line)?.let { line.substring(it.range.last + 1) }.orEmpty()
 
     /** The key of a line, and the battery's name. */

@@ -8,14 +8,14 @@ private const val RULES_JSON = "badlog-rules.json"
 /** The built-in rules, with the built-in vocabulary. */
 val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 
-/** The built-in rules as they are once all of them are proven, to measure what they find and which causes they name. */
+/** The built-in rules as if all of them were proven, to measure their findings and causes. */
 val RuleSet.Companion.BUILT_IN_PROVEN: RuleSet get() = PROVEN_RULES
 
 private val PROVEN_RULES by lazy { builtInRulesFromToml { _, _ -> Standing.PROVEN } }
 private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource(RULES_JSON))) }
 
 /**
- * Returns the built-in rules as their file says them; reading that takes longer than exporting a small page.
+ * Returns the built-in rules from their file; reading that takes longer than exporting a small page.
  *
  * @param standing returns the standing of a rule from its name and the hash of its text.
  */

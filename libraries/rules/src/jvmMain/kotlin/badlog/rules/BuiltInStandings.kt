@@ -7,16 +7,16 @@ import badlog.rules.standing.standingOf
 import org.tomlj.TomlTable
 import java.security.MessageDigest
 
-/** The counts of built-in rules, as their table says them. */
+/** The counts of built-in rules, from their table. */
 internal val COUNTS: List<RuleCounts> by lazy { ruleCountsIn(resource(COUNTS_FILE)) }
 
-/** Returns the standing of the built-in rule called [name], whose text has the hash [hash]: counts of another text say nothing of it. */
+/** Returns the standing of the built-in rule called [name] with the hash [hash] of its text. Counts of another text are not used. */
 internal fun countedStanding(name: String, hash: String): Standing = standingOf(COUNTS.filter { it.rule == name && it.hash == hash })
 
-/** Returns the beginning of the hash of the [rule]'s text, whatever its lines and remarks. */
+/** Returns the beginning of the hash of the [rule]'s text, regardless of its lines and remarks. */
 internal fun hashOf(rule: TomlTable): String = hashOfJson(rule.toJson())
 
-/** Returns the beginning of the hash of [json], whose lines end as the system's do. */
+/** Returns the beginning of the hash of [json], regardless of the system's line ends. */
 internal fun hashOfJson(json: String): String =
     MessageDigest.getInstance("SHA-256").digest(json.replace("\r\n", "\n").encodeToByteArray()).take(HASH_BYTES)
         .joinToString("") { "%02x".format(it) }

@@ -10,16 +10,15 @@ import java.nio.file.Path
  *
  * @property file the file; null if there is none.
  * @property found its content; null if there is none, or it has a mistake.
- * @property problem what is wrong with it and what to do, as a sentence, with the line of the mistake below it if there is one; null if all
- * is well.
+ * @property problem its problem and the remedy, as a sentence, with the line of the mistake below it if there is one; null if all is well.
  */
 class NearestFile<T> internal constructor(val file: Path?, val found: T?, val problem: String?) {
     companion object {
         /**
-         * Returns the nearest file for [log]: [inFolder] returns the file in a folder, or null for none, and is called for the log's own
-         * folder, then for those above it up to [top], which is null for only the log's own folder.
+         * Returns the nearest file for [log]. [inFolder] returns the file in a folder, or null if it has none. It is called for the log's own folder,
+         * then for those above it up to [top]; only for the log's own folder if [top] is null, or not above it.
          *
-         * @param parse reads its text; throws an [IllegalArgumentException] that says what is wrong with it.
+         * @param parse reads its text; throws an [IllegalArgumentException] with a message about its mistake.
          */
         fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
             val file = foldersOf(log, top).firstNotNullOfOrNull(inFolder) ?: return NearestFile(null, null, null)
@@ -36,7 +35,7 @@ class NearestFile<T> internal constructor(val file: Path?, val found: T?, val pr
             return NearestFile(file, null, problem)
         }
 
-        /** Returns the folder of [log], and those above it up to [top], which is null for only its own. */
+        /** Returns the folder of [log], and those above it up to [top]; only its own if [top] is null, or not above it. */
         internal fun foldersOf(log: Path, top: Path?): Sequence<Path> {
             val own = log.toAbsolutePath().normalize().parent ?: return emptySequence()
             val last = top?.toAbsolutePath()?.normalize()

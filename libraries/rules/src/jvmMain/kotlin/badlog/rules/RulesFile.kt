@@ -17,7 +17,7 @@ class RulesFile internal constructor(val rules: RuleSet, val hooks: List<HookCom
         const val NAME: String = "badlog-rules.toml"
 
         /**
-         * Reads [text], which is TOML. The expressions are checked for each log, because that decides what is a name.
+         * Reads [text], which is TOML. The expressions are checked for each log, because its topics decide which names exist.
          *
          * @param signals the names of topics.
          * @throws RulesException at the first mistake.

@@ -16,7 +16,7 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * Reads a file of rules that refer to topics by [signals]. Throws [RulesException] at the first mistake.
  *
- * @param isBuiltIn whether the file is badlog's own, in which nobody looks for a mistake.
+ * @param isBuiltIn whether the file is badlog's own: users need not look for a mistake in it.
  * @param standing returns the standing of a built-in rule from its name and the hash of its text.
  */
 internal class RulesReader(
@@ -187,7 +187,7 @@ internal class RulesReader(
         }
     }
 
-    /** Returns the severity that [table] says; a built-in rule has it once it is proven. */
+    /** Returns the severity in [table]; a built-in rule has it once it is proven. */
     private fun severity(table: TomlTable): Severity {
         val severity = toml.string(table, "severity").orEmpty()
         val own = Severity.entries.find { it.name.lowercase() == severity }

@@ -18,12 +18,12 @@ internal class TomlText(source: String) {
     private val source = source.removePrefix(BYTE_ORDER_MARK)
     private val lines = this.source.lines()
 
-    /** Returns all of it; only keys in [known] are allowed in [what] it is. */
+    /** Returns the whole text as a table; only keys in [known] are allowed. [what] names the text in messages. */
     fun root(known: Set<String>, what: String = "the file"): TomlTable {
         val root = try {
             Toml.parse(source)
         } catch (_: RuntimeException) {
-            // The library itself fails for some texts instead of naming the mistake, such as for an inline table that never ends.
+            // The library fails for some texts instead of naming the mistake, such as an inline table that never ends.
             fail(place(null, null), "This is not TOML: a bracket or a quote is not closed.")
         }
         root.errors().firstOrNull()?.let { error ->
@@ -57,7 +57,7 @@ internal class TomlText(source: String) {
     fun patterns(table: TomlTable, key: String, isNeeded: Boolean): List<NamePattern> =
         if (!isNeeded && !table.contains(listOf(key))) emptyList() else strings(table, key).map(::NamePattern)
 
-    /** Returns the texts of the list [key]; empty where there is none. */
+    /** Returns the texts of the list [key]; empty if there is none. */
     fun optionalStrings(table: TomlTable, key: String): List<String> = if (table.contains(listOf(key))) strings(table, key) else emptyList()
 
     fun strings(table: TomlTable, key: String): List<String> {

@@ -26,7 +26,7 @@ private val FILE = """
 """.trimIndent() + "\n"
 
 class BatteriesFileSpec : FunSpec({
-    test("the file has batteries, and which was used") {
+    test("the file lists the batteries, and the ones that were used") {
         val read = BatteriesFile.parse(FILE)
         read.batteries shouldBe listOf(TeamBattery("A1", "2025-01"), TeamBattery("B2", "2023-11-30", isRetired = true))
         read.used shouldBe mapOf("Qualification 12" to "A1", "elim" to "B2")
@@ -36,7 +36,7 @@ class BatteriesFileSpec : FunSpec({
         BatteriesFile.parse("").batteries shouldBe emptyList()
     }
 
-    test("a battery that is written down for a log leaves the rest of the file as it is") {
+    test("writing the battery of a log leaves the rest of the file unchanged") {
         val added = BatteriesFile.withUse(FILE, "Qualification 13", "B2")
         added shouldBe FILE.replace("sheet\n", "sheet\n\"Qualification 13\" = \"B2\"\n")
         val changed = BatteriesFile.withUse(added, "Qualification 13", "A1")
@@ -45,7 +45,7 @@ class BatteriesFileSpec : FunSpec({
         BatteriesFile.withUse("", "m.bag", "A1") shouldBe "[used]\n\"m.bag\" = \"A1\"\n"
     }
 
-    test("whatever a log and a battery are called, it is read as it was written, and changed, and taken back") {
+    test("any names of logs and batteries are read as written, changed, and removed") {
         checkAll(Arb.string(1, 20), Arb.string(1, 20)) { log, name ->
             val battery = name.trim().ifEmpty { "A1" }
             val written = BatteriesFile.withUse(FILE, log, battery)
@@ -72,7 +72,7 @@ class BatteriesFileSpec : FunSpec({
         }
     }
 
-    test("no text makes the reader fail, other than with a sentence about its mistake") {
+    test("any text is read, or refused with a sentence about its mistake") {
         checkAll(Arb.string(0, 80)) { text ->
             try {
                 BatteriesFile.parse("[[battery]]\nname = \"A\"\n$text")

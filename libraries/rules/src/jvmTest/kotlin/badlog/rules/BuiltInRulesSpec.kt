@@ -136,7 +136,7 @@ class BuiltInRulesSpec : FunSpec({
         )
     }
 
-    test("topics that do not fit are neither findings nor problems") {
+    test("topics that do not fit cause neither findings nor problems") {
         val match = TestMatch()
         for (name in listOf(BATTERY, LOOP_TIME, "/SystemStats/CANBus/Utilization", "/SystemStats/BrownedOut")) {
             match.without(name)

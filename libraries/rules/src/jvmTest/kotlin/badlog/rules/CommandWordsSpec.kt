@@ -11,7 +11,7 @@ class CommandWordsSpec : FunSpec({
         commandWords("a ''") shouldBe listOf("a", "")
     }
 
-    test("nothing of a shell has a meaning") {
+    test("characters of a shell have no special meaning") {
         commandWords("a | b \$HOME;*") shouldBe listOf("a", "|", "b", "\$HOME;*")
     }
 

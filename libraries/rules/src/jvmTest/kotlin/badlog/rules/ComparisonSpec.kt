@@ -25,7 +25,7 @@ private val KEYS = listOf(
 
 private val USUAL = doubleArrayOf(16.7, 12.0, 4.0, 9.2, 15.0)
 
-/** A log whose numbers are usual, each within a twentieth, except those in [others]. */
+/** A log with usual numbers, each within a twentieth, except those in [others]. */
 private fun log(random: Random, vararg others: Pair<Int, Double>, kind: MatchKind = MatchKind.MATCH): LogNumbers {
     val values = DoubleArray(USUAL.size) { USUAL[it] * (0.95 + 0.1 * random.nextDouble()) }
     for ((number, value) in others) values[number] = value
@@ -39,7 +39,7 @@ private val odd = log(Random(1), 0 to 23.1)
 class ComparisonSpec : FunSpec({
     fun texts(logs: List<LogNumbers>, rules: RuleSet = RuleSet.BUILT_IN) = rules.compared(logs).map { log -> log.findings.map { it.text } }
 
-    test("what is far from the other matches is found, in its phase, with its unit and theirs") {
+    test("a number far from the other matches is found, in its phase, with its unit and theirs") {
         val found = texts(logs(12) + odd)
         found.last().single() shouldContain Regex("$LEFT while driving was 23.1 A, [34][0-9] % above your 12 other matches \\(usually 1[67](.\\d)? A\\)\\.")
         found.dropLast(1).flatten().shouldBeEmpty()
@@ -52,7 +52,7 @@ class ComparisonSpec : FunSpec({
         finding.time.isNaN() shouldBe true
     }
 
-    test("with four others, or five of which four are of another kind, nothing is compared") {
+    test("nothing is compared with four other logs, or with five if four are of another kind") {
         texts(logs(4) + odd).flatten().shouldBeEmpty()
         texts(logs(4) + logs(8, MatchKind.PRACTICE) + odd).flatten().shouldBeEmpty()
         texts(logs(5) + log(Random(1), 0 to 80.0)).flatten().size shouldBe 1
@@ -95,7 +95,7 @@ class ComparisonSpec : FunSpec({
             "deviations, percent, findings, others"
     }
 
-    test("comparing something without numbers is a mistake") {
+    test("comparing a signal without numbers is a mistake") {
         val limits = "limits = { deviations = 5, percent = 25, findings = 3, others = 5 }"
         val rule = "[[comparison]]\nname = \"A\"\nseverity = \"note\"\nof = [\"setpoint\"]\n$limits\ntext = \"t\"\n"
         shouldThrow<RulesException> { RulesFile.parse(rule) }.message shouldContain

@@ -8,20 +8,20 @@ import io.kotest.matchers.shouldBe
 class DeviceNamesSpec : FunSpec({
     fun names(vararg devices: NamedDevice) = DeviceNames(devices.toList())
 
-    test("a device is called by its name, its subsystem, and what the log calls it") {
+    test("a device is shown with its name, its subsystem, and its name in the log") {
         val names = names(NamedDevice("", 3, "Front left", "Drive"))
         names.deviceText("Phoenix6/TalonFX-3 (rio)") shouldBe "Front left (Drive, TalonFX 3)"
         names.deviceText("TalonFX 3") shouldBe "Front left (Drive, TalonFX 3)"
         names.topicText("Phoenix6/TalonFX-3/StatorCurrent") shouldBe "Phoenix6/TalonFX-3/StatorCurrent (Front left)"
     }
 
-    test("what has no id on the bus, or another one, keeps its name") {
+    test("a device without an id on the bus, or with another one, keeps its name") {
         val names = names(NamedDevice("", 3, "Front left", ""), NamedDevice("PDH", 4, "Channel", ""))
         for (text in listOf("Elevator", "Module 3", "PDP/Current 3", "TalonFX 33", "TalonFX 4", "")) names.deviceText(text) shouldBe text
         names.topicText("PDP/Current 3") shouldBe "PDP/Current 3"
     }
 
-    test("of devices with the same id, the type says which, and none is named if it does not") {
+    test("of devices with the same id, the type decides, and without it none is named") {
         val typed = names(NamedDevice("Kraken X60", 3, "Motor", ""), NamedDevice("encoder", 3, "Encoder", ""))
         typed.deviceText("TalonFX 3") shouldBe "Motor (TalonFX 3)"
         typed.deviceText("CANcoder 3 (an absolute encoder)") shouldBe "Encoder (CANcoder 3)"

@@ -27,6 +27,12 @@ class IncidentSpec : FunSpec({
     val left = found("Motor stalled", 20.0, 22.0, "Drive/Left/Output")
     val right = found("Motor stalled", 20.1, 22.0, "Drive/Right/Output")
 
+    test("an incident's name has the signals that were unusual at the same time") {
+        fun blocked(from: Double, vararg signals: String) = Finding("Loop blocked", Severity.ERROR, null, "Blocked.", from, listOf(Span(from, from)), 1, "s", meanwhile = signals.toList())
+        names(blocked(20.0)) shouldBe listOf("The loop stood still")
+        names(blocked(20.0, "vision latency", "CPU load")) shouldBe listOf("The loop stood still while vision latency and CPU load rose")
+    }
+
     test("what follows from a cause, even indirectly, is one incident with it, the cause first") {
         val browned = found("Browned out", 21.5, severity = Severity.ERROR)
         val incident = incidents(found("Low battery", 21.0), browned, left, found("Main breaker", 21.0), right).single()
@@ -47,11 +53,11 @@ class IncidentSpec : FunSpec({
     test("what a cause was found by is not repeated among the incident's sentences") {
         val loop = Finding("Loop blocked", Severity.ERROR, "Loop Time", "The loop took 396 ms.", 20.0, listOf(Span(20.0, 20.2)), 1, "s")
         val vision = Finding(
-            "Vision blocked the loop", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
+            "Loop and vision late together", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
             evidence = listOf("Loop Time", "Vision/Latency"),
         )
         val incident = incidents(loop, vision).single()
-        incident.sentences.map { it.finding.rule } shouldBe listOf("Vision blocked the loop")
+        incident.sentences.map { it.finding.rule } shouldBe listOf("Loop and vision late together")
         incident.effects.map { it.rule } shouldBe listOf("Loop blocked")
         incident.severity shouldBe Severity.ERROR
     }
@@ -72,7 +78,7 @@ class IncidentSpec : FunSpec({
 
     test("an effect of an earlier cause begins no incident of its own") {
         val arm = found("Motor stalled", 20.5, topic = "Arm/Output")
-        names(found("Encoder stopped", 19.0, 26.0, "Arm/Position"), arm) shouldBe
+        names(found("Encoder frozen", 19.0, 26.0, "Arm/Position"), arm) shouldBe
             listOf("An encoder stopped reporting")
     }
 

@@ -50,7 +50,7 @@ class LogFindingsSpec : FunSpec({
         }
     }
 
-    test("a match that only the file's name shows is the same for rules, their texts and what is compared") {
+    test("a match that only the file's name shows is the same for rules, their texts and comparisons") {
         val rule = "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{match}\"\nonly = [\"Qualification\"]\n"
         val rules = RulesFile.parse(rule).rules
         rules.over(view, "Q42.bag").findings.map { it.text } shouldBe listOf("Qualification 42")
@@ -62,7 +62,7 @@ class LogFindingsSpec : FunSpec({
         listOf("Q42.bag", "practice-3.bag", "log.bag").map(::kindOf) shouldBe listOf(MatchKind.MATCH, MatchKind.PRACTICE, MatchKind.UNKNOWN)
     }
 
-    test("a rule that is wrong is reported as such, with its place") {
+    test("a wrong rule is reported as such, with its place") {
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"mean(Battery Voltage, 5) < 3\"\ntext = \"t\"\n").rules
         val skipped = rules.over(view, "test.bag").skipped.single()
         skipped.isMistake shouldBe true
@@ -85,7 +85,7 @@ class LogFindingsSpec : FunSpec({
             .flatMap { found -> listOf(found.text) + found.texts }
     }
 
-    test("of messages that share a time, or a row's cell, the finding is about the error, not about what was logged with it") {
+    test("of messages that share a time, or a row's cell, the finding quotes the error, not the others") {
         loggedIn(messages(1.0 to "error in robotPeriodic", 1.0 to "Shooter.periodic(): 0.9 ms", 2.0 to "ready")) shouldBe
             listOf("messages at 1 s: error in robotPeriodic")
         loggedIn(messages(1.0 to "CAN timeout; Elevator (ID 5)", 4.0 to "Arm.periodic(): 0.0003 s; ".repeat(20) + "error in teleop")) shouldBe listOf(
@@ -94,7 +94,7 @@ class LogFindingsSpec : FunSpec({
         )
     }
 
-    test("errors that differ in their stack traces alone are the same error, and are named by their first line") {
+    test("errors that differ only in their stack traces are the same error, named by their first line") {
         loggedIn(
             messages(
                 1.0 to "ERROR -200 CTR: no response from Talon FX\n\tat a.B.c(B.java:12)",
@@ -121,7 +121,7 @@ class LogFindingsSpec : FunSpec({
 
     fun findingsOf(topics: List<Topic>) = RuleSet.BUILT_IN.over(LogView.of(Recording(WpilogFormat, null, emptyList(), topics, 0, emptyList())), "a.wpilog")
 
-    test("where topics have times of their own, time is every one of them, whatever topics are called") {
+    test("if topics have their own times, the time is every one of them, whatever topics are called") {
         val enabled = Topic("DS:enabled", "", emptyList(), doubleArrayOf(1.0, 1.0), TextColumn.EMPTY, CellCounts(2, 0, 0, 0, 0, 0), doubleArrayOf(0.0, 6.0))
         val result = findingsOf(listOf(ownTimes("A/Time", 0.0, 0.1, 2.5, 6.0), ownTimes("B/Time", 0.2, 2.9), enabled))
         result.findings.single { it.rule == "Gap in time" }.run {

@@ -22,7 +22,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.03 * TestMatch.load(it) } },
     "Current too long" to { within(20.0..21.9, CHANNEL) { "70" } },
     "High current" to { within(20.0..20.9, CHANNEL) { "55" } },
-    "Breaker tripped" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0.6" } },
+    // A motor starts, and rests after that.
     // The other channels rest, too.
     "Channel rests alone" to {
         from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" }
@@ -36,7 +36,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Main breaker" to { within(20.0..21.9, CHANNEL) { "250" } },
     "High total current" to { within(20.0..24.8, CHANNEL) { "190" } },
-    "Heavy load" to { within(20.0..20.4, CHANNEL) { "210" } },
     "Rail fault" to { number("/SystemStats/3v3Rail/CurrentFaults") { if (it < 20) 3.0 else 2.0 } },
     "Motor too hot" to { number("Drive/Left/TempCelsius") { 49 + it } },
     "Motor hot" to { number("Drive/Left/TempCelsius") { 41.5 + it } },
@@ -46,10 +45,10 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         within(20.0..20.5, "Drive/Left/SupplyCurrentAmps") { "45" }
     },
     "Output saturated" to { within(20.0..20.8, "Elevator/Output") { "1.0" } },
-    "Output lost" to { within(20.0..20.15, "Drive/Left/AppliedVolts") { "0" } },
+    "Output without voltage" to { within(20.0..20.15, "Drive/Left/AppliedVolts") { "0" } },
     "Motor fault" to { flag("Drive/Left/StickyFault_BootDuringEnable") { true } },
     "Device lost" to { flag("Drive/Left/Connected") { it > 0.5 && it !in 20.0..20.1 } },
-    "Linked motor off" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0.5" } },
+    "Linked motor without current" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0.5" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { 0.6 * TestMatch.load(it) / 4 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (42 * TestMatch.output(it)).toString() } },
     // It draws what a motor draws that is blocked.
@@ -59,7 +58,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "20" }
     },
     // It draws less than a motor that is blocked.
-    "Motor stuck" to {
+    "Still at stall current" to {
         from(20.0, "Drive/Left/VelocityRadPerSec") { "0" }
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "12" }
@@ -71,20 +70,20 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         number("Phoenix6/TalonFX-5/SupplyCurrent") { if (it in 20.0..32.0) 22.0 else 3.0 }
     },
     "Side stands still" to { within(20.0..20.15, LEFT) { "10" } },
-    "Device silent" to {
+    "Device without values" to {
         for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }
         within(20.0..20.2, "Phoenix6/TalonFX-2/DutyCycle") { "" }
     },
     "Values frozen" to { within(20.0..20.8, LEFT) { TestMatch.position(20.0).toString() } },
     "Limit switch contradicted" to { flag("Elevator/Bottom Limit") { maxOf(TestMatch.height(it), TestMatch.height(it - 0.2)) < 0.01 } },
     "Encoder frozen" to { arm { 90 * TestMatch.wave((if (it in 20.0..20.1) 20.0 else it) / 2) } },
-    "Motor turns alone" to { arm { 90 * TestMatch.wave(it / 2) + if (it < 20) 0.0 else 0.4 * (it - 20) } },
+    "Motor and mechanism disagree" to { arm { 90 * TestMatch.wave(it / 2) + if (it < 20) 0.0 else 0.4 * (it - 20) } },
     "Output without effect" to {
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.5" }
     },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.05 * step(it) else 0.0 } },
-    "Setpoint missed" to {
+    "Away from its setpoint" to {
         from(16.0, "Elevator/Height") { (0.95 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.2" }
     },
@@ -92,13 +91,18 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Moves harder" to { lift(load = 20.0) { if (it < 15) 4.0 else 5.0 } },
     "Speed oscillates" to { shooter { 4000 + 40 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3900 + TestMatch.wave(it) } },
-    "Motor jammed" to {
+    "Driven without moving" to {
         number("Intake/Velocity RPM") { if (it in 20.0..20.3) 0.0 else 1000 + TestMatch.wave(it) }
         number("Intake/Current") { if (it in 20.0..20.3) 40.0 else 8.0 }
     },
+    // It rests at a stop, and its motor pushes against that.
+    "Position stands still" to {
+        number("Wrist/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
+        number("Wrist/Output") { if (it < 24) TestMatch.output(it) else -abs(TestMatch.output(it)) }
+    },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) angle - 0.09 else angle }) },
     "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.947 else 0.95) * angle }) },
-    "Module drives weakly" to {
+    "Module draws less current" to {
         swerve()
         for (i in 0..3) number("Drive/Module$i/DriveCurrentAmps") { if (i == 2) 18.0 else 20.0 }
     },
@@ -106,11 +110,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         swerve()
         from(15.0, CHANNEL) { (TestMatch.load(it) / 5).toString() }
     },
-    "Side drags" to { number("Drive/Left/AppliedVolts") { 12 * TestMatch.output(it) + 0.2 * sign(TestMatch.output(it)) } },
-    "Wheels slip" to {
-        swerve(speed = { _, time -> 3 * abs(TestMatch.wave(time / 4)) })
-        number("Gyro/Acceleration X") { 0.0 }
-    },
+    "Side needs more output" to { number("Drive/Left/AppliedVolts") { 12 * TestMatch.output(it) + 0.2 * sign(TestMatch.output(it)) } },
     "Heading jumped" to { from(20.0, "Gyro/Angle") { (100 + 60 * TestMatch.wave(it / 2 - 2)).toString() } },
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 0.5 else 0.0 }
@@ -123,9 +123,9 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in 15.0..38.0 }
         number("Gyro/Angle") { if (it < 15) 10 + 0.1 * it else 11.5 + 20 * TestMatch.wave(it - 15) }
     },
-    "Camera silent" to { within(20.0..23.5, "limelight/hb") { "1000" } },
+    "No new pictures" to { within(20.0..23.5, "limelight/hb") { "1000" } },
     "Loop blocked" to { within(20.0..20.05, LOOP_TIME) { "95" } },
-    "Vision blocked the loop" to { within(20.0..20.05, LOOP_TIME) { "240" } },
+    "Loop and vision late together" to { within(20.0..20.05, LOOP_TIME) { "240" } },
     // Garbage is collected twice.
     "Loop overrun" to { for (at in listOf(20.0, 25.0)) within(at..at + 0.05, LOOP_TIME) { "70" } },
     "Slow loops" to { within(20.0..21.4, LOOP_TIME) { "30" } },
@@ -150,7 +150,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
     "Link lost" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 } },
-    "Link lost while disabled" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 } },
     "Packets very late" to { within(20.0..20.4, TRIP) { "150" } },
     "Packets late" to { within(20.0..20.8, TRIP) { "60" } },
     "Many packets lost" to { within(20.0..20.8, LOSS) { "0.3" } },
@@ -159,7 +158,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Weak radio signal" to { from(20.0, "/DSLog/WifiDb") { "-59" } },
     "Late pictures" to { within(20.0..20.8, "Vision/Latency") { "180" } },
     "Low air pressure" to { from(20.0, "Pneumatics/Pressure") { "61" } },
-    "Air leak" to {
+    "Stored air falls" to {
         number("Pneumatics/Pressure") { 110 - 0.2 * it }
         flag("Pneumatics/Compressor On") { false }
     },
@@ -172,13 +171,15 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 4 }
     },
-    "Stick off center while disabled" to {
-        flag("/DriverStation/Enabled") { it in 10.0..38.0 }
-        number("DS:joystick0/axes[0]") { 0.12 + 0.01 * TestMatch.wave(it) }
-    },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }
         number("/DriverStation/MatchTime") { 140 - it }
+    },
+    // A practice without a field.
+    "Log begins in teleop" to {
+        flag("/DriverStation/Enabled") { it < 38 }
+        flag("/DriverStation/Autonomous") { false }
+        flag("/DriverStation/FMSAttached") { false }
     },
     // Whoever deploys code before a match restarts it.
     "Code restarted" to { number("Robot/Uptime") { if (it < 2) 400 + it else it - 2 } },

@@ -83,7 +83,7 @@ class NoFaultSpec : FunSpec({
             number("$part/VelocityRadPerSec") { if (it in 20.0..25.0) 0.0 else 50 * TestMatch.output(it) }
             number("$part/AppliedVolts") { if (it in 20.0..25.0) 10.0 else 12 * TestMatch.output(it) }
             number("$part/CurrentAmps") { if (it in 20.0..25.0) 40.0 else 10.0 }
-        }.findings().any { it.rule == "Motor jammed" && part in it.text }
+        }.findings().any { it.rule == "Driven without moving" && part in it.text }
         jammed("Climber") shouldBe false
         jammed("Intake") shouldBe true
     }

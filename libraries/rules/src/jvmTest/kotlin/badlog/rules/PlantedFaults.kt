@@ -18,14 +18,12 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.036 * TestMatch.load(it) } },
     "Current too long" to { from(20.0, CHANNEL) { if (it < 22.5) "70" else "3" } },
     "High current" to { from(20.0, CHANNEL) { if (it < 21.5) "55" else "3" } },
-    "Breaker tripped" to { from(20.0, CHANNEL) { if (it < 20.5) "70" else "0" } },
     // It pulled less than most breakers stand.
     "Channel rests alone" to { from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" } },
     "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 0.0 else 16.0 } },
     "Too much at once" to { from(20.0, CHANNEL) { if (it < 22) "250" else "3" } },
     "Main breaker" to { from(20.0, CHANNEL) { if (it < 22.5) "250" else "3" } },
     "High total current" to { from(20.0, CHANNEL) { if (it < 25.5) "190" else "3" } },
-    "Heavy load" to { from(20.0, CHANNEL) { if (it < 21) "210" else "3" } },
     "Rail fault" to { number("/SystemStats/3v3Rail/CurrentFaults") { if (it < 20) 2.0 else 3.0 } },
     "Motor too hot" to { number("Drive/Left/TempCelsius") { 60 + it } },
     "Motor hot" to { number("Drive/Left/TempCelsius") { 45 + it } },
@@ -35,10 +33,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "45" }
     },
     "Output saturated" to { from(20.0, "Elevator/Output") { "1.0" } },
-    "Output lost" to { from(20.0, "Drive/Left/AppliedVolts") { "0" } },
+    "Output without voltage" to { from(20.0, "Drive/Left/AppliedVolts") { "0" } },
     "Motor fault" to { flag("Drive/Left/StickyFault_BootDuringEnable") { it > 20 } },
     "Device lost" to { flag("Drive/Left/Connected") { it in 0.5..20.0 } },
-    "Linked motor off" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0" } },
+    "Linked motor without current" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { TestMatch.load(it) / 12 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (30 * TestMatch.output(it)).toString() } },
     "Encoder stopped" to {
@@ -46,7 +44,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "8" }
     },
-    "Motor stuck" to {
+    "Still at stall current" to {
         from(20.0, "Drive/Left/VelocityRadPerSec") { "0" }
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
         from(20.0, "Drive/Left/SupplyCurrentAmps") { "25" }
@@ -57,7 +55,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         number("Phoenix6/TalonFX-5/SupplyCurrent") { if (it in 20.0..32.0) 22.0 else 3.0 }
     },
     "Side stands still" to { from(20.0, "Drive/Left/PositionRad") { "10" } },
-    "Device silent" to {
+    "Device without values" to {
         for (id in 1..3) number("Phoenix6/TalonFX-$id/DutyCycle") { 0.0 }
         from(20.0, "Phoenix6/TalonFX-2/DutyCycle") { "" }
     },
@@ -67,26 +65,30 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Limit switch contradicted" to { flag("Elevator/Bottom Limit") { it < 30 } },
     "Encoder frozen" to { arm { if (it < 20) 90 * TestMatch.wave(it / 2) else 45.0 } },
-    "Motor turns alone" to { arm { 90 * TestMatch.wave(it / 2) + if (it < 20) 0.0 else 3 * (it - 20) } },
+    "Motor and mechanism disagree" to { arm { 90 * TestMatch.wave(it / 2) + if (it < 20) 0.0 else 3 * (it - 20) } },
     "Output without effect" to {
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.9" }
     },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.3 * step(it) else 0.0 } },
-    "Setpoint missed" to {
+    "Away from its setpoint" to {
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.2" }
     },
     "Moves harder" to { lift(load = 3.0) { if (it < 15) 4.0 else 12.0 } },
     "Speed oscillates" to { shooter { 4000 + 200 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3500 + TestMatch.wave(it) } },
-    "Motor jammed" to {
+    "Driven without moving" to {
         number("Intake/Velocity RPM") { if (it in 20.0..22.0) 0.0 else 1000 + TestMatch.wave(it) }
         number("Intake/Current") { if (it in 20.0..22.0) 40.0 else 8.0 }
     },
+    "Position stands still" to {
+        number("Wrist/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
+        number("Wrist/Output") { TestMatch.output(it) }
+    },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) 0.0 else angle }) },
     "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.93 else 0.95) * angle }) },
-    "Module drives weakly" to {
+    "Module draws less current" to {
         swerve()
         for (i in 0..3) number("Drive/Module$i/DriveCurrentAmps") { if (i == 2) 10.0 else 20.0 }
     },
@@ -94,11 +96,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         swerve()
         from(15.0, CHANNEL) { (TestMatch.load(it) / 10).toString() }
     },
-    "Side drags" to { number("Drive/Left/AppliedVolts") { 12 * TestMatch.output(it) + 1.2 * sign(TestMatch.output(it)) } },
-    "Wheels slip" to {
-        swerve(speed = { _, time -> 3 * abs(TestMatch.wave(4 * time)) })
-        number("Gyro/Acceleration X") { 0.0 }
-    },
+    "Side needs more output" to { number("Drive/Left/AppliedVolts") { 12 * TestMatch.output(it) + 1.2 * sign(TestMatch.output(it)) } },
     "Heading jumped" to { from(20.0, "Gyro/Angle") { (200 + 60 * TestMatch.wave(it / 2 - 2)).toString() } },
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 3.0 else 0.0 }
@@ -111,9 +109,9 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in 15.0..38.0 }
         number("Gyro/Angle") { if (it < 15) 10 + 0.4 * it else 16 + 20 * TestMatch.wave(it - 15) }
     },
-    "Camera silent" to { from(20.0, "limelight/hb") { "1000" } },
+    "No new pictures" to { from(20.0, "limelight/hb") { "1000" } },
     "Loop blocked" to { from(20.0, LOOP_TIME) { if (it < 20.05) "240" else "9" } },
-    "Vision blocked the loop" to {
+    "Loop and vision late together" to {
         from(20.0, LOOP_TIME) { if (it < 20.05) "240" else "9" }
         from(20.0, "Vision/Latency") { if (it < 20.1) "220" else "30" }
     },
@@ -143,7 +141,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 }
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
-    "Link lost while disabled" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 } },
     "Packets very late" to { from(20.0, "/DSLog/TripTimeMS") { "150" } },
     "Packets late" to { from(20.0, "/DSLog/TripTimeMS") { "60" } },
     "Many packets lost" to { from(20.0, "/DSLog/PacketLoss") { "0.3" } },
@@ -152,7 +149,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Weak radio signal" to { from(20.0, "/DSLog/WifiDb") { "-65" } },
     "Late pictures" to { from(20.0, "Vision/Latency") { "180" } },
     "Low air pressure" to { from(20.0, "Pneumatics/Pressure") { "50" } },
-    "Air leak" to {
+    "Stored air falls" to {
         number("Pneumatics/Pressure") { 110 - it }
         flag("Pneumatics/Compressor On") { false }
     },
@@ -165,13 +162,14 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 12 }
     },
-    "Stick off center while disabled" to {
-        flag("/DriverStation/Enabled") { it in 10.0..38.0 }
-        number("DS:joystick0/axes[0]") { 0.3 + 0.01 * TestMatch.wave(it) }
-    },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }
         number("/DriverStation/MatchTime") { 90 - it }
+    },
+    "Log begins in teleop" to {
+        flag("/DriverStation/Enabled") { it < 38 }
+        flag("/DriverStation/Autonomous") { false }
+        flag("/DriverStation/FMSAttached") { true }
     },
     "Code restarted" to { number("Robot/Uptime") { if (it < 20) 400 + it else it - 20 } },
     "Ended in the match" to { flag("/DriverStation/Enabled") { it > 4 } },

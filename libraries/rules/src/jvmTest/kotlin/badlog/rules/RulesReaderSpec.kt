@@ -23,12 +23,12 @@ class RulesReaderSpec : FunSpec({
         RuleSet.BUILT_IN.rules.map { it.name }.take(2) shouldBe listOf("Browned out", "Below the brownout voltage")
     }
 
-    test("the built-in rules as the build made JSON of them are those of their file") {
+    test("the built-in rules in the build's JSON equal the ones in their file") {
         RuleSet.BUILT_IN.toJson(haveChecklist = true) shouldBe builtInRulesFromToml().toJson(haveChecklist = true)
         RuleSet.BUILT_IN.comparisons.size shouldBe builtInRulesFromToml().comparisons.size
     }
 
-    test("comparisons of a page that were damaged anywhere are read, or are none; nothing else is thrown") {
+    test("damaged comparisons of a page are read, or there are none; nothing else is thrown") {
         val whole = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE, RuleSet.BUILT_IN.comparisons).toJson()
         checkNotNull(RuleSet.fromJson(whole)).toJson() shouldBe whole
         fun damaged(part: Regex, by: String) = RuleSet.fromJson(whole.replaceFirst(part, by).also { check(it != whole) })
@@ -55,7 +55,7 @@ class RulesReaderSpec : FunSpec({
         RuleSet.BUILT_IN.checklist.size shouldBe 5
     }
 
-    test("a file without rules is fine") {
+    test("a file without rules is valid") {
         RulesFile.parse("").rules.rules shouldBe emptyList()
     }
 
@@ -70,7 +70,7 @@ class RulesReaderSpec : FunSpec({
         hooks.map { it.timeLimit } shouldBe listOf(null, 1500.milliseconds)
     }
 
-    test("what is not TOML is reported with line and caret") {
+    test("a text that is not TOML is reported with line and caret") {
         messageOf("[aliases]\nb = \n") shouldStartWith "Line 2: This is not TOML: "
         messageOf("[aliases]\nb = \n") shouldContain "\nb = \n    ^"
     }

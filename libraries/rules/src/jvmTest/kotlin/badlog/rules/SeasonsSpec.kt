@@ -26,7 +26,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import kotlin.math.round
 
-/** What the clock of a robot of 2027 shows more: it began a day before. */
+/** The offset of the clock of a robot of 2027: it began a day before. */
 private const val LATER = 86_400.0
 
 /** By how much the clock of its Driver Station differs from that. */
@@ -43,11 +43,11 @@ private fun viewOf(match: GeneratedMatch): LogView {
     return LogView.of(parser.finish()).withSignals(SIGNALS, match.fileName)
 }
 
-/** What a finding says, and when, in the time of 2026. */
+/** The text of a finding, and its time in the clock of 2026. */
 private class Said(val text: String, val times: List<Double>)
 
 private fun findingsIn(view: LogView, later: Double) = RuleSet.BUILT_IN.over(view, "a.wpilog").findings.map { finding ->
-    // Times in texts are those of each clock.
+    // Each text has the times of its own clock.
     val text = finding.text.replace("NT:/SmartDashboard/", "NT:/Telemetry/").replace(Regex("[0-9][0-9.,:]*"), "#")
     Said("${finding.rule} ${finding.severity} $text", finding.spans.flatMap { listOf(it.from - later, it.to - later) })
 }.sortedWith(compareBy({ it.text }, { it.times.firstOrNull() ?: 0.0 }))
@@ -72,7 +72,7 @@ class SeasonsSpec : FunSpec({
                 findingsIn(after, LATER).map { it.text } shouldContainExactly findings.map { it.text }
                 for ((own, other) in findingsIn(after, LATER) zip findings) {
                     own.times.size shouldBe other.times.size
-                    // A day later, rounding of times is 16 times as coarse: a condition that holds for just so long may begin a loop later.
+                    // A day later, rounding of times is 16 times as coarse: a condition that just holds long enough may begin a loop later.
                     for ((time, wanted) in own.times zip other.times) time shouldBe (wanted plusOrMinus LOOP)
                 }
                 fun path(view: LogView) = posesOf(view.recording.topics).first { "Field/Robot" in it.name }.let { pose ->

@@ -41,7 +41,7 @@ class SignalsFileSpec : FunSpec({
         wrong.shouldBeEmpty()
     }
 
-    test("a unit comes from the log, from what such logs have, or from the name, and the reason says which") {
+    test("a unit comes from the log, from the vocabulary, or from the name, and the reason says which") {
         fun only(signal: Signal) = topics(signal).all.first()
         only(Signal("System/Loop Time", SignalKind.NUMBER, "s")).run { scale to reason } shouldBe (1000.0 to "fits “*loop time”, unit s in the log")
         only(Signal("/SystemStats/CANBus/Utilization", SignalKind.NUMBER)).run { scale to reason } shouldBe
@@ -59,7 +59,7 @@ class SignalsFileSpec : FunSpec({
         signals.summandsOf("total current").size shouldBe 4
     }
 
-    test("a topic becomes the first name of a signal, and all else in the file stays as it was") {
+    test("adding a topic as the first name of a signal leaves the rest of the file unchanged") {
         SignalsFile.withTopic("", "battery", "Power/My Volts") shouldBe "[[signal]]\nname = \"battery\"\ntopics = [\"Power/My Volts\"]\n"
         val text = "# ours\r\n[[signal]]\r\nname = \"battery\"\r\ntopics = [ # old\r\n  \"Volts\",\r\n]\r\n\r\n[units]\r\nTicks = \"ticks\"\r\n"
         SignalsFile.withTopic(text, "battery", "New") shouldBe text.replace("[ #", "[\"New\",  #")
@@ -69,14 +69,14 @@ class SignalsFileSpec : FunSpec({
         shouldThrow<RulesException> { SignalsFile.withTopic("[[signal]\n", "battery", "New") }
     }
 
-    test("any topic can be named, whatever letters it has, and again") {
+    test("any topic can be added, whatever its letters, and another one after it") {
         checkAll(Arb.string(1..30).filter { it.isNotBlank() }, Arb.string(1..30).filter { it.isNotBlank() }) { one, other ->
             val text = SignalsFile.withTopic(SignalsFile.withTopic("", "battery", one), "battery", other)
             SignalsFile.parse(text).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf(other, one)
         }
     }
 
-    test("what a team adds takes precedence, and can be a signal of its own") {
+    test("a team's names take precedence, and can be signals of their own") {
         val own = SignalsFile.parse(
             """
             [units]

@@ -33,7 +33,7 @@ class SimulationSpec : FunSpec({
         }
     }
 
-    test("over a simulation run only the rules about what the program says and the drivers do") {
+    test("over a simulation, only rules about the program's messages and the drivers' inputs run") {
         found { number(BATTERY) { 12.0 } }.run {
             rules() shouldBe listOf("Error logged", "Code crashed")
             val text = NotLookedAt(ran, skipped).text
@@ -43,20 +43,20 @@ class SimulationSpec : FunSpec({
         }
     }
 
-    test("a battery that WPILib calculates from what is drawn rests at exactly 12 V") {
+    test("a battery that WPILib calculates from the current rests at exactly 12 V") {
         found { number(BATTERY) { 12.0 - 0.0187 * (TestMatch.load(it) - TestMatch.load(0.0)).coerceAtLeast(0.0) } }.isSimulation() shouldBe true
     }
 
-    test("a weak battery that a program rounds is a real one") {
+    test("a weak battery with rounded values is a real one") {
         found { number(BATTERY) { Math.round(120 - 0.2 * TestMatch.load(it)) / 10.0 } }.isSimulation() shouldBe false
     }
 
-    test("the FPGA of the simulation is known") {
+    test("the FPGA of the simulation is recognized") {
         found { number(FPGA) { 2018.0 } }.isSimulation() shouldBe true
         found { number(FPGA) { 0x2024.toDouble() } }.isSimulation() shouldBe false
     }
 
-    test("what its metadata say is believed, and nothing that only sounds like it") {
+    test("metadata that name a simulation are believed, and nothing that only sounds like it") {
         for ((text, isSimulated) in listOf("kSimulation" to true, "SIM" to true, "SIMBOT" to true, "kRoboRIO" to false, "Simple drive" to false)) {
             found { state("/RealMetadata/RuntimeType", text) }.isSimulation() shouldBe isSimulated
         }
@@ -65,13 +65,13 @@ class SimulationSpec : FunSpec({
         found { state("/ReplayMetadata/RuntimeType", "kSimulation") }.isSimulation() shouldBe false
     }
 
-    test("a robot whose dashboards all ran on its own computer is none") {
+    test("a robot with all dashboards on its own computer is simulated") {
         fun client(address: String) = "\"{\"\"connected\"\":true,\"\"remote_ip\"\":\"\"$address\"\",\"\"remote_port\"\":5}\""
         found { event("NTConnection", 3.0 to client("127.0.0.1")) }.isSimulation() shouldBe true
         found { event("NTConnection", 3.0 to client("127.0.0.1"), 5.0 to client("10.10.14.5")) }.isSimulation() shouldBe false
     }
 
-    test("what shows a simulation is among the topics whose samples rules need") {
+    test("the topics that show a simulation are among the ones that rules read") {
         val view = TestMatch().apply { number(FPGA) { 2018.0 } }.view()
         (FPGA in RuleProgram(RuleSet.BUILT_IN, LogShape.of(view)).topics) shouldBe true
     }
@@ -81,7 +81,7 @@ class SimulationSpec : FunSpec({
         TestMatch().apply { number(BATTERY) { 12.0 } }.findings(own).map { it.rule } shouldBe listOf("Own")
     }
 
-    test("rules keep as JSON whether they run over simulations") {
+    test("rules keep in JSON whether they run over simulations") {
         val read = checkNotNull(RuleSet.fromJson(RuleSet.BUILT_IN.toJson()))
         read.rules.filter { it.isForSimulations != RuleSet.BUILT_IN.rules.first { own -> own.name == it.name }.isForSimulations }.shouldBeEmpty()
     }

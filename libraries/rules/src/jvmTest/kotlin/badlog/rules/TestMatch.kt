@@ -5,8 +5,8 @@ import badlog.core.bag.BagParser
 import badlog.core.json.quotedJson
 
 /**
- * A match of [seconds] at 50 rows a second, made of functions of time: a healthy one, in which [number], [flag] and [event] plant
- * what is to be found. Names are those of different libraries; units are only in names.
+ * A match of [seconds] at 50 rows a second, made of functions of time: a healthy one, in which [number], [flag] and [event] plant faults. Names come
+ * from different libraries; units are only in names.
  */
 internal class TestMatch(private val seconds: Int = 40) {
     private val cells = LinkedHashMap<String, (time: Double, row: Int) -> String>()
@@ -69,20 +69,20 @@ internal class TestMatch(private val seconds: Int = 40) {
     /** [name] has the cells that [at] returns, empty ones for none. */
     fun cells(name: String, at: (Double) -> String) = cell(name, "ul") { time, _ -> at(time) }
 
-    /** [name] says [text] all the time. */
+    /** [name] has [text] all the time. */
     fun state(name: String, text: String) = cell(name, "ul") { _, _ -> text }
 
     fun event(name: String, vararg events: Pair<Double, String>) = cell(name, "ul") { _, row ->
         events.filter { (it.first * ROWS).toInt() == row }.joinToString("; ") { it.second }
     }
 
-    /** [name] is unchanged until [from], and from then on what [at] returns. */
+    /** [name] is unchanged until [from], and has the values of [at] from then on. */
     fun from(from: Double, name: String, at: (Double) -> String) {
         val before = cells.getValue(name)
         cell(name, units.getValue(name)) { time, row -> if (time < from) before(time, row) else at(time) }
     }
 
-    /** [name] is unchanged outside of [span], and within it what [at] returns. */
+    /** [name] is unchanged outside of [span], and has the values of [at] within it. */
     fun within(span: ClosedRange<Double>, name: String, at: (Double) -> String) {
         val others = cells.getValue(name)
         cell(name, units.getValue(name)) { time, row -> if (time in span) at(time) else others(time, row) }

@@ -18,12 +18,12 @@ val ACTIVITY = Signal(ACTIVE, SignalKind.CONDITION)
 const val SETTLED = "settled"
 
 /**
- * The signal `settled`: whether the robot has been enabled for a second in the same mode. Programs set
- * poses and headings anew before, and their first loops are slow. Always true if the log does not show it.
+ * The signal `settled`: whether the robot has been enabled for a second in the same mode. Before that, programs set poses and headings, and their
+ * first loops are slow. Always true if the log does not show it.
  */
 val SETTLEMENT = Signal(SETTLED, SignalKind.CONDITION)
 
-/** Returns the samples of [SETTLEMENT] in [view], where the robot was [enabled]; null if the log does not show it. */
+/** Returns the samples of [SETTLEMENT] in [view]. [enabled] has the times when the robot was enabled; null if the log does not show them. */
 fun settledIn(view: LogView, enabled: List<EnabledSpan>?): Series {
     val start = view.xAxis.range?.start ?: return Series(DoubleArray(0), DoubleArray(0))
     if (enabled == null) return Series(doubleArrayOf(start), doubleArrayOf(1.0))
@@ -36,7 +36,7 @@ fun settledIn(view: LogView, enabled: List<EnabledSpan>?): Series {
     return Series(DoubleArray(changes.size) { changes[it].first }, DoubleArray(changes.size) { changes[it].second })
 }
 
-/** Returns the samples of [ACTIVITY] in [view], where the robot was [enabled]. */
+/** Returns the samples of [ACTIVITY] in [view]; [enabled] has the times when the robot was enabled. */
 fun activeIn(view: LogView, enabled: List<EnabledSpan>): Series {
     val range = view.xAxis.range ?: return Series(DoubleArray(0), DoubleArray(0))
     if (view.enabledTopics().isEmpty()) return Series(doubleArrayOf(range.start), doubleArrayOf(1.0))

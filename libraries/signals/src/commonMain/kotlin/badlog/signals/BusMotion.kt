@@ -9,7 +9,7 @@ import badlog.signals.derived.heldAt
 import badlog.signals.derived.turnsAround
 import kotlin.math.abs
 
-/** What the motors among [devices] do and move, by [samples]. All arrays have the same [times]. */
+/** The movements and roles of the motors among [devices], by [samples]. All arrays have the same [times]. */
 internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSamples) {
     private val motors = devices.filter { it.isMotor }
     private val held = HashMap<String, DoubleArray>()
@@ -35,7 +35,7 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
     private val leaders = roles.leaders.map { motors[it] }
     private val mechanisms = roles.mechanisms.map { motors[it] }
 
-    /** The drive motors: four of a swerve drive, two of a tank drive; empty if that is not known. */
+    /** The drive motors: four of a swerve drive, two of a tank drive; empty if they are not known. */
     val drive: List<BusDevice> = roles.drive.map { motors[it] }
 
     fun isLeader(device: BusDevice): Boolean = device in leaders
@@ -53,7 +53,7 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
     /** Returns the values of the topic [name]. */
     fun valuesOf(name: String): DoubleArray = held.getOrPut(name) { samples.raw(name).heldAt(times) }
 
-    /** Returns the drive motor whose speed is each of [speeds], those of modules; null unless each has its own. */
+    /** Returns the drive motor for each of [speeds], the speeds of modules; null unless each has its own. */
     fun driversOf(speeds: List<DoubleArray>): List<BusDevice>? {
         if (drive.size != speeds.size) return null
         fun size(values: DoubleArray) = DoubleArray(values.size) { abs(values[it]) }

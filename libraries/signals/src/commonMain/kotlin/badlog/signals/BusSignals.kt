@@ -19,11 +19,12 @@ import badlog.signals.derived.heldSpeeds
 import badlog.signals.derived.largestOf
 import badlog.signals.derived.longPressed
 import badlog.signals.derived.moduleSpeedShares
+import badlog.signals.derived.quantile
 import badlog.signals.derived.rangeOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
-import badlog.signals.derived.slipOfSides
 import badlog.signals.derived.stall
+import badlog.signals.derived.standstill
 import badlog.signals.derived.suppliedCurrent
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
@@ -37,8 +38,12 @@ import kotlin.math.abs
 internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<ModuleTopics>) {
     private val motors = devices.filter { it.isMotor }
 
+    /** Motors that log only their supply current, not the current of their windings. */
+    private val supplied = devices.filter { device -> !device.isMotor && SUPPLIED.all { it in device } }
+
     val signals: List<DerivedSignal>
-        get() = devices.map(::silent) + devices.flatMap(::coupling) + motors.flatMap(::ofMotor)
+        get() = devices.map(::silent) + devices.flatMap(::coupling) + motors.flatMap(::ofMotor) + supplied.map(::blocked) +
+            devices.mapNotNull(::standstill)
 
     /** Returns what the motors draw in all, if [battery] falls with it: otherwise others draw most. Null for too few motors. */
     fun totalCurrent(battery: (NamedSamples) -> Series): DerivedSignal? {
@@ -75,17 +80,6 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             motion.valuesOf(motor, BusSignal.OUTPUT),
             motion.valuesOf(motor, BusSignal.VELOCITY),
         )
-    }
-
-    /** Returns how the wheels of a tank drive slip by the [acceleration] that [topics] have; null for too few motors. */
-    fun wheelSlip(topics: List<String>, acceleration: (NamedSamples) -> Series): DerivedSignal? {
-        if (motors.size < LEAST_MOTORS || modules.isNotEmpty()) return null
-        return DerivedSignal("wheel slip", "m/s²", "", motors.mapNotNull { it.topic(BusSignal.VELOCITY) } + topics) { samples ->
-            val motion = samples.motion()
-            val speeds = motion.drive.map { motion.valuesOf(it, BusSignal.VELOCITY) }
-            if (speeds.size != 2) return@DerivedSignal NOTHING
-            slipOfSides(motion.times, speeds, acceleration(samples).heldAt(motion.times), isInMeters = false)
-        }
     }
 
     /** Returns the drive motors in the order of the modules; null if it is not known which is of which. */
@@ -180,6 +174,39 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         }
     }
 
+    /**
+     * Whether [device] hardly turns at more than half of full output and [BLOCKED_AMPERES]. Nothing tells its load, so several that stand at
+     * once are a robot that pushes.
+     */
+    private fun blocked(device: BusDevice): DerivedSignal {
+        val topics = SUPPLIED.mapNotNull(device::topic)
+        return DerivedSignal("stall", "", device.label, topics) { samples ->
+            val times = samples.raw(topics[0]).x
+            fun isBlocked(of: BusDevice): BooleanArray {
+                val series = SUPPLIED.mapNotNull(of::topic).map(samples::raw)
+                val slow = SLOW * quantile(DoubleArray(series[0].size) { abs(series[0].y[it]) }, 0.98)
+                val half = 0.5 * fullOf(series[1])
+                val (speed, output, current) = series.map { it.heldAt(times) }
+                return BooleanArray(times.size) { abs(speed[it]) < slow && abs(output[it]) > half && current[it] > BLOCKED_AMPERES }
+            }
+            val own = isBlocked(device)
+            val others = if (own.none { it }) emptyList() else supplied.filter { it !== device }.map(::isBlocked)
+            Series(times, DoubleArray(times.size) { at -> if (own[at] && others.none { it[at] }) 1.0 else 0.0 })
+        }
+    }
+
+    /** Whether what [device] moved before stands still now, by its own encoder. */
+    private fun standstill(device: BusDevice): DerivedSignal? {
+        val place = device.topic(BusSignal.POSITION) ?: return null
+        val output = device.topic(BusSignal.OUTPUT) ?: return null
+        val topics = listOfNotNull(place, output, device.topic(BusSignal.CURRENT) ?: device.topic(BusSignal.SUPPLY_CURRENT))
+        return DerivedSignal("standstill", "", device.label, topics) { samples ->
+            val both = listOf(samples.raw(place), samples.raw(output))
+            val times = timesOf(both)
+            standstill(times, both[0].heldAt(times), scaled(both[1].heldAt(times), 1 / fullOf(both[1])), samples.enabledAt(times))
+        }
+    }
+
     /** Returns whether a limit switch of [motor] was ever pressed: what travels between ends may stand at one of them under load. */
     private fun hasEnds(motor: BusDevice, motion: BusMotion): Boolean {
         fun reads(signal: BusSignal, pressed: Double) =
@@ -265,6 +292,9 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         const val SWING_PERCENT = 3.0
         const val SWING_SECONDS = 4.0
         const val JAM_AMPERES = 12.0
+        val SUPPLIED = listOf(BusSignal.VELOCITY, BusSignal.OUTPUT, BusSignal.SUPPLY_CURRENT)
+        const val BLOCKED_AMPERES = 20.0
+        const val SLOW = 0.03
         val NOTHING = Series(DoubleArray(0), DoubleArray(0))
         val NOWHERE = Following(DoubleArray(0), DoubleArray(0), DoubleArray(0), BooleanArray(0))
     }

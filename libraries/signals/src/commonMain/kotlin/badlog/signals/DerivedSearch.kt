@@ -1,7 +1,6 @@
 package badlog.signals
 
 import badlog.core.analysis.Series
-import badlog.signals.derived.Quantity
 import badlog.signals.derived.airGain
 import badlog.signals.derived.airLoss
 import badlog.signals.derived.channelChanges
@@ -9,26 +8,21 @@ import badlog.signals.derived.headingJump
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.largestOf
 import badlog.signals.derived.missedPulls
-import badlog.signals.derived.scaled
 import badlog.signals.derived.sightError
-import badlog.signals.derived.slipOfSides
 import badlog.signals.derived.timesOf
 import badlog.signals.derived.unexplainedDrop
-import badlog.signals.derived.wheelSlip
 import badlog.signals.pose.SeenPath
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import kotlin.math.PI
-import kotlin.math.cos
-import kotlin.math.sin
 
 /** The names of all [DerivedSignal]s; true for those that a log has at most once. */
 val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
     "module angle error" to false, "module angle lag" to false, "module speed share" to false, "coupling error" to false,
     "encoder frozen" to false,
-    "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "side friction" to false,
-    "switch error" to false, "wheel slip" to true, "output without effect" to false, "module current share" to false,
+    "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "standstill" to false,
+    "side friction" to false,
+    "switch error" to false, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
     "largest current" to true, "friction rise" to false, "missed pulls" to false,
 )
@@ -44,7 +38,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private val bus = BusSignals(robot.devices, modules)
 
     val signals: List<DerivedSignal> =
-        listOfNotNull(totalCurrent(), largestCurrent(), voltageLost(), wheelSlip(), airLoss(), airGain(), shape.sight?.let(::sight)) +
+        listOfNotNull(totalCurrent(), largestCurrent(), voltageLost(), airLoss(), airGain(), shape.sight?.let(::sight)) +
             MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + ModuleSignals(robot, bus).signals +
             channels() +
             rests() +
@@ -130,42 +124,6 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private fun headings(): List<DerivedSignal> = found.of("gyro angle").map { topic ->
         val heading = NamedSignal.of("gyro angle", listOf(topic))
         DerivedSignal("heading jump", "deg", topic.device, heading.topics) { headingJump(it.of(heading), 1.0) }
-    }
-
-    private fun wheelSlip(): DerivedSignal? {
-        val measured = named("acceleration") ?: return null
-        if (modules.isEmpty()) return slipOfSides(measured)
-        val heading = found.of("gyro angle").firstOrNull()?.let { NamedSignal.of("gyro angle", listOf(it)) }
-        val topics = modules.map { it.speed }
-        return DerivedSignal("wheel slip", "m/s²", "", topics + measured.topics) { samples ->
-            val speeds = topics.map(samples::raw)
-            val times = timesOf(speeds)
-            val forward = DoubleArray(times.size)
-            val left = DoubleArray(times.size)
-            for ((k, speed) in speeds.withIndex()) {
-                val own = speed.heldAt(times)
-                val angle = scaled(samples.raw(modules[k].angle).heldAt(times), modules[k].radians)
-                for (i in times.indices) {
-                    forward[i] += own[i] * cos(angle[i]) / speeds.size
-                    left[i] += own[i] * sin(angle[i]) / speeds.size
-                }
-            }
-            val turned = heading?.let { scaled(samples.of(it).heldAt(times), PI / 180) } ?: DoubleArray(times.size)
-            wheelSlip(times, forward, left, turned, samples.of(measured).heldAt(times))
-        }
-    }
-
-    /** The slip of a tank drive, whose speeds may be those of wheels or motors in any unit. */
-    private fun slipOfSides(measured: NamedSignal): DerivedSignal? {
-        val sides = robot.sides.filter { it.quantity == Quantity.VELOCITY }
-        if (sides.size != 2) return bus.wheelSlip(measured.topics) { it.of(measured) }
-        val isInMeters = sides.all { it.unit == "m/s" || it.unit.isEmpty() }
-        val topics = sides.map { it.signal.name }
-        return DerivedSignal("wheel slip", "m/s²", "", topics + measured.topics) { samples ->
-            val speeds = topics.map(samples::raw)
-            val times = timesOf(speeds)
-            slipOfSides(times, speeds.map { it.heldAt(times) }, samples.of(measured).heldAt(times), isInMeters)
-        }
     }
 
     private companion object {

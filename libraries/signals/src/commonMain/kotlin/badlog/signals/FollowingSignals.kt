@@ -3,6 +3,7 @@ package badlog.signals
 import badlog.core.analysis.Series
 import badlog.signals.derived.Following
 import badlog.signals.derived.heldAt
+import badlog.signals.derived.quantile
 import kotlin.math.abs
 
 /** How [part], which [topics] show, follows a target that is a place. */
@@ -21,6 +22,16 @@ internal fun speedSignals(part: String, topics: List<String>, following: (NamedS
 internal fun effort(missed: Series, output: Series, full: Double): Series {
     val held = output.heldAt(missed.x)
     return Series(missed.x, DoubleArray(missed.size) { if (missed.y[it] > AWAY_PERCENT) abs(held[it]) / full else 0.0 })
+}
+
+/**
+ * Returns whether a part stands [away] from its target by more than [AWAY_PERCENT], at least [least] A and half as much [current] as it
+ * ever takes driving it: 1 or 0. What only holds its place is near its target.
+ */
+internal fun heldBack(away: Series, current: Series, least: Double): Series {
+    val held = current.heldAt(away.x)
+    val hard = maxOf(least, 0.5 * quantile(DoubleArray(held.size) { abs(held[it]) }, 0.995))
+    return Series(away.x, DoubleArray(away.size) { if (away.y[it] > AWAY_PERCENT && abs(held[it]) >= hard) 1.0 else 0.0 })
 }
 
 /** Returns what full output is in [output]: 100 if it is logged in percent. */

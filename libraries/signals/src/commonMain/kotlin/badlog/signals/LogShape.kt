@@ -1,7 +1,6 @@
 package badlog.signals
 
 import badlog.core.analysis.LogView
-import badlog.core.recording.TopicKind
 import badlog.expression.LogViewSignals
 import badlog.expression.signals.Vocabulary
 import badlog.signals.pose.PlannedPath
@@ -9,6 +8,7 @@ import badlog.signals.pose.SeenPath
 import badlog.signals.pose.posesOf
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.topicsWithoutValues
 
 /**
  * What decides how rules are prepared for a log. Logs with equal shapes share a program of the rules.
@@ -16,7 +16,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property vocabulary the names of the topics.
  * @property timeTopic the topic of the x axis, or null.
  * @property hasClock whether x is time, although no topic has it.
- * @property empty the names of the topics without samples, or with sizes only, which are not signals.
+ * @property empty the names of the [topics that say nothing][topicsWithoutValues], which are not signals.
  * @property path the driven path and the planned one; null for none.
  * @property sight the driven path and where a camera saw the robot; null for none.
  */
@@ -35,7 +35,7 @@ data class LogShape(
         /** Returns the shape of [view], which needs no samples. */
         fun of(view: LogView): LogShape {
             val x = view.xAxis
-            val empty = view.recording.topics.filter { it.kind == TopicKind.EMPTY || it.isSizes }.mapTo(HashSet()) { it.name }
+            val empty = topicsWithoutValues(view.recording.topics)
             val poses = posesOf(view.recording.topics)
             return LogShape(
                 LogViewSignals(view).vocabulary,

@@ -12,7 +12,10 @@ import badlog.signals.derived.frozenWhileTurning
 import badlog.signals.derived.hasDirection
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.limitedStall
+import badlog.signals.derived.scaled
 import badlog.signals.derived.stall
+import badlog.signals.derived.standstill
+import badlog.signals.derived.steppedTimes
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
 import kotlin.math.abs
@@ -44,6 +47,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             listOfNotNull(
                 dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null },
                 effortOf(target, topics, ::following),
+                heldBackOf(target, measured, scale),
                 friction(target.part, measured),
             )
     }
@@ -71,15 +75,30 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         val output = beside(target.part, Quantity.OUTPUT, Quantity.VOLTAGE).firstOrNull() ?: return null
         return DerivedSignal("output without effect", "", target.label, topics.take(2) + output.signal.name) { samples ->
             val driven = samples.raw(output.signal.name)
-            effort(following(samples).missedOrStill(), driven, if (output.quantity == Quantity.VOLTAGE) 12.0 else fullOf(driven))
+            effort(following(samples).missedOrStill(), driven, fullOf(output, driven))
         }
     }
 
-    private fun followingOf(samples: NamedSamples, target: PartTopic, measured: PartTopic, scale: Double): Following {
-        val own = samples.raw(measured.signal.name)
+    /** Whether a part is driven hard toward its target and does not move. */
+    private fun heldBackOf(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
+        if (target.part.any { word -> CLIMBING.any(word::startsWith) }) return null
+        val current = beside(target.part, Quantity.CURRENT, Quantity.SUPPLY_CURRENT).firstOrNull() ?: return null
+        return DerivedSignal("stall", "", target.label, listOf(measured, target, current).map { it.signal.name }) { samples ->
+            val drive = samples.raw(current.signal.name)
+            val times = steppedTimes(listOf(measured, target).map { samples.raw(it.signal.name) } + drive, STEP_SECONDS)
+            heldBack(followingOf(samples, target, measured, scale, times).standingAway(), drive, BLOCKED_AMPERES)
+        }
+    }
+
+    private fun followingOf(
+        samples: NamedSamples,
+        target: PartTopic,
+        measured: PartTopic,
+        scale: Double,
+        times: DoubleArray = timesOf(listOf(measured, target).map { samples.raw(it.signal.name) }),
+    ): Following {
         val wanted = samples.raw(target.signal.name)
-        val times = timesOf(listOf(own, wanted))
-        val values = own.heldAt(times)
+        val values = samples.raw(measured.signal.name).heldAt(times)
         for (i in values.indices) values[i] *= scale
         return Following(times, wanted.heldAt(times), values, samples.enabledAt(times))
     }
@@ -87,13 +106,28 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private fun beside(part: List<String>, vararg quantities: Quantity) =
         byPart[part].orEmpty().filter { it.quantity in quantities && !it.isTarget }
 
-    private fun ofPart(part: List<PartTopic>): List<DerivedSignal> = listOfNotNull(stall(part), switch(part)) + coupling(part)
+    private fun ofPart(part: List<PartTopic>): List<DerivedSignal> =
+        listOfNotNull(stall(part), standstill(part), switch(part)) + coupling(part)
+
+    /** Whether a part that its motor moved before stands still now. */
+    private fun standstill(part: List<PartTopic>): DerivedSignal? {
+        val place = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
+        val output = part.filter { (it.quantity == Quantity.OUTPUT || it.quantity == Quantity.VOLTAGE) && !it.isTarget }
+            .minByOrNull { it.quantity == Quantity.VOLTAGE } ?: return null
+        val current = part.find { it.quantity == Quantity.CURRENT || it.quantity == Quantity.SUPPLY_CURRENT }
+        val topics = listOfNotNull(place, output, current).map { it.signal.name }
+        return DerivedSignal("standstill", "", place.label, topics) { samples ->
+            val both = listOf(samples.raw(place.signal.name), samples.raw(output.signal.name))
+            val times = timesOf(both)
+            standstill(times, both[0].heldAt(times), scaled(both[1].heldAt(times), 1 / fullOf(output, both[1])), samples.enabledAt(times))
+        }
+    }
 
     private fun stall(part: List<PartTopic>): DerivedSignal? {
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
         if (part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
-        val drive = listOf(Quantity.CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
+        val drive = listOf(Quantity.CURRENT, Quantity.SUPPLY_CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
             part.find { it.quantity == quantity && !it.isTarget }
         } ?: return null
         return DerivedSignal("stall", "", speed.label, listOf(speed.signal.name, drive.signal.name)) { samples ->
@@ -101,17 +135,12 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             val times = timesOf(both)
             val drives = both[1].heldAt(times)
             val speeds = both[0].heldAt(times)
-            val stalled = stall(times, speeds, drives, leastDrive(drive, drives))
-            if (drive.quantity == Quantity.CURRENT) return@DerivedSignal stalled
-            val limited = limitedStall(times, speeds, drives, if (drive.quantity == Quantity.VOLTAGE) 12.0 else fullOf(both[1]))
-            Series(times, DoubleArray(times.size) { maxOf(stalled.y[it], limited.y[it]) })
+            // Without a current, a motor without power looks like a blocked one, unless a limit of its current shows that it has power.
+            when (drive.quantity) {
+                Quantity.CURRENT, Quantity.SUPPLY_CURRENT -> stall(times, speeds, drives, STALLED_AMPERES)
+                else -> limitedStall(times, speeds, drives, fullOf(drive, both[1]))
+            }
         }
-    }
-
-    private fun leastDrive(drive: PartTopic, values: DoubleArray): Double = when (drive.quantity) {
-        Quantity.CURRENT -> 12.0
-        Quantity.VOLTAGE -> 3.0
-        else -> if (values.any { it > 2 || it < -2 }) 25.0 else 0.25
     }
 
     private fun switch(part: List<PartTopic>): DerivedSignal? {
@@ -148,6 +177,9 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private fun frozenIfCoupled(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray) =
         if (areCoupled(turned, moved, isEnabled)) frozenWhileTurning(times, turned, moved, isEnabled) else once(times, null)
 
+    /** Returns the value of full output in [samples] of [topic]: 12 V for a voltage. */
+    private fun fullOf(topic: PartTopic, samples: Series) = if (topic.quantity == Quantity.VOLTAGE) 12.0 else fullOf(samples)
+
     private companion object {
         val ARMS = setOf("arm", "arms")
 
@@ -156,6 +188,14 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             "elevator", "lift", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
             "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
         )
+
+        /** The whole robot may hang on these. */
+        val CLIMBING = listOf("climb", "hang", "winch")
+
+        /** More than holds something up that is not loaded. */
+        const val BLOCKED_AMPERES = 20.0
+        const val STEP_SECONDS = 0.1
+        const val STALLED_AMPERES = 12.0
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
     }
 }

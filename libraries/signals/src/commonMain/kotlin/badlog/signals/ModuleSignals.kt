@@ -12,6 +12,7 @@ import badlog.signals.derived.moduleSpeedShares
 import badlog.signals.derived.scaled
 import badlog.signals.derived.timesOf
 import badlog.signals.swerve.ModuleTopics
+import badlog.signals.swerve.STEER_WORDS
 import badlog.signals.vocabulary.wordsOf
 
 /** What can be calculated of the modules of a swerve drive. */
@@ -103,6 +104,5 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
 
         /** The same where angles come seldom. */
         const val SELDOM_BEHIND = 1.5
-        val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
     }
 }

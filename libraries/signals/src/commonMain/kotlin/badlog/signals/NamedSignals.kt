@@ -23,10 +23,9 @@ const val TIME = "time"
 val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
 
 /**
- * The numbers of [signal] times [scale]. If that is null, the samples decide: times are scaled from s, ms or µs to ms ([whole] is NaN),
- * others
- * so that the full value is [whole], whether they are percent or fractions. With a [reading], they are read as true or false. Numbers above
- * [atMost] are not readings, so there is a gap.
+ * The numbers of [signal] times [scale]. If [scale] is null, the samples decide: times are scaled from s, ms or µs to ms ([whole] is NaN), others so
+ * that the full value is [whole], whether they are percent or fractions. With a [reading], they are read as true or false. Numbers above [atMost] are
+ * not readings, so there is a gap.
  */
 data class ScaledSignal(
     val signal: Signal,
@@ -86,7 +85,7 @@ class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: Stri
     }
 }
 
-/** The samples of [view], whose topics are in [log], under the names of [NamedSignal]s. Each is made once, however many rules need it. */
+/** The samples of [view], with its topics in [log], under the names of [NamedSignal]s. Each series is made once, however many rules need it. */
 class NamedSamples(private val log: Signals, private val view: LogView) {
     private val made = HashMap<List<ScaledSignal>, Series>()
 
@@ -94,16 +93,19 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         named.summands.singleOrNull()?.let(::scaled) ?: sumOf(named.summands.map(::scaled))
     }
 
-    /** How each part follows its target, by the name of what is measured; several signals are derived from it. */
+    /**
+     * How each part follows its target; several signals are derived from it. The key is the measured topic, or the reference of a device on the CAN
+     * bus.
+     */
     internal val followings = HashMap<String, Following>()
 
-    /** What the channels of the power distribution missed while they rested: one list, for all of them. */
+    /** The pulls that the channels of the power distribution missed while they rested: one list, for all of them. */
     internal val missedPulls = HashMap<String, List<Series>>()
 
-    /** How the channels of the power distribution changed: one list, for all of them. */
+    /** The changes of the channels of the power distribution: one list, for all of them. */
     internal val channelChanges = HashMap<String, List<Double?>>()
 
-    /** What devices move that are known by their ids alone; made once. */
+    /** The movements of devices that are known by their ids alone; made once. */
     internal var busMotion: BusMotion? = null
 
     /** Returns the samples of the topic [name] as they were logged. */
@@ -154,7 +156,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         )
     }
 
-    /** How many samples of each topic are left out, since no robot has such values; for those that were asked for. */
+    /** The number of samples left out of each requested topic, since no robot has such values. */
     val implausible: Map<String, Int> get() = leftOut
     private val leftOut = HashMap<String, Int>()
 
@@ -163,7 +165,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         fun isReading(sample: Double) = abs(sample * scale) <= most && !isBits(sample)
         val count = series.y.count { !it.isNaN() && !isReading(it) }
         if (count > 0) leftOut[source.signal.name] = count
-        // A damaged row is one such sample; of memory that was never written, nothing is a reading.
+        // A damaged row is one such sample; memory that was never written has no readings.
         val isMemory = series.y.count(::isBits) > MOST_GLITCHES * series.size
         return Series(
             series.x,
@@ -179,7 +181,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         )
     }
 
-    /** Bits of something else, which no sensor reads: the largest and the smallest numbers. */
+    /** Returns whether [sample] is bits of something else, which no sensor reads: the largest and the smallest numbers. */
     private fun isBits(sample: Double) = abs(sample) > MOST_READING || (sample != 0.0 && abs(sample) < LEAST_READING)
 
     private fun scaleBySamples(series: Series, whole: Double): Double {
@@ -240,7 +242,7 @@ class NamedSignals(
     override val vocabulary: Vocabulary,
     private val samples: NamedSamples,
 ) : Signals by log {
-    /** How many samples of each topic are left out of the signals that were asked for, since no robot has such values. */
+    /** The number of samples left out of each topic of the requested signals, since no robot has such values. */
     val implausible: Map<String, Int> get() = samples.implausible
 
     override fun series(name: String): Series = named[name]?.let(samples::of) ?: log.series(name)

@@ -17,7 +17,7 @@ const val PLAN_DISTANCE = "plan distance"
 /** The signal `plan distance`: the distance of the robot from its planned place, in meters. */
 val DEVIATION = Signal(PLAN_DISTANCE, SignalKind.NUMBER, "m")
 
-/** Returns the samples of [DEVIATION] in [view], whose topics' samples are in [log]; none if there is no plan. */
+/** Returns the samples of [DEVIATION] in [view], with its topics in [log]; none if no topic is a plan. */
 fun planDistanceIn(view: LogView, log: Signals): Series {
     val path = PlannedPath.of(posesOf(view.recording.topics)) ?: return Series(DoubleArray(0), DoubleArray(0))
     val driven = trailOf(log.series(path.driven.x), log.series(path.driven.y), path.driven.meters)

@@ -6,8 +6,8 @@ import badlog.expression.signals.Vocabulary
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * The names that questions can use in logs of the shape [shape]: their topics, and the signals of [signals] whose names are not
- * those of topics there. Thread-safe.
+ * The names that questions can use in logs of the shape [shape]. They are its topics, and the signals of [signals] without a topic of the same name.
+ * Thread-safe.
  */
 class QuestionNames(signals: SignalVocabulary, shape: LogShape) {
     private val named = LinkedHashMap<String, NamedSignal>()

@@ -12,25 +12,25 @@ import badlog.signals.swerve.moduleTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.unitScale
 
-/** The parts of a robot, as the topics [names] of its log show. */
+/** The parts of a robot, found by the names of its log's topics [names]. */
 internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     /** All topics that name a part. */
     val topics: List<PartTopic> = partTopicsOf(names.filter { busDeviceIn(it.name) == null }, vocabulary)
 
-    /** Those of mechanisms, not of the drive. */
+    /** The topics of mechanisms, not of the drive. */
     val mechanisms: List<PartTopic> = topics.filter { part -> part.part.none { it in DRIVE_WORDS } }
     val byPart: Map<List<String>, List<PartTopic>> = mechanisms.groupBy { it.part }
     val modules: List<ModuleTopics> = moduleTopicsOf(names, topics)
 
-    /** Those of one side of a tank drive. */
+    /** The topics of one side of a tank drive. */
     val sides: List<PartTopic> = topics.filter { topic ->
         topic.part.any { it in DRIVE_WORDS } && topic.part.count { it in CORNERS } == 1 && !topic.isTarget
     }
 
-    /** Devices that are named by their ids alone. */
+    /** The devices that are known by their ids alone. */
     val devices: List<BusDevice> = busDevicesOf(names)
 
-    /** Returns what follows [target]; null for nothing. */
+    /** Returns the measured topic that follows [target]; null if there is none. */
     fun measuredOf(target: PartTopic): PartTopic? = byPart[target.part].orEmpty()
         .filter { !it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.VELOCITY) && scaleOf(it, target) != null }
         .filter { target.quantity == Quantity.NONE || it.quantity == target.quantity }
@@ -42,6 +42,6 @@ internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     }
 }
 
-/** Returns the factor from the unit of [from] to that of [to], 1 if one of them has none; null if they do not measure the same. */
+/** Returns the factor from the unit of [from] to the unit of [to], 1 if one has none; null if they do not measure the same. */
 internal fun scaleOf(from: PartTopic, to: PartTopic): Double? =
     if (from.unit.isEmpty() || to.unit.isEmpty()) 1.0 else unitScale(from.unit, to.unit)

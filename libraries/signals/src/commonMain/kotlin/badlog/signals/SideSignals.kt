@@ -12,7 +12,7 @@ import badlog.signals.derived.sideFriction
 import badlog.signals.derived.timesOf
 import kotlin.math.abs
 
-/** What can be calculated of the two sides of a tank drive. */
+/** Returns the signals that are calculated from the two sides of a tank drive. */
 internal fun sideSignals(robot: RobotParts): List<DerivedSignal> {
     val drive = robot.sides
     fun of(side: String, vararg quantities: Quantity) = quantities.firstNotNullOfOrNull { quantity ->
@@ -27,7 +27,10 @@ internal fun sideSignals(robot: RobotParts): List<DerivedSignal> {
     return frozen + frictions(drive)
 }
 
-/** Whether a side stands still though it is driven and the other side moves, where no current tells an encoder from a blocked side. */
+/**
+ * Whether a side stands still though it is driven and the other side moves. It is for logs without a current, which would distinguish a broken
+ * encoder from a blocked side.
+ */
 private fun sideFrozen(own: PartTopic, other: PartTopic, output: PartTopic): DerivedSignal {
     val topics = listOf(own, output, other).map { it.signal.name }
     return DerivedSignal("side frozen", "", own.label, topics) { samples ->

@@ -19,7 +19,8 @@ fun Recording.over(column: Topic): Recording =
     copy(topics = topics.map { if (it === column) it.copy(attributes = it.attributes + X_AXIS) else it })
 
 /**
- * Returns this recording with its [timeColumn] as x axis if it is plain CSV, which cannot name an x axis. Otherwise the recording itself.
+ * Returns this recording with its [timeColumn] as x axis if it is plain CSV and has one; otherwise the recording itself. Plain CSV cannot name an x
+ * axis.
  */
 fun Recording.overItsTime(): Recording = (if (format == RecordingFormat.CSV) timeColumn() else null)?.let(::over) ?: this
 

@@ -11,7 +11,7 @@ private fun axisOf(csv: String): String? {
 }
 
 class TimeColumnSpec : FunSpec({
-    test("plain CSV is drawn over its rising column of time, whatever columns are before that") {
+    test("plain CSV is drawn over its rising column of time, even behind other columns") {
         axisOf("A,Time\n5,0\n6,0.02\n7,0.04\n") shouldBe "Time"
         axisOf("Robot/Timestamp (ms),A\n0,1\n20,2\n") shouldBe "Robot/Timestamp (ms)"
     }
@@ -32,7 +32,7 @@ class TimeColumnSpec : FunSpec({
         bag.over(column).timeColumn() shouldBe null
     }
 
-    test("a log that names its x axis keeps that") {
+    test("a log that names its x axis keeps it") {
         val header = "{\"topics\":[{\"name\":\"X\",\"unit\":\"m\",\"attrs\":[\"xaxis\"]},{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[]}],\"values\":[]}\n"
         axisOf("${header}X,Time\n0,1\n1,2\n") shouldBe "X"
     }

@@ -12,7 +12,7 @@ class ShapeCacheSpec : FunSpec({
         return LogView.of(parser.finish())
     }
 
-    test("what is prepared for one log serves all of its shape, and only the shape not used for longest is forgotten") {
+    test("all logs of one shape share the prepared result, and only the shape unused for longest is dropped") {
         val made = ArrayList<String>()
         val cache = ShapeCache(max = 2) { shape -> shape.vocabulary.signals.last().name.also { made += it } }
         val names = listOf(viewOf("A"), viewOf("A", value = 2), viewOf("B"), viewOf("A"), viewOf("C"), viewOf("A"), viewOf("B")).map { cache[it] }

@@ -85,6 +85,13 @@ class ViewWithSignalsSpec : FunSpec({
         other.enabledSpans().map { it.span } shouldBe listOf(Span(1.0, 4.0))
     }
 
+    test("of a topic that NetworkTables logged once, and the program logs again, the one that changes counts") {
+        val once = "NT:/FMSInfo/FMSControlData" to listOf("32", "", "", "", "")
+        val view = logOf(once, "/FMSInfo/FMSControlData" to listOf("32", "33", "33", "33", "32")).withSignals(vocabulary, "log")
+        view.enabledSpans().map { it.span } shouldBe listOf(Span(1.0, 4.0))
+        logOf(once, "/FMSInfo/FMSControlData" to listOf("33", "", "", "", "")).withSignals(vocabulary, "log").enabledSpans() shouldBe emptyList()
+    }
+
     test("the match comes from topics if no value has it; before the field sends it, nothing is known") {
         val number = "NT:/FMSInfo/MatchNumber" to listOf("0", "0", "42", "42", "42")
         val type = "NT:/FMSInfo/MatchType" to listOf("0", "0", "2", "2", "2")

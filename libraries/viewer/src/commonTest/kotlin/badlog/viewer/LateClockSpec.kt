@@ -24,7 +24,7 @@ import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import kotlin.math.sin
 
-/** From 2027 on, a robot's clock counts from the boot of its computer, so that a log may begin after a day. */
+/** From 2027 on, a robot's clock counts from the boot of its computer. A log may then begin after a day. */
 private const val BOOT = 86_400.0
 
 /** A column without a sample is NaN, which equals nothing in JavaScript. */
@@ -36,7 +36,7 @@ class LateClockSpec : FunSpec({
     val early = wave(0.0)
     val late = wave(BOOT)
 
-    test("the statistics of a range are those of the same log with a clock that began with it") {
+    test("the statistics of a range are the same as in a log with a clock that began with it") {
         for ((from, to) in listOf(0.0 to 100.0, 20.0 to 20.5, 33.0 to 33.03)) {
             val own = late.statistics(from + BOOT, to + BOOT)
             val other = early.statistics(from, to)
@@ -48,7 +48,7 @@ class LateClockSpec : FunSpec({
         }
     }
 
-    test("what a graph draws is the same, from the whole log down to a tenth of a second") {
+    test("a graph is the same, from the whole log down to a tenth of a second") {
         for ((from, to) in listOf(0.0 to 100.0, 40.0 to 50.0, 60.0 to 60.1)) {
             val own = PixelColumns(500).also { Downsampling(late).fill(from + BOOT, to + BOOT, it) }
             val other = PixelColumns(500).also { Downsampling(early).fill(from, to, it) }
@@ -58,7 +58,7 @@ class LateClockSpec : FunSpec({
         }
     }
 
-    test("the ticks of the x axis have different texts, also a millisecond apart") {
+    test("the ticks of the x axis have different texts, even a millisecond apart") {
         for (width in listOf(160.0, 1.0, 0.01)) {
             val ticks = Ticks.ofX(Span(BOOT + 12.5, BOOT + 12.5 + width), 900.0)
             (ticks.texts.size > 2) shouldBe true
@@ -77,13 +77,13 @@ class LateClockSpec : FunSpec({
         zoomed.reset().visible shouldBe whole.full
     }
 
-    test("a visible range in a link is exactly the one that was seen") {
+    test("a visible range in a link is exact") {
         val visible = Span(BOOT + 93.123456, BOOT + 93.654321)
         val board = Board().withGraph(listOf("A", "B")).withXy(1, true).withPlane(1, visible, visible)
         boardOfText(board.toText()).graphs.map { it.xRange } shouldBe listOf(visible)
     }
 
-    test("the time of day counts from the log's first sample, and the match clock from where the robot was enabled") {
+    test("the time of day counts from the log's first sample, and the match clock from the enabling of the robot") {
         val rows = listOf("${BOOT + 10},1", "${BOOT + 200},1")
         val view = bagView(listOf("Time|xaxis", "A"), rows)
         val topics = view.recording.topics.map { if (it.name == "Time") it.copy(unit = "s") else it }

@@ -8,7 +8,7 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 
-/** A bag of [topics], each a name with attributes after bars; [rows] as they are in the file. */
+/** A bag of [topics], each a name with attributes after bars; [rows] are its lines in the file. */
 internal fun bagView(topics: List<String>, rows: List<String>): LogView {
     val header = topics.joinToString(",", """{"topics":[""", """],"values":[]}""") { topic ->
         val attributes = topic.split('|').drop(1).joinToString(",") { "\"$it\"" }

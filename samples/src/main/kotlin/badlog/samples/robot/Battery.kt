@@ -12,7 +12,7 @@ package badlog.samples.robot
 class Battery(private val ohms: Double, private val slowOhms: Double, private val ampHours: Double, private var charge: Double) {
     private var slowVolts = 0.0
 
-    /** The resistance of a bad contact in the lead, in Ω. */
+    /** The resistance that a bad contact adds to the lead, in Ω. */
     var contactOhms = 0.0
 
     var volts = restingVolts()

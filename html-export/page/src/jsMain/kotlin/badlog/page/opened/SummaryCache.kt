@@ -24,7 +24,7 @@ internal class SummaryCache(rules: String) {
         request.onblocked = request.onerror
     }
 
-    /** Passes the stored result of each of [logs] to [onKnown], as a worker's message; then calls [onEnd]. */
+    /** Passes the stored results of known [logs] to [onKnown], each as a worker's message; then calls [onEnd]. */
     fun find(logs: List<OpenedLog>, onKnown: (OpenedLog, message: dynamic) -> Unit, onEnd: () -> Unit) {
         var isOver = false
         fun end() {

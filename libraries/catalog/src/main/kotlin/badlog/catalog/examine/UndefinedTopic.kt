@@ -8,9 +8,8 @@ import kotlinx.serialization.Serializable
  * A virtual topic that could not be calculated for a log.
  *
  * @property definition its definition.
- * @property isMissing whether the log only lacks something that another log may have: a topic, or an x axis that
- * is a time.
- * @property message what is wrong, as a sentence.
+ * @property isMissing whether the log only lacks something that another log may have: a topic, or a time as x axis.
+ * @property message the error, as a sentence.
  * @property pointed the message, the definition, and carets below it.
  */
 @Serializable

@@ -58,7 +58,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
         changes++
     }
 
-    /** Adds what the rules [found] in the file of [entry], unless the file has changed in the meantime. */
+    /** Adds the result [found] of the rules in the file of [entry], unless the file has changed in the meantime. */
     @Synchronized
     fun searched(entry: LogEntry, found: LogFound) {
         val now = known[entry.file] ?: return

@@ -14,8 +14,7 @@ private const val LARGE = 16L shl 20
 private const val SAMPLE = 1 shl 17
 
 /**
- * Returns false for a large file whose beginning shows that it is not a log: a disk image in a `.gz` need not be read to its end
- * to find that out.
+ * Returns false if the beginning of a large file shows that it is not a log. So a disk image in a `.gz` need not be read to its end.
  */
 internal fun isLikelyLog(file: LogFile): Boolean {
     if (file.size < LARGE || LogName.of(file.name).isOnlyOfLogs) return true

@@ -91,7 +91,7 @@ class LogReading(private val store: FolderStore) {
     private fun summaryOf(file: LogFile, view: LogView) =
         LogSummary.of(view, store.rulesFor(file.path).rules.signals, file.name, file.modified, LogName.of(file.name).isOnlyOfLogs)
 
-    /** Returns the summary of a file whose samples do not fit in memory. */
+    /** Returns the summary of a file with more samples than fit in memory. */
     private fun withoutSamples(file: LogFile, checkpoint: () -> Unit): LogSummary =
         when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(keepSamples = false, cores = 1)) { _, _ -> checkpoint() }) {
             is ReadResult.NotRead -> unreadable(file, read)

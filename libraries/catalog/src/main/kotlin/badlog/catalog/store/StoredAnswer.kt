@@ -56,6 +56,7 @@ object FindingSerializer : KSerializer<Finding> {
         val caveats: List<String>,
         val isForEach: Boolean,
         val isOnTrial: Boolean = false,
+        val meanwhile: List<String> = emptyList(),
     )
 
     override val descriptor: SerialDescriptor = Stored.serializer().descriptor
@@ -63,7 +64,10 @@ object FindingSerializer : KSerializer<Finding> {
     override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
         Stored.serializer(),
         value.run {
-            Stored(rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach, isOnTrial)
+            Stored(
+                rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach, isOnTrial,
+                meanwhile,
+            )
         },
     )
 
@@ -83,6 +87,7 @@ object FindingSerializer : KSerializer<Finding> {
             caveats = caveats,
             isForEach = isForEach,
             isOnTrial = isOnTrial,
+            meanwhile = meanwhile,
         )
     }
 }

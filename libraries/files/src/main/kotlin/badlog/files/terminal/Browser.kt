@@ -14,13 +14,13 @@ public fun browserCommand(system: String = System.getProperty("os.name")): List<
     else -> listOf("xdg-open")
 }
 
-/** Starts [command], whose window stays open when this program ends. Returns false if it is missing or fails at once. */
+/** Starts [command]; its window stays open when this program ends. Returns false if it is missing or fails at once. */
 public fun startProgram(command: List<String>): Boolean = try {
     val process = ProcessBuilder(command)
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .redirectError(ProcessBuilder.Redirect.DISCARD)
         .start()
-    // Some run until their window is closed; that it has started is all that can be known.
+    // Some run until their window is closed, so only their start can be checked.
     !process.waitFor(1, TimeUnit.SECONDS) || process.exitValue() == 0
 } catch (_: IOException) {
     false

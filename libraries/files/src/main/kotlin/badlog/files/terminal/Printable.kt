@@ -1,8 +1,8 @@
 package badlog.files.terminal
 
 /**
- * Returns [text] on one line, without anything that would move a terminal's cursor, change its colors or the text direction, since
- * names and texts come from files. Control characters become spaces. Invisible characters, such as those without width, become `�`.
+ * Returns [text] on one line, without anything that would affect a terminal: names and texts come from files. Control characters, which could move
+ * the cursor or change colors, become spaces. Invisible characters, such as those that change the text direction or have no width, become `�`.
  */
 public fun printable(text: String): String {
     if (isPrintable(text)) return text
@@ -21,7 +21,7 @@ private fun isPrintable(text: String): Boolean {
     var at = 0
     while (at < text.length) {
         val character = text.codePointAt(at)
-        // Nearly all are letters, whose type need not be checked.
+        // Nearly all are ASCII, so their type need not be checked.
         if (character !in ' '.code..'~'.code && (isControl(character) || isUnseen(character))) return false
         at += Character.charCount(character)
     }

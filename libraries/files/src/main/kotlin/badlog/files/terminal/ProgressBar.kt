@@ -5,8 +5,8 @@ import kotlin.math.ceil
 import kotlin.math.roundToInt
 
 /**
- * Receives the progress of a piece of work. Called on the working thread; an exception from it stops the work, which then leaves
- * nothing behind and passes the exception on.
+ * Receives the progress of a piece of work. Called on the working thread. An exception from it stops the work, which then leaves nothing behind and
+ * passes the exception on.
  */
 public fun interface Progress {
     /** Called when [done] of [total] bytes, or other units, are done; [total] is an estimate if the input is still being written. */
@@ -14,10 +14,9 @@ public fun interface Progress {
 }
 
 /**
- * Shows on a terminal the progress of a piece of work and the remaining time, once it has taken a while. Closing it removes it from the
- * terminal.
+ * Shows on a terminal the progress of a piece of work and the remaining time, after a delay. Closing it removes it from the terminal.
  *
- * @param label what is being processed.
+ * @param label names the work.
  * @param delay nanoseconds before the bar appears.
  * @param clock returns nanoseconds since an arbitrary moment.
  */

@@ -3,11 +3,11 @@ package badlog.files.terminal
 /**
  * Lines of cells in aligned columns, two spaces apart, for a terminal.
  *
- * @param columns the columns, in order; if none has a title, there is no line of titles.
- * @param width the maximum width of a line, in columns of the terminal: the last cell is broken into lines, and if that leaves it
- *   too narrow, the widest others are shortened, but never values.
+ * @param columns the columns, in order; if none has a title, the line of titles is left out.
+ * @param width the maximum width of a line, in columns of the terminal: the last cell is broken into lines, and if that leaves it too narrow, the
+ *   widest others are shortened, but never values.
  * @param shortens false for readers that need all of each cell, such as other programs: columns are then never shortened.
- * @param repeated the number of columns at the beginning that say what a row is about: they are repeated in each of the [blocks].
+ * @param repeated the number of columns at the beginning that identify a row: they are repeated in each of the [blocks].
  */
 public class TextTable(
     private val columns: List<Column>,
@@ -21,7 +21,7 @@ public class TextTable(
      * @property title its heading.
      * @property most its maximum width; longer cells lose their middle.
      * @property isNumber whether it is aligned to the right.
-     * @property isWhole whether its cells are values, of which nothing may be missing; its heading may be shortened.
+     * @property isWhole whether its cells are values, which are never shortened; its heading may be.
      */
     public class Column(
         public val title: String,
@@ -42,8 +42,8 @@ public class TextTable(
     }
 
     /**
-     * Returns the lines of [rows] in one block or, if the columns do not fit beside each other with headings that can be read, in several,
-     * each with some of them: for each block, the same as [lines].
+     * Returns the lines of [rows] in one block; in several if the columns do not fit beside each other with readable headings. Each block has some of
+     * the columns, and the same lines as [lines].
      */
     public fun blocks(rows: List<List<String>>): List<List<List<String>>> {
         val least = leastWidths(rows.map { row -> row.map(::printable) }, (width / NAMES).coerceIn(MIN_NAME, READABLE), READABLE)
@@ -64,7 +64,7 @@ public class TextTable(
         (if (index == 0) emptyList() else listOf("")) + block.flatten()
     }
 
-    /** Returns a single line when the others are not known yet: columns have their maximum width. */
+    /** Returns a single line while the others are not known yet: columns have their maximum width. */
     public fun line(cells: List<String>): String = cells.map(::printable).let { all ->
         val wanted = columns.mapIndexed { i, column -> if (column.isWhole) maxOf(column.most, displayWidth(all[i])) else column.most }
         lines(all, fitting(wanted, leastWidths(listOf(all), MIN_NAME, MIN_TITLE))).single()
@@ -73,7 +73,7 @@ public class TextTable(
     /** Returns the titles, for lines made by [line]. */
     public fun titles(): String = line(columns.map { it.title })
 
-    /** Returns the width that each column of [rows] needs at least: that of its values, up to [name] for names, up to [heading] for titles. */
+    /** Returns the least width of each column of [rows]: its values' width, up to [name] for names, up to [heading] for titles. */
     private fun leastWidths(rows: List<List<String>>, name: Int, heading: Int): List<Int> = columns.mapIndexed { i, column ->
         val widest = rows.maxOfOrNull { displayWidth(it[i]) } ?: 0
         val title = displayWidth(column.title)
@@ -136,7 +136,7 @@ public class TextTable(
         /** A heading of this width can still be read, and so can a name. */
         private const val READABLE = 18
 
-        /** Which part of a line a name may take if there is little room. */
+        /** The number of names that share a line if there is little room. */
         private const val NAMES = 6
         private const val GAP = "  "
     }

@@ -14,13 +14,13 @@ class ProgressBarSpec : FunSpec({
 
     fun bar(isShown: Boolean, delay: Long) = ProgressBar("match.bag", PrintStream(err), isShown, delay)
 
-    test("what is quick, or not on a terminal, shows nothing") {
+    test("quick work, and work without a terminal, shows nothing") {
         bar(isShown = true, delay = Long.MAX_VALUE).use { it.advanced(1, 2) }
         bar(isShown = false, delay = 0).use { it.advanced(1, 2) }
         err.size() shouldBe 0
     }
 
-    test("it grows, and leaves no trace") {
+    test("the bar grows, and leaves no trace") {
         bar(isShown = true, delay = 0).use { bar ->
             bar.advanced(1, 2)
             err.toString() shouldContain "match.bag [##########          ] 50 %"
@@ -30,7 +30,7 @@ class ProgressBarSpec : FunSpec({
         err.toString().substringAfterLast('%').filter { it != ' ' } shouldBe "\r\r"
     }
 
-    test("it shows how long the work will still take at the speed so far, and fits a terminal") {
+    test("the bar shows the remaining time at the speed so far, and fits a terminal") {
         var now = 0L
         ProgressBar("a-match-with-a-very-long-name-at-some-event.wpilog", PrintStream(err), isShown = true, delay = 0) { now }.use { bar ->
             fun after(seconds: Long, done: Long): String {
@@ -51,7 +51,7 @@ class ProgressBarSpec : FunSpec({
         }
     }
 
-    test("an empty file is done") {
+    test("an empty file counts as done") {
         bar(isShown = true, delay = 0).use { it.advanced(0, 0) }
         err.toString() shouldContain "100 %"
     }

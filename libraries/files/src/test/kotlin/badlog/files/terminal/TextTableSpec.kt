@@ -15,11 +15,11 @@ private val PIECES = listOf("a", " ", "word", "\u00e9", "e\u0301", "\u6a5f", "\u
 class TextTableSpec : FunSpec({
     val texts = Arb.list(Arb.element(PIECES), 0..40)
 
-    test("wide characters take two columns, marks none") {
+    test("wide characters take two columns, combining marks none") {
         listOf("abc", "\u6a5f\u68b0", "e\u0301", "\uD83E\uDD16").map(::displayWidth) shouldBe listOf(3, 4, 1, 2)
     }
 
-    test("what another program reads is never shortened") {
+    test("a table for another program is never shortened") {
         val table = TextTable(listOf(Column("NAME", 4), Column("N", 2, isNumber = true)), shortens = false)
         table.lines(listOf(listOf("a long name", "12345"), listOf("b", "1"))).flatten() shouldBe
             listOf("NAME             N", "a long name  12345", "b                1")
@@ -27,7 +27,7 @@ class TextTableSpec : FunSpec({
         table.titles() shouldBe "NAME   N"
     }
 
-    test("a beginning and an end are as long as they may be, and part no character") {
+    test("a beginning and an end are as long as they may be, and split no character") {
         checkAll(texts, Arb.int(0, 50)) { pieces, width ->
             val text = printable(pieces.joinToString(""))
             for (part in listOf(startOf(text, width), endOf(text, width))) {
@@ -37,7 +37,7 @@ class TextTableSpec : FunSpec({
         }
     }
 
-    test("no line is wider than the table, and its columns stand below each other") {
+    test("no line is wider than the table, and its columns are aligned") {
         checkAll(Arb.list(Arb.list(texts, 3..3), 1..5)) { rows ->
             val table = TextTable(listOf(Column("A"), Column("B"), Column("C")), 60)
             val lines = table.lines(rows.map { cells -> cells.map { it.joinToString("") } }).flatten()
@@ -52,7 +52,7 @@ class TextTableSpec : FunSpec({
         narrow.line(listOf("\u6a5f\u68b0\u6a5f\u68b0", "7")) shouldBe "\u6a5f…\u68b0     7"
     }
 
-    test("values are never shortened, whatever the width: names give way, and then columns go below each other") {
+    test("values are never shortened, whatever the width: names are shortened first, then columns go below each other") {
         val numbers = Arb.int(0, 1_000_000_000)
         checkAll(Arb.element(60, 80, 100, 200), Arb.list(texts, 2..2), Arb.list(numbers, 1..12)) { width, names, values ->
             val columns = listOf(Column("Match"), Column("File")) + values.map { Column("a title that is long", isNumber = true) }
@@ -64,7 +64,7 @@ class TextTableSpec : FunSpec({
         }
     }
 
-    test("columns that do not fit beside each other are below, beside the first ones again") {
+    test("columns that do not fit beside each other go below, beside the first ones again") {
         val columns = listOf(Column("Match"), Column("A", isNumber = true), Column("B", isNumber = true))
         val rows = listOf(listOf("Q1", "1.23456789", "2.3456789"), listOf("Q2", "1", "2"))
         TextTable(columns, 17, repeated = 1).text(rows) shouldBe listOf(

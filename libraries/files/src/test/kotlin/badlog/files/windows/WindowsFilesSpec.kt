@@ -22,7 +22,7 @@ import kotlin.io.path.readText
 
 private fun Path.names() = listDirectoryEntries().map { it.name }.sorted()
 
-/** Names that Windows refuses, changes, or takes for a device, as a match, an event or a topic may have them. */
+/** Names of a match, an event or a topic that Windows refuses, changes, or takes for a device. */
 private val BAD_NAMES = listOf(
     "CON", "con.txt", "NUL", "nul.bag", "AUX", "PRN.wpilog", "COM1", "COM1.bag.gz", "LPT9", "COM¹", "CONIN$",
     "Arm: Angle", "Q42.", "Q42 ", "Q42. .", " Q42", "a/b", "a\\b", "C:", "C:\\x", "\\\\?\\C:\\x", "\\\\.\\NUL", "what?", "a|b", "\"x\"", "<x>", "a*", "..", ".", "",
@@ -36,7 +36,7 @@ class WindowsFilesSpec : FunSpec({
         files.openCount shouldBe 0
     }
 
-    test("a file takes the place of an older one, in folders that are made, also beyond 260 characters") {
+    test("a file replaces an older one, in new folders, also beyond 260 characters") {
         onWindows {
             val deep = (1..20).fold(folder) { path, i -> path.resolve("folder number $i of twenty") }
             val file = deep.resolve("a.txt")
@@ -59,7 +59,7 @@ class WindowsFilesSpec : FunSpec({
         }
     }
 
-    test("a file that another program has open is not replaced either, and can be when that has closed it") {
+    test("a file that another program has open is not replaced, but can be once it is closed") {
         onWindows {
             val file = folder.resolve("a.txt")
             writeAtomically(file) { it.write("old".encodeToByteArray()) }
@@ -74,7 +74,7 @@ class WindowsFilesSpec : FunSpec({
         }
     }
 
-    test("what fails on the way is closed before it is removed: Windows removes no open file") {
+    test("a file that failed is closed before it is removed: Windows removes no open file") {
         onWindows {
             shouldThrow<IllegalStateException> {
                 writeAtomically(folder.resolve("a.txt")) {
@@ -87,7 +87,7 @@ class WindowsFilesSpec : FunSpec({
         }
     }
 
-    test("no name of a match, an event or a topic makes a name that Windows refuses, changes, or takes for a device") {
+    test("no name of a match, an event or a topic becomes a name that Windows refuses, changes, or takes for a device") {
         onWindows {
             fun expectOrdinary(name: String) {
                 val safe = safeName(name)
@@ -105,7 +105,7 @@ class WindowsFilesSpec : FunSpec({
         }
     }
 
-    test("logs are found whatever case their endings have, and their names are those of the disk") {
+    test("logs are found with endings in any case, and keep their names on the disk") {
         onWindows {
             for (name in listOf("Q1.BAG", "FIRST_DS_1.WPILOG", "x.DSLOG", "x.dsevents", "notes.txt")) Files.write(folder.resolve(name), byteArrayOf(1))
             FolderScan.of(folder).files.map(LogFile::name).sorted() shouldContainExactly listOf("FIRST_DS_1.WPILOG", "Q1.BAG", "x.DSLOG")

@@ -80,7 +80,7 @@ internal class WindowsFiles : AutoCloseable {
 
     private fun unwrapped(path: Path) = (path as Wrapped).inner
 
-    /** A path whose file system is [system]. */
+    /** A path in the file system [system]. */
     private inner class Wrapped(val inner: Path) : Path by inner {
         private fun of(path: Path?) = path?.let(::Wrapped)
 

@@ -8,7 +8,7 @@ import badlog.core.recording.addNotUtf8
 import badlog.core.recording.addRounded
 import badlog.core.recording.timesText
 
-/** Reports what was odd about [topic], which was made from [column] with the times of [timestamps]. */
+/** Reports the oddities of [topic], which was made from [column] and [timestamps]. */
 internal fun reportTopic(topic: Topic, column: SampleColumn, timestamps: Timestamps, problems: ProblemList) {
     val name = topic.name
     if (timestamps.disorder > 0) {

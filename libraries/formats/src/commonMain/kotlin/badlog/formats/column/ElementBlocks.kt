@@ -11,7 +11,7 @@ internal class ElementBlocks(
     private val newBlock: (index: Int, timestamps: Timestamps) -> SampleBlock?,
 ) {
     companion object {
-        /** The most elements that are shown: each is a topic and a graph; more would not help anybody. */
+        /** The maximum number of elements shown: each is a topic and a graph. */
         const val MAX_ELEMENTS = 256
     }
 

@@ -36,7 +36,7 @@ internal class GrowingDoubles {
         return all
     }
 
-    /** Returns all of them, and removes them from this list. */
+    /** Returns all numbers and empties the list. */
     fun take(): DoubleArray {
         val all = toArray()
         full = null

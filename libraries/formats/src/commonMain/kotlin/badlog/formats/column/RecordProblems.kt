@@ -4,7 +4,7 @@ import badlog.core.recording.Loss
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
 
-/** Reports that the bytes from [from] until [until] were skipped, in which there may have been [records] records. */
+/** Reports that the bytes from [from] until [until], which may have held [records] records, were skipped. */
 internal fun ProblemList.addSkipped(from: Long, until: Long, records: Int = 0) = add(
     ProblemKind.RECORDS_SKIPPED,
     "Bytes $from to ${until - 1} are not records and were skipped; the rest was read.",
@@ -18,7 +18,7 @@ internal fun ProblemList.addLost(from: Long, total: Long) = add(
     loss = Loss(bytes = total - from),
 )
 
-/** Reports that the file ends in a record of which only [bytes] bytes exist. */
+/** Reports that the file ends inside a record, after [bytes] of its bytes. */
 internal fun ProblemList.addCut(bytes: Int) = add(
     ProblemKind.RECORD_CUT,
     "The file ends inside a record, which was dropped.",

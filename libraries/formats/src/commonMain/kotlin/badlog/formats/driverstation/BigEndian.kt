@@ -9,7 +9,7 @@ internal fun shortAt(bytes: ByteArray, at: Int): Int = byteAt(bytes, at) shl 8 o
 /** Returns the 32 bits at [at], the highest first. */
 internal fun wordAt(bytes: ByteArray, at: Int): Int = shortAt(bytes, at) shl 16 or shortAt(bytes, at + 2)
 
-/** Returns the whole seconds since 1904 of the time at [at], in which 32 of 64 bits are 0. */
+/** Returns the whole seconds since 1904 of the time at [at]; the highest 32 of its 64 bits are 0. */
 internal fun secondsAt(bytes: ByteArray, at: Int): Double = unsigned(wordAt(bytes, at + 4))
 
 /** Returns the fraction of a second of the time at [at], which follows its whole seconds. */

@@ -3,12 +3,12 @@ package badlog.formats.driverstation
 import badlog.core.recording.LogFormat
 import badlog.core.recording.LogParser
 
-/** The logs of the FRC Driver Station: a `.dslog`, a `.dsevents`, or the bytes of the first and then those of the second. */
+/** The logs of the FRC Driver Station: a `.dslog`, a `.dsevents`, or the bytes of both, in this order. */
 public object DriverStationFormat : LogFormat {
-    /** The ending of a log's first file, with what was measured. */
+    /** The ending of a log's first file, which holds the measured values. */
     public const val FIRST_ENDING: String = ".dslog"
 
-    /** The ending of its second file, with messages, which has the first one's name. */
+    /** The ending of a log's second file, which holds messages and has the first one's name. */
     public const val SECOND_ENDING: String = ".dsevents"
 
     override val id: String get() = "driver_station"
@@ -26,7 +26,7 @@ public object DriverStationFormat : LogFormat {
     /** The number of bytes that [startOf] needs. */
     public const val HEAD_SIZE: Int = HEADER_SIZE
 
-    /** Returns when a log with the first [HEAD_SIZE] bytes [head] began, in s since 1970; null if those are not the start of such a log. */
+    /** Returns the start of the log with the first [HEAD_SIZE] bytes [head], in s since 1970; null if it is not such a log. */
     public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE || !isHeader(head, 0)) {
         null
     } else {

@@ -22,12 +22,11 @@ import badlog.formats.column.addTooMany
 import badlog.formats.column.reportTopic
 
 /**
- * Reads a log of the Driver Station that is pushed to it in pieces of any size: a `.dslog`, a `.dsevents`, or the bytes of the first
- * and then those of the second. It never throws because of the bytes: whatever is wrong becomes a problem of the recording, by the
- * rules in `docs/driver-station.md`.
+ * Reads a log of the Driver Station that is pushed to it in pieces of any size: a `.dslog`, a `.dsevents`, or the bytes of both, in this order. It
+ * never throws because of the bytes: whatever is wrong becomes a problem of the recording, by the rules in `docs/driver-station.md`.
  *
- * Besides the samples, it holds a few records of the file, or an event and the bytes needed to find the next one after damage, at
- * most 3 MB. Not thread-safe.
+ * Besides the samples, it holds a few records of the file, or an event and the bytes needed to find the next one after damage, at most 3 MB. Not
+ * thread-safe.
  *
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
@@ -63,7 +62,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
         }
     }
 
-    /** Returns what follows the header at [at]; null if it is not to be read. */
+    /** Returns the frames after the header at [at]; null if badlog does not read its version. */
     private fun begin(bytes: ByteArray, at: Int, until: Int): Frames? {
         val version = wordAt(bytes, at)
         if (version !in VERSIONS) {

@@ -5,11 +5,11 @@ import badlog.formats.driverstation.Frames.Companion.NONE
 import kotlin.math.abs
 
 /**
- * Finds the headers and the frames after them in bytes that are pushed to it. If frames do not continue, it searches for the next
- * place from which several do. The result depends only on the bytes, never on the pieces in which they arrive.
+ * Finds the headers and the frames after them in bytes that are pushed to it. If frames do not continue, it searches for the next place from which
+ * several do. The result depends only on the bytes, never on the pieces in which they arrive.
  *
- * @param begin receives the bytes at a header, and their end; returns what follows the header, or null if nothing can.
- * @param skipped receives the range without frames, and how many there may have been.
+ * @param begin receives the bytes at a header, and their end; returns the frames after the header, or null if they cannot be read.
+ * @param skipped receives the range without frames, and the number of frames that it may have held.
  */
 internal class FrameSplitter(
     private val begin: (bytes: ByteArray, at: Int, until: Int) -> Frames?,
@@ -27,7 +27,7 @@ internal class FrameSplitter(
     private var version = 0
     private var seconds = 0.0
 
-    /** Only after records may another header follow. */
+    /** Whether another header may follow; only after records. */
     private var mayEnd = false
 
     /** The number of frames read. */

@@ -1,6 +1,6 @@
 package badlog.formats.driverstation
 
-/** The sequence in a file of the Driver Station: records, or events. */
+/** The sequence of frames in a file of the Driver Station: records, or events. */
 internal interface Frames {
     /**
      * Returns the size in bytes of the frame at [at]; [MORE] if too few bytes have arrived to know or to read it, [NONE] if none begins
@@ -14,7 +14,7 @@ internal interface Frames {
     /** Reads the frame at [at]. */
     fun take(bytes: ByteArray, at: Int, size: Int)
 
-    /** Records that [bytes] bytes were lost. Returns how many frames that was. */
+    /** Records that [bytes] bytes were lost. Returns the number of frames that they were. */
     fun skip(bytes: Int): Int
 
     companion object {

@@ -28,7 +28,7 @@ internal class StationEvents(
     private val console = Lane(source, listOf("Console"))
     private val system = Lane(source, SYSTEM.map { it.first })
 
-    /** What the field said about the match. */
+    /** The match, as reported by the field. */
     val match = StationMatch()
 
     override fun sizeAt(bytes: ByteArray, at: Int, until: Int, isEnd: Boolean): Int {

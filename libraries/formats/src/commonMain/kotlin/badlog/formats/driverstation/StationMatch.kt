@@ -7,13 +7,13 @@ internal class StationMatch {
     private var event = ""
     private var match: List<String> = emptyList()
 
-    /** Searches for it in the [text] of an entry. */
+    /** Searches the [text] of an entry for the match. */
     fun handle(text: String) {
         EVENT.find(text)?.let { event = it.groupValues[1] }
         MATCH.find(text)?.let { match = it.groupValues }
     }
 
-    /** Returns what was found. */
+    /** Returns the event and the match; empty if the field reported neither. */
     fun values(): List<Value> = buildList {
         if (event.isNotEmpty()) add(Value("Event Name", event))
         if (match.isNotEmpty()) {

@@ -31,7 +31,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
 
             isKnown(power) -> HEAD + power
 
-            // What follows an unknown block shows whether it is one.
+            // The bytes after an unknown block show whether it is one.
             until - end < HEAD -> if (isEnd) HEAD + power else MORE
 
             isPossible(bytes, end) -> HEAD + power

@@ -19,13 +19,13 @@ internal class ListRow(val line: Int, val hasComma: Boolean, private val cells: 
     /** Whether its value is in quotes, as only texts are. */
     val isText: Boolean get() = quoted[2]
 
-    /** The number that is its value; null if it is none. */
+    /** Its value as a number; null if it is not one. */
     val number: Double? get() = numberIn(textOf(2))
 
     /** Returns the text of cell [index], which exists. */
     fun textOf(index: Int): String = cells[index].decodeToString()
 
-    /** Returns the number in [text]; null if it is none. */
+    /** Returns the number in [text]; null if it is not one. */
     fun numberIn(text: String): Double? {
         val number = if (hasComma) text.replace(',', '.') else text
         return when {
@@ -46,7 +46,7 @@ internal class ListRow(val line: Int, val hasComma: Boolean, private val cells: 
 }
 
 /**
- * Splits a list into its lines. Quotes are those of RFC 4180; whatever follows the second separator belongs to the value.
+ * Splits a list into its lines. Quotes follow RFC 4180; everything after the second separator belongs to the value.
  *
  * @param separator the byte between two cells.
  * @param take receives each line that is not blank.

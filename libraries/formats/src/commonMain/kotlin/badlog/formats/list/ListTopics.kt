@@ -63,7 +63,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         return true
     }
 
-    // An empty array is `[]` to AdvantageScope and nothing to DataLogTool; only texts are both.
+    // AdvantageScope writes an empty array as `[]`, DataLogTool as nothing; only a topic of texts has both.
     private fun Listed.isOpenAfter(row: ListRow) = kind == null && isEmpty(row) && firstEmpty?.value?.contentEquals(row.value) != false
 
     private fun Listed.hold(row: ListRow, time: Double) {
@@ -151,7 +151,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         return parts.map { part -> row.numberIn(part) ?: part.toBooleanStrictOrNull()?.let { if (it) 1.0 else 0.0 } ?: return null }
     }
 
-    /** Returns the topics, and reports what was odd about them. Call it once, last. */
+    /** Returns the topics, and reports their oddities. Call it once, last. */
     fun build(): List<Topic> {
         val names = UniqueNames()
         val topics = ArrayList<Topic>()

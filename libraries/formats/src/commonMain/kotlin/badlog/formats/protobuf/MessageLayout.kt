@@ -1,7 +1,7 @@
 package badlog.formats.protobuf
 
 /**
- * How a message of one type is shown: its values, including those of nested messages at their places, and its lists.
+ * The values and lists of one message type that are shown. The values of nested messages are in their places.
  *
  * @property values the single values.
  * @property lists the repeated ones.
@@ -99,7 +99,7 @@ internal class MessageLayout private constructor(
     }
 }
 
-/** How a field of a message is shown. */
+/** A field of a message that is shown. */
 internal sealed interface MessageMember
 
 /**
@@ -135,7 +135,7 @@ internal class MessageValue(
  * @property type the type of its elements; null if they are messages.
  */
 internal class MessageList(val index: Int, val path: String, val element: MessageLayout, val type: ScalarType?) : MessageMember {
-    /** How an element is encoded. */
+    /** The encoding of an element. */
     val wire: Int get() = type?.wire ?: WireReader.SIZED
 
     /** Returns whether the field that [reader] has read is packed: its numbers follow each other without the field's number before each. */

@@ -43,7 +43,7 @@ internal class MessageReader(private val layout: MessageLayout) {
     /** Returns where the bytes of [value] begin, which must be [WireReader.SIZED]. */
     fun fromOf(value: MessageValue): Int = froms[value.index]
 
-    /** Returns where they end. */
+    /** Returns where the bytes of [value] end. */
     fun endOf(value: MessageValue): Int = ends[value.index]
 
     private fun read(part: MessagePart, bytes: ByteArray, from: Int, until: Int) {

@@ -17,7 +17,7 @@ internal class MessageField(
     val hasPresence: Boolean,
 )
 
-/** The message types whose descriptors a file has provided so far, see `google/protobuf/descriptor.proto`. */
+/** The message types that a file has described so far; see `google/protobuf/descriptor.proto`. */
 internal class MessageTypes {
     private val messages = HashMap<String, List<MessageField>>()
     private val enumerations = HashMap<String, Map<Long, ByteArray>>()

@@ -112,8 +112,8 @@ private fun flags(start: Int, vararg names: String) = names.mapIndexed { i, name
 private fun floats(vararg names: String) = names.mapIndexed { i, name -> RevSignal(name, i * 32, 32, isFloat = true) }
 
 /**
- * REV's devices by their types on the CAN bus, with the places of their values according to REV's public descriptions of the frames
- * (`spark`, `servo_hub` and `encoder`, of its converter from `.revlog` to WPILOG, 2026).
+ * REV's devices by their types on the CAN bus. The places of their values follow REV's public descriptions of the frames (`spark`, `servo_hub` and
+ * `encoder`, of its converter from `.revlog` to WPILOG, 2026).
  */
 internal val REV_DEVICES: Map<Int, RevDevice> = mapOf(
     2 to RevDevice("Spark", sparkFrames()) { bytes, at ->

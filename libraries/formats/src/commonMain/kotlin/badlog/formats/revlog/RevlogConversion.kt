@@ -6,13 +6,12 @@ import badlog.core.recording.ProblemKind
 import badlog.formats.wpilog.RecordBuffer
 
 /**
- * Makes a WPILOG of the `.revlog` that is pushed to it: the status frames that REV's devices have sent on the CAN bus, and their
- * firmware versions. Its topics have the same names as from REV's own converter, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
+ * Converts the `.revlog` that is pushed to it to a WPILOG: the status frames that REV's devices have sent on the CAN bus, and their firmware
+ * versions. Its topics have the same names as from REV's own converter, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
  *
- * The file is a sequence of records. Each has a byte whose lowest four bits are the widths of the next two numbers, a number for its kind,
- * and the size of what follows: firmware (10 bytes per device), or status frames (16 bytes each: ms since the robot's program began, the
- * frame's identifier, eight bytes). It never throws because of the bytes: where no record follows, it searches for the next place at which
- * one does.
+ * The file is a sequence of records. Each begins with a byte that has the widths of the next two numbers in its lowest four bits. These are a number
+ * for its kind, and the size of its content: firmware (10 bytes per device), or status frames (16 bytes each: ms since the robot's program began, the
+ * frame's identifier, eight bytes). It never throws because of the bytes: if no record follows, it searches for the next place at which one does.
  *
  * @param sink receives the WPILOG in pieces, each `[0, size)` of the array, which is reused after the call.
  */
@@ -32,7 +31,7 @@ public class RevlogConversion(private val sink: (bytes: ByteArray, size: Int) ->
     /** The position after which no records have been found yet; below 0 if they continue. */
     private var lostFrom = -1L
 
-    /** Accepts the bytes from [from] until [until] of [piece], which follow those of previous calls. */
+    /** Accepts the next bytes, from [from] until [until] of [piece]. */
     public fun accept(piece: ByteArray, from: Int = 0, until: Int = piece.size) {
         val size = until - from
         if (end + size > bytes.size) {
@@ -49,7 +48,7 @@ public class RevlogConversion(private val sink: (bytes: ByteArray, size: Int) ->
         flush()
     }
 
-    /** Ends the bytes. Returns what was wrong in them. */
+    /** Ends the bytes. Returns their problems. */
     public fun finish(): List<Problem> {
         // A record with a damaged size may seem to extend beyond the end, with complete ones inside.
         val left = base + at

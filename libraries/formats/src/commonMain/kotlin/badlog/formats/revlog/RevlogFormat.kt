@@ -17,7 +17,7 @@ public object RevlogFormat : LogFormat {
 
     override val signatureSize: Int get() = SIGNATURE_SIZE
 
-    /** It has no signature: its first record shows what it is. */
+    /** Returns whether the bytes begin with a record of such a file, which has no signature. */
     override fun matches(bytes: ByteArray, size: Int): Boolean = RevlogHead.at(bytes, 0, size).let { it != null && it !== RevlogHead.MORE }
 
     override fun parser(keepSamples: Boolean): LogParser = RevlogParser(WpilogParser(keepSamples))

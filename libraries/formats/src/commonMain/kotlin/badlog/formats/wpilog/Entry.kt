@@ -1,11 +1,11 @@
 package badlog.formats.wpilog
 
 /**
- * What a file says about one name and type, under however many ids it was started.
+ * An entry of a file: one name and type, started under any number of ids.
  *
  * @property name the name exactly as in the file.
  * @property type the type exactly as in the file.
- * @property isValue whether it is not a topic, but a value written by badlog.
+ * @property isValue whether it is a value written by badlog rather than a topic.
  */
 internal class Entry(val name: String, val type: String, val isValue: Boolean, val decoder: PayloadDecoder) {
     /** Whether each record is one whole number of 8 bytes. */
@@ -21,7 +21,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     /** Its last metadata in the file. */
     var metadata = ""
 
-    /** Also receives each payload, if it says something about the whole recording. */
+    /** Also receives each payload if the entry concerns the whole recording; otherwise null. */
     var listener: EntryListener? = null
 
     /** The unit of its samples. */
@@ -29,7 +29,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
 
     val attributes: List<String> get() = attributesIn(metadata, name)
 
-    /** What it was in a bag that badlog converted to a WPILOG: [X_AXIS], [SPARSE], or anything else. */
+    /** Its role in a bag that badlog converted to a WPILOG: [X_AXIS], [SPARSE], or anything else; null if it has none. */
     val formerRole: String? get() = formerRoleIn(metadata)
 
     /** Returns whether a record of it may have a payload of [size] bytes. */

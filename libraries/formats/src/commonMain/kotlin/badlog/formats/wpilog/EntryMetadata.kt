@@ -11,13 +11,13 @@ import badlog.core.recording.TopicKind
 /** The metadata that marks an entry as a value. */
 internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
 
-/** What the metadata of an entry say of a topic that was the x axis of a bag. */
+/** The role of a topic that was the x axis of a bag, as entries' metadata name it. */
 internal const val X_AXIS: String = "xaxis"
 
-/** What they say of one that had few samples there. */
+/** The role of a topic that had few samples in a bag. */
 internal const val SPARSE: String = "sparse"
 
-/** Returns what [metadata] say that a topic was in a bag, mostly null; a program's property of the same name says nothing. */
+/** Returns the topic's role in a bag according to [metadata]; mostly null. A program's property of the same name has no effect. */
 internal fun formerRoleIn(metadata: String): String? = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text
 
 private fun roleOf(topic: Topic): String? = when {
@@ -26,15 +26,15 @@ private fun roleOf(topic: Topic): String? = when {
     else -> null
 }
 
-/** Returns the unit in [metadata], where loggers put it: beside their own remarks, or in the properties of a NetworkTables topic. */
+/** Returns the unit in [metadata]: beside a logger's own remarks, or in the properties of a NetworkTables topic. */
 internal fun unitIn(metadata: String): String {
     val members = JsonReader.readObject(metadata).orEmpty()
     return (members.last(UNIT) ?: members.property(UNIT))?.text ?: Topic.UNITLESS
 }
 
 /**
- * Returns the attributes of an entry [name]: those in its [metadata], which badlog has written; those that a robot's program says in the
- * properties of a NetworkTables topic; or those for the entries that WPILib itself writes.
+ * Returns the attributes of the entry [name]: from its [metadata], if badlog wrote them; from the properties of a NetworkTables topic, which a
+ * robot's program sets; or for the entries that WPILib itself writes.
  */
 internal fun attributesIn(metadata: String, name: String): List<String> {
     val members = JsonReader.readObject(metadata).orEmpty()
@@ -81,18 +81,18 @@ private fun attributesOf(topic: Topic): List<String> {
     return if (isEvent) attributes + LOG else attributes
 }
 
-/** Where WPILib's logger puts the program's messages. */
+/** The entry to which WPILib's logger writes the program's messages. */
 private const val MESSAGES = "messages"
 
-/** Where the Driver Station of 2027 puts its messages, and the robot's errors. */
+/** The folder in which the Driver Station of 2027 writes its messages, and the robot's errors. */
 private const val CONSOLE = "DS:/Dscomm/Console/"
 
-/** Where dashboards, and Telemetry from 2027 on, say what the topics beside it are together: `Field2d`. */
+/** The entry in which dashboards, and Telemetry from 2027 on, name the type of the topics beside it: `Field2d`. */
 private const val TYPE = "/.type"
 private const val UNIT = "unit"
 private const val ATTRIBUTES = "attrs"
 
-/** The property of a NetworkTables topic whose attributes a program says; and badlog's own mark beside the properties. */
+/** The property of a NetworkTables topic in which a program sets attributes; and badlog's own mark beside the properties. */
 private const val BADLOG = "badlog"
 
 /** The attribute of texts that are events. */

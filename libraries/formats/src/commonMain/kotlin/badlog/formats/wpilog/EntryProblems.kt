@@ -6,7 +6,7 @@ import badlog.core.recording.ProblemList
 import badlog.core.recording.timesText
 import badlog.formats.column.ElementBlocks
 
-/** Reports what was odd about the records of one entry: once, after all of them were read. */
+/** Reports the oddities in the records of one entry: once, after all of them were read. */
 internal fun reportEntry(entry: Entry, problems: ProblemList) {
     val decoder = entry.decoder
     val name = entry.name
@@ -46,7 +46,7 @@ internal fun reportEntry(entry: Entry, problems: ProblemList) {
     }
 }
 
-/** Reports those of [entries] that are not decoded; many of one type at once. */
+/** Reports the [entries] that are not decoded; many of one type as one problem. */
 internal fun reportUndecoded(entries: Collection<Entry>, problems: ProblemList) {
     val undecoded = entries.filter { it.decoder.isUndecoded && it.decoder.timestamps.size > 0 && it.type != Entry.MESSAGE_SCHEMA }
     for ((type, ofType) in undecoded.groupBy { it.type }) {

@@ -101,7 +101,7 @@ internal class EntryWriter(
         }
     }
 
-    /** Returns what was not written of the topic. */
+    /** Returns the content of the topic that the file does not express. */
     fun omissions(): List<Omission> = buildList {
         if (gaps > 0) add(Omission(topic.name, "Each gap starts with NaN.", gaps))
         if (empty > 0) add(Omission(topic.name, "Empty cells have no record.", empty))
@@ -147,7 +147,7 @@ internal class EntryQueue(entries: List<EntryWriter>) {
     /** The entry with the earliest next sample; null if none has one left. */
     val first: EntryWriter? get() = if (size == 0) null else all[heap[0]]
 
-    /** Moves [first], whose sample was written, to its new place. */
+    /** Moves [first] to its new place after its sample was written. */
     fun moveFirst() {
         if (!all[heap[0]].hasNext) heap[0] = heap[--size]
         if (size > 1) sink(0)

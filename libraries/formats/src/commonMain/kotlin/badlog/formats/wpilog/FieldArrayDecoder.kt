@@ -6,8 +6,8 @@ import badlog.formats.column.Timestamps
 import kotlin.math.PI
 
 /**
- * Arrays of numbers that may be the path of a `Field2d`, WPILib's picture of the field: x and y in m and the heading in degrees of each
- * pose, one after another. The first array that is not empty decides; three numbers may be anything.
+ * Arrays of numbers that may be the path of a `Field2d`, WPILib's picture of the field: x and y in m and the heading in degrees of each pose, one
+ * after another. The first array that is not empty decides; one of three numbers may be anything, so it is not a path.
  *
  * @param isOfField returns whether the entry belongs to a `Field2d`.
  */
@@ -52,7 +52,7 @@ internal class FieldArrayDecoder(private val source: ColumnSource, private val i
     }
 }
 
-/** The poses of a path, with the names and units of WPILib's `Pose2d`, so that they are seen as a path. */
+/** The poses of a path, with the names and units of WPILib's `Pose2d`, so that they appear as a path. */
 private class FieldPathDecoder(source: ColumnSource) : ArrayDecoder(source, listOf("/translation/x", "/translation/y", "/rotation/value")) {
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
         if (!fits(bytes, from, until)) {

@@ -21,7 +21,7 @@ internal class Leaf(
     private val shift: Int = 0,
     private val names: Map<Long, ByteArray>? = null,
 ) {
-    /** Returns the same value inside something that begins at [offset] and is called [prefix]. */
+    /** Returns the same value inside a struct that begins at [offset], with [prefix] before its path. */
     fun inside(prefix: String, offset: Int) = Leaf(prefix + path, offset + this.offset, type, count, bits, shift, names)
 
     /** Adds the value in the record that begins at [start] to [column]. */

@@ -4,7 +4,7 @@ import badlog.core.recording.PathName
 import badlog.core.recording.Value
 import badlog.core.text.wallTimeText
 
-/** What certain entries say about the whole run: the match, and the time of day. */
+/** The facts about the whole run that certain entries report: the match, and the time of day. */
 internal class MatchMetadata {
     private var event: String? = null
     private var matchType: String? = null
@@ -53,7 +53,7 @@ internal class MatchMetadata {
     /** Returns the time of day at [micros], in µs since 1970; null if it is unknown. */
     fun startMicros(micros: Double): Double? = wallOffset?.let { it + micros }
 
-    /** Returns what was found, for a recording that begins at [firstMicros]. */
+    /** Returns the facts that were found, for a recording that begins at [firstMicros]. */
     fun values(firstMicros: Double): List<Value> = buildList {
         for ((name, text) in own) add(Value(name, text))
         fun offer(name: String, text: String?) {
@@ -72,7 +72,7 @@ internal class MatchMetadata {
     }
 
     private companion object {
-        /** Where WPILib, and a logger based on it, put what the field says. */
+        /** The folders in which WPILib, and a logger based on it, put the facts from the field. */
         val SOURCES = listOf("FMSInfo/", "DriverStation/")
         val MATCH_TYPES = listOf("Practice", "Qualification", "Elimination")
     }

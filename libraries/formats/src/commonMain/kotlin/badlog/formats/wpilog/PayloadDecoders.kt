@@ -10,13 +10,13 @@ internal abstract class PayloadDecoder {
     /** The number of payloads without the size that the type requires. */
     var badCount = 0
 
-    /** The number of values for which there was no topic left. */
+    /** The number of values that were dropped because too many topics exist. */
     var droppedValues = 0
 
     /** The number of poses in the longest path, if it has more than can be shown; otherwise 0. */
     var longestPath = 0
 
-    /** The number of payloads before the description of their type for which there was no room. */
+    /** The number of payloads dropped for lack of room before the description of their type. */
     open val skippedCount: Int get() = 0
 
     /** Whether only the sizes of the payloads are shown. */
@@ -80,7 +80,7 @@ internal class SizeDecoder(source: ColumnSource) : SingleDecoder(source, listOf(
     }
 }
 
-/** Payloads for which there is no column left; they are only counted. */
+/** Payloads without a column, because none is left; they are only counted. */
 internal class NoDecoder : PayloadDecoder() {
     override val timestamps = Timestamps(false)
     override val blocks get() = emptyList<SampleBlock>()
@@ -90,7 +90,7 @@ internal class NoDecoder : PayloadDecoder() {
     }
 }
 
-/** Payloads that nobody wants. */
+/** Payloads that the caller does not want. */
 internal class UnwantedDecoder : PayloadDecoder() {
     override val timestamps = Timestamps(false)
     override val blocks get() = emptyList<SampleBlock>()

@@ -33,7 +33,7 @@ internal class ProtoDecoder(source: ColumnSource, private val layout: MessageLay
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = layout.fits(bytes, from, until)
 }
 
-/** The topics of a [list], whose names consist of the entry's and [path]. */
+/** The topics of a [list], named after the entry and [path]. */
 private class ListTopics(private val source: ColumnSource, private val list: MessageList, private val path: String) {
     private val reader = MessageReader(list.element)
     private val elements = ElementBlocks(source.keepsSamples, ::newBlock)
@@ -43,7 +43,7 @@ private class ListTopics(private val source: ColumnSource, private val list: Mes
 
     val blocks: List<SampleBlock> get() = elements.blocks + inner.flatten().flatMap { it.blocks }
 
-    /** Adds this list from the message that [outer] has read. Returns the number of values for which there was no topic left. */
+    /** Adds this list from the message that [outer] has read. Returns the number of dropped values. */
     fun add(time: Double, bytes: ByteArray, outer: MessageReader): Int {
         val found = outer.lists[list.index]
         var dropped = 0
@@ -62,7 +62,7 @@ private class ListTopics(private val source: ColumnSource, private val list: Mes
         return dropped
     }
 
-    /** Records that there is no such list at [time]. */
+    /** Records that the list is missing at [time]. */
     private fun end(time: Double) {
         for (index in inner.indices) inner[index].forEach { it.end(time) }
         elements.end(0, time)

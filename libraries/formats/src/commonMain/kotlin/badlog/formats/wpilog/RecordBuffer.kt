@@ -2,7 +2,7 @@ package badlog.formats.wpilog
 
 /** The bytes of a WPILOG that is being written, record by record. */
 internal class RecordBuffer {
-    /** What was written and not yet [cleared][clear], in its first [size] bytes. */
+    /** The bytes written since the last [clear], in the first [size] elements. */
     var bytes = ByteArray(1 shl 16)
         private set
     var size = 0

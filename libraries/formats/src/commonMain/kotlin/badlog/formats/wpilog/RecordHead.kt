@@ -1,6 +1,6 @@
 package badlog.formats.wpilog
 
-/** What bytes look like where a record is expected. */
+/** The verdict on the bytes where a record is expected. */
 internal enum class RecordLook {
     /** A record that belongs to the log: its entry was started, its size fits the type, and its time is near the others. */
     FITTING,
@@ -72,7 +72,7 @@ internal object ControlKind {
     const val FINISH = 1
     const val SET_METADATA = 2
 
-    /** Returns how many texts follow the head of a record of [kind]; -1 for a kind that does not exist. */
+    /** Returns the number of texts after the head of a record of [kind]; -1 for a kind that does not exist. */
     fun textsOf(kind: Int): Int = when (kind) {
         START -> 3
         FINISH -> 0

@@ -3,16 +3,15 @@ package badlog.formats.wpilog
 import kotlin.math.abs
 
 /**
- * Distinguishes records from bytes that only look like them: a WPILOG has neither checksums nor marks between its records,
- * but each of them names a started entry, has a size that fits its type, and a time near that of the previous one.
+ * Distinguishes records from bytes that only look like them. A WPILOG has neither checksums nor marks between its records, but each of them names a
+ * started entry, has a size that fits its type, and a time near the previous one's.
  *
- * Every result depends only on the bytes, never on how many of them have arrived: if they are not enough, it is
- * [RecordLook.MORE].
+ * Every result depends only on the bytes, never on how many of them have arrived: if they are not enough, it is [RecordLook.MORE].
  */
 internal class RecordSearch(private val sink: RecordSink) {
     private val head = RecordHead()
 
-    /** Returns what the bytes at [at] look like after a record at [near] µs, or NaN if there was none; reads them into [head]. */
+    /** Judges the bytes at [at] as the record after one at [near] µs, NaN if there was none; reads them into [head]. */
     fun look(head: RecordHead, bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
         val possible = head.read(bytes, at, until)
         if (possible != RecordLook.FITTING) return possible
@@ -29,7 +28,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return if (mayBeControlPayload(bytes, end - head.size, end)) possible else RecordLook.ODD
     }
 
-    /** Returns the same, but for places that need not be the start of a record, where only an exact control record is one. */
+    /** Judges as [look] does, but only an exact control record is one: such a place need not be the start of a record. */
     private fun strictLook(bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
         val look = look(head, bytes, at, until, near)
         if (look != RecordLook.FITTING || head.id != 0) return look
@@ -37,14 +36,13 @@ internal class RecordSearch(private val sink: RecordSink) {
         return if (isControlPayload(bytes, end - head.size, end)) look else RecordLook.ODD
     }
 
-    /** Returns whether two times, in µs, are as close as those of consecutive records. True if one is NaN. */
+    /** Returns whether two times, in µs, are as close as consecutive records' times. True if one is NaN. */
     fun isNear(one: Double, other: Double): Boolean = !(abs(one - other) > NEAR_MICROS)
 
     /**
-     * Returns the first place from [from] and before [end] at which records continue after damage, several fitting ones in a row.
+     * Returns the first place after damage, from [from] and before [end], at which several fitting records follow each other.
      *
-     * @param isInside whether the place is inside bytes that may themselves be a record; the first records there must be of types
-     * with a fixed size.
+     * @param isInside whether the place is inside bytes that may themselves be a record; the first records there must be of types with a fixed size.
      * @return also [NOWHERE]; or [waiting] of the place where the search must continue when more bytes have arrived.
      */
     fun find(bytes: ByteArray, from: Int, end: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): Int {
@@ -58,7 +56,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return if (end <= until || isEnd) NOWHERE else waiting(until)
     }
 
-    /** Returns whether fitting records in a row begin at [from], the first of them at a time consistent with the others. */
+    /** Returns whether fitting records in a row begin at [from]. The time of the first must be consistent with the others. */
     private fun rowAt(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): RecordLook {
         var at = from
         var fitting = 0
@@ -120,7 +118,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return RecordLook.FITTING
     }
 
-    /** Returns whether records continue at [from], some of them odd, so that the odd one before them has its correct size. */
+    /** Returns whether records continue at [from], even if some are odd. Then the odd record before them has its correct size. */
     fun goesOn(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): RecordLook {
         var at = from
         var fitting = 0
@@ -145,23 +143,23 @@ internal class RecordSearch(private val sink: RecordSink) {
         /** The result of [find] if records continue nowhere. */
         const val NOWHERE = -1
 
-        /** Returns the result of [find] for having to search from [at] again. */
+        /** Returns the result of [find] if the search must continue at [at]. */
         fun waiting(at: Int): Int = NOWHERE - 1 - at
 
-        /** Returns the place that [waiting] was given to return [found]. */
+        /** Returns the place for which [waiting] returns [found]. */
         fun waitsAt(found: Int): Int = NOWHERE - 1 - found
 
         /** This many fitting records in a row are not a coincidence. */
         private const val ENOUGH = 10
 
-        /** How many of them must be of types with a fixed size if the place may be inside a record. */
+        /** The number of them that must have types of a fixed size if the place may be inside a record. */
         private const val SURE = 2
 
-        /** How many are enough at the end of the file, or if they are very large. */
+        /** The number that is enough at the end of the file, or if they are very large. */
         private const val LEAST_AT_END = 3
         private const val LEAST_FAR = 5
 
-        /** How many odd ones may be among them, in addition to one for each fitting one. */
+        /** The number of odd ones that may be among them, in addition to one for each fitting one. */
         private const val MOST_ODD = 2
         private const val GOES_ON = 4
         private const val PATIENCE = 100

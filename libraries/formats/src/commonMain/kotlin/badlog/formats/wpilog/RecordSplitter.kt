@@ -1,6 +1,6 @@
 package badlog.formats.wpilog
 
-/** Receives what a [RecordSplitter] finds. */
+/** Receives the results of a [RecordSplitter]. */
 internal interface RecordSink {
     /** Receives the twelve bytes of the header at [from] and the text after them, up to [until]. Returns false if this is not a WPILOG. */
     fun header(bytes: ByteArray, from: Int, until: Int): Boolean
@@ -8,10 +8,10 @@ internal interface RecordSink {
     /** Returns the entry that currently has the id [id], or null. */
     fun entryOf(id: Int): Entry?
 
-    /** Returns whether there were so many records of [id], which is not an entry's id, that more are to be expected. */
+    /** Returns whether [id], which is not an entry's, had so many records that more are to be expected. */
     fun isStranger(id: Int): Boolean
 
-    /** Receives a record, whose bytes from [from] until [until] begin at [position] in the file. */
+    /** Receives the record from [from] until [until] of [bytes], which begins at [position] in the file. */
     fun record(head: RecordHead, position: Long, bytes: ByteArray, from: Int, until: Int)
 
     /** Called if the bytes of the file from [from] until [until] are not records, but those after them are. */
@@ -30,7 +30,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
     private var heldSize = 0
     private var isRefused = false
 
-    // The head of the next record, and that of the one after it.
+    // The heads of the next record and of the one after it.
     private var head = RecordHead()
     private var nextHead = RecordHead()
     private var lastMicros = Double.NaN
@@ -38,13 +38,13 @@ internal class RecordSplitter(private val sink: RecordSink) {
     // The last time that was near its predecessor: damage may contain any time.
     private var steadyMicros = Double.NaN
 
-    // The size of an unsuspicious payload.
+    // The largest size of an unsuspicious payload.
     private var usualSize = SMALL
 
     // The position in the file of the first byte of the array that is being read.
     private var base = 0L
 
-    // Where the damage began in the file, while searching for the records after it.
+    // The position of the damage in the file while the records after it are searched; otherwise -1.
     private var gapFrom = -1L
 
     // After the place searchedFor, records do not continue anywhere before searchedUntil.
@@ -151,8 +151,8 @@ internal class RecordSplitter(private val sink: RecordSink) {
     }
 
     /**
-     * Passes on the record at [from], whose [head] fits, and those after it, up to one that is odd in any way. Returns where that one
-     * begins; [head] is then its head. Nearly all records of a log are handled here, so rare cases stay outside this loop.
+     * Passes on the fitting record at [from] and those after it, up to one that is odd. Returns where that one begins; [head] is then its head.
+     * Nearly all records of a log are handled here, so rare cases stay outside this loop.
      */
     private fun passFitting(bytes: ByteArray, from: Int, until: Int): Int {
         var at = from
@@ -225,7 +225,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         return at + 1
     }
 
-    /** Reads a record in which the file ends, or whose size is damaged. */
+    /** Reads a record that the end of the file cuts off, or that has a damaged size. */
     private fun readCut(bytes: ByteArray, at: Int, until: Int): Int {
         val found = find(bytes, at, until, until, true)
         return if (found >= 0) skip(at, found) else cut(at, until)

@@ -11,7 +11,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
     private val scale = Units.microsIn(xAxis.unit)
     private val isTime = !xAxis.isIndex && (Units.secondsIn(xAxis.unit) != null || Units.isNone(xAxis.unit))
 
-    /** What is added to every x, so that none is before 0. */
+    /** The number added to every x, so that none is before 0. */
     private val shift = maxOf(0.0, -(xAxis.range?.start ?: 0.0))
 
     /** The number of times that had to be rounded. */
@@ -32,7 +32,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
         return whole
     }
 
-    /** Returns what the times no longer express of x. */
+    /** Returns the properties of x that the times no longer express. */
     fun omissions(): List<Omission> = buildList {
         if (!isTime) add(Omission(null, "The x axis “${xAxis.title}” is not a time; one unit is written as one second."))
         if (shift > 0) add(Omission(null, "x starts at ${xAxis.range?.start}; $shift was added to all times."))

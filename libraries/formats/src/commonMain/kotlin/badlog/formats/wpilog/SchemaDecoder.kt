@@ -5,11 +5,10 @@ import badlog.formats.column.SampleBlock
 import badlog.formats.column.Timestamps
 
 /**
- * Payloads of a type that the file itself describes. Payloads before its schema wait for it; if there
- * is no room for all of them, the latest ones.
+ * Payloads of a type that the file itself describes. Payloads before their schema wait for it; if there are too many, only the latest ones.
  *
  * @param version grows with every schema.
- * @param decoderNow returns the decoder for the type; null while a schema is missing, and if there is no room.
+ * @param decoderNow returns the decoder for the type; null while a schema is missing, and if too few columns are left.
  */
 internal class SchemaDecoder(
     private val source: ColumnSource,
@@ -21,7 +20,7 @@ internal class SchemaDecoder(
     private val held = ArrayDeque<Held>()
     private var heldBytes = 0
 
-    // The sizes of all payloads, once there is no room for the payloads themselves.
+    // The sizes of all payloads, once the payloads themselves need too much memory.
     private var sizes: SizeDecoder? = null
     private var triedVersion = -1
     private var decoder: PayloadDecoder? = null

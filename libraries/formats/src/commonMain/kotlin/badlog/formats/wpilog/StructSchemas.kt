@@ -2,7 +2,7 @@ package badlog.formats.wpilog
 
 import badlog.core.text.isLetterOrDigit
 
-/** The structs whose schemas a file has provided so far. */
+/** The structs that a file has described so far by schemas. */
 internal class StructSchemas {
     private val fields = HashMap<String, List<StructField>>()
     private val layouts = HashMap<String, ValueLayout?>()

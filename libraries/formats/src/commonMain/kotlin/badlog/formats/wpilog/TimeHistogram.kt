@@ -1,8 +1,8 @@
 package badlog.formats.wpilog
 
 /**
- * Finds the times, from 0 on, around which most records of a file are, in memory that does not grow: it counts records in buckets of
- * 19 hours. Records a whole bucket away from the others do not belong to the same run of a robot.
+ * Finds the times, from 0 on, around which most records of a file are. Its memory does not grow: it counts records in buckets of 19 hours. Records a
+ * whole bucket away from the others do not belong to the same run of a robot.
  */
 internal class TimeHistogram {
     private val starts = DoubleArray(MAX_BUCKETS)
@@ -37,7 +37,7 @@ internal class TimeHistogram {
         return true
     }
 
-    /** Returns where most records are, with an exclusive end. Null if there are none. */
+    /** Returns the span with most of the records; null if there are none. */
     fun largestCluster(): Cluster? {
         val order = (0 until size).sortedBy { starts[it] }
         var best: Cluster? = null

@@ -21,16 +21,16 @@ internal class WpilogEntries(
     private val structs = StructSchemas()
     private val messages = MessageTypes()
 
-    // The folders of topics that are each a picture of the field.
+    // The folders that are each a `Field2d`, a picture of the field.
     private val fields = HashSet<String>()
     private val byName = LinkedHashMap<Triple<String, String, Boolean>, Entry>()
     private val byLargeId = HashMap<Int, Entry>()
     private var byId = arrayOfNulls<Entry>(64)
 
-    /** Where most of the records are. */
+    /** The times of the records, which show where most of them are. */
     val histogram = TimeHistogram()
 
-    /** What some of them say about the whole run. */
+    /** The facts about the whole run that some of them report. */
     val match = MatchMetadata()
 
     /** The entries, in the order in which they were first started. */
@@ -235,7 +235,7 @@ internal class WpilogEntries(
     companion object {
         const val MICROS = 1e6
 
-        /** The start of an entry with more records than this was lost; fewer may be damage. */
+        /** An id with more records than this belongs to an entry with a lost start; fewer may be damage. */
         private const val STRANGERS = 1
         private const val MAX_UNKNOWN = 1000
 
@@ -243,12 +243,12 @@ internal class WpilogEntries(
         private const val MAX_LISTED_ID = 1 shl 16
         private const val STRUCT = "struct:"
 
-        /** In the names of what comes from NetworkTables. */
+        /** The mark in the names of entries from NetworkTables. */
         private const val NETWORK = "NT:"
         private const val DASHBOARD_TYPE = "/.type"
         private const val FIELD = "Field2d"
 
-        /** The usual name of one, whose type may have been lost. */
+        /** The usual name of a `Field2d`, which shows it even if the record with its type was lost. */
         private const val FIELD_FOLDER = "Field"
         private const val SCHEMA = "structschema"
         private const val STRUCT_SCHEMA = ".schema/struct:"

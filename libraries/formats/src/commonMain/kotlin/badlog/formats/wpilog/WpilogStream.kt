@@ -11,7 +11,7 @@ public class WpilogStream(private val sink: (bytes: ByteArray, size: Int) -> Uni
     private var entries = 0
 
     /**
-     * Starts an entry, whose number is not that of any other, and returns that number.
+     * Starts an entry with a new number, and returns that number.
      *
      * @param type its type, such as `double` or `struct:Pose2d`.
      * @param metadata text about it, usually JSON; may be empty.

@@ -16,13 +16,13 @@ import badlog.core.recording.Topic
  */
 public class WpilogWriter(private val recording: Recording, private val changesOnly: Boolean = false) {
     /**
-     * Writes all of it, in the order of time.
+     * Writes the whole recording, in the order of time.
      *
-     * @param progress called after each piece with the number of samples done so far, and the number of all. An
-     *   exception from it stops the writing and is passed on.
-     * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the
-     *   call. An exception from it stops the writing and is passed on.
-     * @return what the file cannot express.
+     * @param progress called after each piece with the number of samples done so far, and the number of all. An exception from it stops the writing
+     *   and is passed on.
+     * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the call. An exception from it
+     *   stops the writing and is passed on.
+     * @return the content that the file cannot express.
      * @throws IllegalArgumentException if the recording was read without its samples.
      */
     public fun write(
@@ -92,10 +92,10 @@ public class WpilogWriter(private val recording: Recording, private val changesO
 }
 
 /**
- * Something in a recording that a file of another format cannot express.
+ * Content of a recording that a file of another format cannot express.
  *
  * @property topic the topic it belongs to, or null if it belongs to none or to many.
- * @property what one sentence that says what is missing, or what replaces it.
+ * @property what one sentence that names the missing content, or its replacement.
  * @property count the number of samples, topics or texts it concerns.
  */
 public data class Omission(public val topic: String?, public val what: String, public val count: Int = 1)
@@ -103,5 +103,5 @@ public data class Omission(public val topic: String?, public val what: String, p
 /** Whether it only has the sizes of records, which could not be decoded. */
 public val Topic.isOfBytes: Boolean get() = unit == BYTE && (type == "raw" || type.startsWith("proto:"))
 
-/** The unit of a topic of which only the sizes are known. */
+/** The unit of a topic that only has the sizes of its records. */
 internal const val BYTE: String = "B"

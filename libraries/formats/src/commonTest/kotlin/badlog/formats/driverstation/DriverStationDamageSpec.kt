@@ -22,7 +22,7 @@ import kotlin.random.Random
 
 private fun Recording.volts() = topics.single { it.name == "Driver Station/Battery Voltage" }
 
-/** The times at which the voltages of [log] are not those of [whole]. */
+/** The times at which the voltages of [log] differ from [whole]. */
 private fun lostIn(log: ByteArray, whole: ByteArray): List<Int> {
     val read = parseStation(log).volts()
     val at = read.times.orEmpty().toList().zip(read.samples.toList()).toMap()
@@ -35,7 +35,7 @@ private fun DoubleArray?.orEmpty() = this ?: DoubleArray(0)
 class DriverStationDamageSpec : FunSpec({
     val pair = STATION_LOG.bytes + STATION_EVENTS.bytes
 
-    test("a hole in the records costs what stood in it, and the time goes on") {
+    test("a hole in the records costs only the records in it, and the time goes on") {
         for (block in listOf(ByteArray(0), pdp(), pdh())) {
             val whole = TestDslog().records(400, Status.BOTH_TELEOP) { block }.bytes
             val size = 14 + block.size
@@ -51,7 +51,7 @@ class DriverStationDamageSpec : FunSpec({
         }
     }
 
-    test("a hole in the events costs the entries in it") {
+    test("a hole in the events costs only the entries in it") {
         val whole = TestDsevents().apply { repeat(100) { entry(it * 10L, "Info number $it") } }.bytes
         val holed = whole.copyOf().also { it.fill(0, 500, 900) }
         val read = parseStation(holed)
@@ -71,7 +71,7 @@ class DriverStationDamageSpec : FunSpec({
         }
     }
 
-    test("a pair that is cut at any byte reads as far as it goes, in whatever pieces") {
+    test("a pair that is cut at any byte is read up to the cut, in pieces of any size") {
         val short = TestDslog().records(2).records(3) { pdp() }.bytes + STATION_EVENTS.bytes
         for (cut in 0..short.size) {
             val part = short.copyOf(cut)
@@ -93,7 +93,7 @@ class DriverStationDamageSpec : FunSpec({
         }
     }
 
-    test("damage of any kind never makes the parser throw, keeps times in order, and what was read can be written") {
+    test("after damage of any kind the parser does not throw, times stay in order, and the result can be written") {
         val random = Random(15)
         var readable = 0
         repeat(PropertyTesting.defaultIterationCount) {

@@ -21,7 +21,7 @@ private fun Topic.textList() = List(texts.size) { texts[it] }
 private fun Recording.kinds() = problems.map { it.kind }
 
 class DriverStationParserSpec : FunSpec({
-    test("a record of version 4 gives every value in its unit, each 20 ms") {
+    test("a record of version 4 has every value in its unit, every 20 ms") {
         val read = parseStation(TestDslog().record(Status.BOTH_AUTO, 12.25, trip = 17, loss = 3, cpu = 109, can = 126).record().bytes)
         read.format shouldBe DriverStationFormat
         read.problems.shouldBeEmpty()
@@ -56,7 +56,7 @@ class DriverStationParserSpec : FunSpec({
         read.problems.shouldBeEmpty()
     }
 
-    test("what the robot has not measured is a gap: more than 20 V is not a reading") {
+    test("values that the robot has not measured are gaps: more than 20 V is not a reading") {
         val read = parseStation(TestDslog().record(volts = Double.NaN, trip = 255).record(volts = 37.375, trip = 9).record(volts = 12.5).bytes)
         for ((name, measured) in listOf("Battery Voltage" to 12.5, "CPU Utilization" to 40.0, "CAN Utilization" to 30.0)) {
             read.topic("Driver Station/$name").run {
@@ -75,7 +75,7 @@ class DriverStationParserSpec : FunSpec({
         read.topic("PDP/Temperature").samples.single() shouldBe (23.004 plusOrMinus 0.001)
     }
 
-    test("every channel of a PDH, with the lowest bit first, and the last four of one byte") {
+    test("every channel of a PDH, with the lowest bit first, and the last four of one byte each") {
         val read = parseStation(TestDslog().record(power = pdh { if (it < 20) 1023 - 31 * it else 255 - it }).bytes)
         for (channel in 0 until 20) read.topic("PDH/Channel $channel").samples.single() shouldBe (1023 - 31 * channel) / 8.0
         for (channel in 20 until 24) read.topic("PDH/Channel $channel").samples.single() shouldBe (255 - channel) / 16.0
@@ -103,7 +103,7 @@ class DriverStationParserSpec : FunSpec({
         read.problems.shouldBeEmpty()
     }
 
-    test("another version is refused by its number") {
+    test("another version is refused with its number") {
         for (version in listOf(0, 2, 5)) {
             val read = parseStation(TestDslog(version).record().bytes)
             read.problems.single().message shouldContain "version $version;"
@@ -111,7 +111,7 @@ class DriverStationParserSpec : FunSpec({
         }
     }
 
-    test("entries are split into messages, oldest first, and what the console printed stands apart") {
+    test("entries are split into messages, oldest first, and console output is separate") {
         val read = parseStation(STATION_EVENTS.bytes)
         read.problems.shouldBeEmpty()
         read.topic("Driver Station/Console").run { textList() to attributes } shouldBe (listOf("\tfirst", "ready") to listOf("log"))
@@ -133,7 +133,7 @@ class DriverStationParserSpec : FunSpec({
         only("Laptop Battery") shouldBe "100 %"
     }
 
-    test("the field says which match it is") {
+    test("the match is the one that the field reports") {
         parseStation(STATION_EVENTS.bytes).values.map { "${it.name}: ${it.text}" } shouldContainExactly listOf(
             "Event Name: MILLC",
             "Match Type: Qualification",

@@ -46,7 +46,7 @@ class ListFormatSpec : FunSpec({
         for (piece in listOf(1, 3, 64, 65)) describe(read("Timestamp,Name,Value\n$rows", piece)) shouldBe describe(recording)
     }
 
-    test("the list of AdvantageScope, whose last line has no end, is read with its arrays") {
+    test("a list of AdvantageScope is read with its arrays, even if its last line has no end") {
         val recording = read("Timestamp,Key,Value\n0.5,/Pose,[1; 2; 3]\n0.5,/Mode,Auto\n0.7,/Pose,[1.5; 2; 3]\n0.9,/Pose,[]\n1,/A,true")
         recording.topics.map { it.name } shouldBe listOf("/Pose[0]", "/Pose[1]", "/Pose[2]", "/Mode", "/A")
         recording.topic("/Pose[0]").samples.take(2) shouldBe listOf(1.0, 1.5)
@@ -55,7 +55,7 @@ class ListFormatSpec : FunSpec({
         recording.problems shouldBe emptyList()
     }
 
-    test("a list that a spreadsheet saved with semicolons and decimal commas is one, too") {
+    test("a list that a spreadsheet saved with semicolons and decimal commas is read") {
         val recording = read("\uFEFF\"Timestamp\";\"Name\";\"Value\"\r\n0,5;a;1,25\r\n0,7;a;1,5\r\n")
         recording.topic("a").times?.toList() shouldBe listOf(0.5, 0.7)
         recording.topic("a").samples.toList() shouldBe listOf(1.25, 1.5)
@@ -74,7 +74,7 @@ class ListFormatSpec : FunSpec({
         recording.problems.single { it.kind == ProblemKind.TEXT_IN_NUMBERS }.line shouldBe 5
     }
 
-    test("the samples of a topic are in order of time, whatever the order of the lines") {
+    test("the samples of a topic are in order of time, regardless of the order of the lines") {
         val times = listOf(0.3, 0.1, 0.2, 0.2)
         val recording = read("Timestamp,Name,Value\n" + times.joinToString("") { "$it,a,${it * 10}\n" })
         recording.topic("a").times?.toList() shouldBe times.sorted()
@@ -102,17 +102,17 @@ class ListFormatSpec : FunSpec({
         }
     }
 
-    test("a topic that never has more than empty values is shown") {
+    test("a topic with only empty values is shown") {
         val recording = read("Timestamp,Name,Value\n1,a,\n2,a,\n2,b,[]\n")
         recording.topics.map { it.name to it.counts.total } shouldBe listOf("a" to 2, "b" to 1)
     }
 
-    test("a value of many digits that is no number is a text, and does not take forever") {
+    test("a value of many digits that is not a number is a text, and is read quickly") {
         val digits = "1".repeat(1 shl 18)
         read("Timestamp,Name,Value\n1,a,${digits}x\n").topic("a").texts[0] shouldBe "${digits}x"
     }
 
-    test("reading stops at a line that is too long, and says so") {
+    test("reading stops at a line that is too long, and reports it") {
         val recording = read("Timestamp,Name,Value\n1,a,5\n2,a,${"1".repeat(1 shl 24)}\n3,a,6\n")
         recording.topic("a").samples.toList() shouldBe listOf(5.0)
         recording.problems.map { it.kind to it.line } shouldBe listOf(ProblemKind.ROW_CUT to 3)
@@ -127,13 +127,13 @@ class ListFormatSpec : FunSpec({
         counted.topics.map { it.name to it.counts } shouldBe read(text).topics.map { it.name to it.counts }
     }
 
-    test("a table with such titles and more, or others, is a table") {
+    test("a table with more or other titles is not a list") {
         for (titles in listOf("Timestamp,Name,Value,Unit", "Timestamp,/Arm,Value", "Time,Name,Value")) {
             read("$titles\n1,a,5,6\n").format.hasRows shouldBe true
         }
     }
 
-    test("no bytes break it, and pieces make no difference") {
+    test("no bytes make it throw, and pieces make no difference") {
         val head = "Timestamp,Name,Value\n".encodeToByteArray()
         checkAll(Arb.byteArray(Arb.int(0..300), Arb.byte())) { bytes -> describe(read(head + bytes, 7)) shouldBe describe(read(head + bytes)) }
         val pieces = listOf("1", "0.5", ",", ",a,", "\"", "\n", "\r\n", "true", "[1; 2]", "[]", "1;2", "x", "\u0000", "-3", "nan")

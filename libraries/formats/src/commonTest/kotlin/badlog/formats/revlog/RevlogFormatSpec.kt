@@ -58,7 +58,7 @@ internal class RevlogFormatSpec : FunSpec({
     val output = (-16221L) and 0xFFFF
     val spark = output or (1638L shl 16) or (1092L shl 28) or (35L shl 40) or (1L shl 48)
 
-    test("what a Spark says of itself becomes topics with units, and its firmware a value") {
+    test("the values of a Spark become topics with units, and its firmware a value") {
         val log = TestRevlog().record(1, firmware(2, 3, 26, 1, 0, 4, 0, 0)).record(2, status(1500, 2, 0, 3, spark), status(1520, 2, 0, 3, spark)).bytes
         val (recording, problems) = convert(log)
         problems shouldBe emptyList()
@@ -74,7 +74,7 @@ internal class RevlogFormatSpec : FunSpec({
         }
     }
 
-    test("encoders, faults and servo hubs are at the places of REV's descriptions") {
+    test("encoders, faults and servo hubs are read as REV describes them") {
         val velocity = (1234.5f.toRawBits().toLong() and 0xFFFFFFFF) or ((-2.25f).toRawBits().toLong() shl 32)
         val (recording) = convert(
             TestRevlog().record(
@@ -100,28 +100,28 @@ internal class RevlogFormatSpec : FunSpec({
         recording.first("REV/Encoder-4/VELOCITY") shouldBe -2.25
     }
 
-    test("frames of other kinds and of devices nobody knows are left out") {
+    test("frames of other kinds and of unknown devices are left out") {
         val other = words(0, can(2, 0, 3) and (0x3F shl 10).inv() or (5 shl 10), 0, 0)
         val (recording, problems) = convert(TestRevlog().record(2, other, status(0, 2, 15, 3, 0), status(0, 30, 0, 3, 0)).bytes)
         problems shouldBe emptyList()
         recording.topics shouldBe emptyList()
     }
 
-    test("where bytes are damaged the next record is found, and the problem gives the place") {
+    test("after damaged bytes the next record is found, and the problem reports the place") {
         val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).raw(9, 9, 9, 9, 9).record(2, status(20, 2, 0, 3, spark)).bytes
         val (recording, problems) = convert(whole)
         recording.topics.first().times?.toList() shouldBe listOf(0.01, 0.02)
         problems.single().run { kind to loss.bytes } shouldBe (ProblemKind.RECORDS_SKIPPED to 5L)
     }
 
-    test("of a file that was cut all whole records are there") {
+    test("of a file that was cut, all whole records are read") {
         val whole = TestRevlog().record(2, status(10, 2, 0, 3, spark)).record(2, status(20, 2, 0, 3, spark)).bytes
         val (recording, problems) = convert(whole.copyOf(whole.size - 3))
         recording.topics.first().times?.toList() shouldBe listOf(0.01)
         problems.single().run { kind to loss.bytes } shouldBe (ProblemKind.RECORD_CUT to 17L)
     }
 
-    test("whatever the bytes are, in whatever pieces they come, the result is the same, and a WPILOG without faults") {
+    test("any bytes, in pieces of any size, give the same result, and a WPILOG without faults") {
         val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).record(1, firmware(2, 3, 26, 1, 0, 4, 0, 0)).record(2, status(20, 2, 0, 3, spark)).bytes
         checkAll(Arb.byteArray(Arb.int(0..8), Arb.byte()), Arb.int(0..log.size), Arb.int(1..40)) { damage, at, piece ->
             val bytes = log.copyOf(at) + damage + log.copyOfRange(minOf(log.size, at + damage.size / 2), log.size)
@@ -133,7 +133,7 @@ internal class RevlogFormatSpec : FunSpec({
         }
     }
 
-    test("it is known by its content, and no text, bag, WPILOG or Driver Station log is taken for it") {
+    test("a REV log is recognized by its content, and no text, bag, WPILOG or Driver Station log is taken for one") {
         val log = TestRevlog().record(2, status(10, 2, 0, 3, spark)).bytes
         val whole = read(log + log.copyOf(7))
         whole.format shouldBe RevlogFormat

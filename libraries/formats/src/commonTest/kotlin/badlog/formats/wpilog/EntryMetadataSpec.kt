@@ -13,7 +13,7 @@ import io.kotest.property.checkAll
 
 private const val TOPIC = "NT:/Telemetry/Arm/Angle"
 
-/** The metadata of an entry whose topic has these [properties], as WPILib writes them. */
+/** The metadata of an entry for a topic with these [properties], as WPILib writes them. */
 private fun withProperties(properties: String) = "{\"properties\":{$properties},\"source\":\"NT\"}"
 
 private fun listJson(texts: List<String>) = texts.joinToString(",", "[", "]", transform = ::quotedJson)
@@ -21,7 +21,7 @@ private fun listJson(texts: List<String>) = texts.joinToString(",", "[", "]", tr
 private fun attributesOf(metadata: String, name: String = TOPIC) = parseLog(TestLog().start(1, name, "double", metadata).double(1, 5, 1.0).bytes).topics.single().attributes
 
 class EntryMetadataSpec : FunSpec({
-    test("unit and attributes that a program says as properties are those of the topic") {
+    test("the unit and attributes that a program sets as properties are the topic's") {
         val metadata = withProperties("\"unit\":\"deg\",\"badlog\":[\"differentiate\",\"join:Arm/Position\"],\"retained\":true")
         val topic = parseLog(TestLog().start(1, TOPIC, "double", metadata).double(1, 5, 1.0).bytes).topics.single()
         topic.unit shouldBe "deg"
@@ -29,12 +29,12 @@ class EntryMetadataSpec : FunSpec({
         topic.metadata shouldBe metadata
     }
 
-    test("the properties that were said last count, and one attribute needs no list") {
+    test("the last properties count, and one attribute needs no list") {
         val log = TestLog().start(1, TOPIC, "double", withProperties("")).metadata(1, withProperties("\"badlog\":\"hide\"")).double(1, 5, 1.0)
         parseLog(log.bytes).topics.single().attributes shouldContainExactly listOf("hide")
     }
 
-    test("whatever the attributes, they arrive as they were said, and stay when the log is written again") {
+    test("any attributes are read as they were set, and stay when the log is written again") {
         checkAll(Arb.list(Arb.string(0..12), 0..5)) { texts ->
             val metadata = withProperties("\"badlog\":${listJson(texts)}")
             attributesOf(metadata) shouldBe texts
@@ -45,7 +45,7 @@ class EntryMetadataSpec : FunSpec({
         }
     }
 
-    test("other attributes than the properties say are kept when a log is written, even none") {
+    test("attributes that differ from the properties are kept when a log is written, even if there are none") {
         for (attributes in listOf(emptyList(), listOf("zero"))) {
             val metadata = withProperties("\"badlog\":[\"hide\"]")
             val before = parseLog(TestLog().start(1, TOPIC, "double", metadata).double(1, 5, 1.0).bytes)
@@ -54,7 +54,7 @@ class EntryMetadataSpec : FunSpec({
         }
     }
 
-    test("what badlog has written counts more than properties, and properties more than what WPILib's entries have") {
+    test("attributes that badlog wrote take precedence over properties, and those over the usual ones of WPILib's entries") {
         attributesOf("{\"attrs\":[\"zero\"],\"properties\":{\"badlog\":[\"hide\"]}}") shouldContainExactly listOf("zero")
         attributesOf(withProperties("\"badlog\":[\"area\"]"), "messages") shouldContainExactly listOf("area")
     }
@@ -64,7 +64,7 @@ class EntryMetadataSpec : FunSpec({
         parseLog(TestLog().start(1, TOPIC, "double", metadata).double(1, 5, 1.0).bytes).topics.single().wasXAxis shouldBe false
     }
 
-    test("badlog marks what a topic was in a bag: its x axis, or sparse; texts, which always have empty cells, are neither") {
+    test("badlog marks a topic's role in a bag, x axis or sparse; texts, which always have empty cells, have none") {
         val rows = (0 until 30).joinToString("") { "$it,${if (it % 7 == 0) it else ""},${if (it % 7 == 1) "true" else ""},${if (it == 3) "hello" else ""}\n" }
         val bag = parse("{\"topics\":[{\"name\":\"t\",\"attrs\":[\"xaxis\"]},{\"name\":\"n\"},{\"name\":\"on\"},{\"name\":\"said\"}]}\nt,n,on,said\n$rows")
         val topics = parseLog(writeLog(bag).first).topics.associateBy { it.name }
@@ -73,7 +73,7 @@ class EntryMetadataSpec : FunSpec({
         topics.getValue("said").run { wasXAxis to wasSparse } shouldBe (false to false)
     }
 
-    test("a property that is neither a text nor a list of texts says nothing") {
+    test("a property that is neither a text nor a list of texts is ignored") {
         for (value in listOf("null", "1", "true", "{}", "[]", "[1,null]")) attributesOf(withProperties("\"badlog\":$value")).shouldBeEmpty()
         attributesOf("{\"properties\":7}").shouldBeEmpty()
         attributesOf("{\"properties\":{\"badlog\":").shouldBeEmpty()

@@ -14,7 +14,7 @@ import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
 
-/** Messages written byte by byte as the encoding says; knows nothing of the code that is tested. */
+/** Messages written byte by byte by the encoding, independently of the code under test. */
 private fun varint(number: Long): ByteArray = if (number ushr 7 == 0L) {
     byteArrayOf(number.toByte())
 } else {
@@ -52,7 +52,7 @@ private const val SFIXED64 = 16
 private const val SINT32 = 17
 private const val SINT64 = 18
 
-/** What is read from a log in which entry `p` of message a.M, with [fields], has each of these payloads, 1 ms apart. */
+/** The recording of a log in which entry `p` of message a.M, with [fields], has these payloads, 1 ms apart. */
 private fun read(fields: ByteArray, vararg payloads: ByteArray, others: ByteArray = ByteArray(0)): Recording {
     val file = words(1, "a.proto") + words(2, "a") + sized(4, message("M", fields)) + others
     val log = TestLog().start(1, "p", "proto:a.M").start(2, "/.schema/proto:a.proto", "proto:FileDescriptorProto").record(2, 0, file)
@@ -66,11 +66,11 @@ private fun Topic.textList() = List(texts.size) { texts[it] }
 
 private val Recording.parts: List<Topic> get() = topics.filter { it.name.startsWith("p") }
 
-/** Each topic that entry `p` has become, with its first sample. */
+/** Each topic of entry `p`, with its first sample. */
 private fun values(recording: Recording): Map<String, Any> = recording.parts.associate { it.name to if (it.texts.size > 0) it.texts[0] else it.samples.firstOrNull() ?: "nothing" }
 
 class ProtoSpec : FunSpec({
-    test("each field of a message is a topic, whatever its type") {
+    test("each field of a message is a topic, whatever its type is") {
         val fields = field("a", 1, DOUBLE) + field("b", 2, FLOAT) + field("c", 3, INT64) + field("d", 4, UINT64) + field("e", 5, INT32) +
             field("f", 6, FIXED64) + field("g", 7, FIXED32) + field("h", 8, BOOL) + field("i", 9, STRING) + field("j", 10, BYTES) +
             field("k", 11, UINT32) + field("l", 12, SFIXED32) + field("m", 13, SFIXED64) + field("n", 14, SINT32) + field("o", 300, SINT64)
@@ -83,7 +83,7 @@ class ProtoSpec : FunSpec({
         )
     }
 
-    test("what a message leaves out has its default, unless it may be missing") {
+    test("a field that a message leaves out has its default, unless it may be missing") {
         val inner = sized(4, message("Inner", field("x", 1, DOUBLE)))
         val fields = field("n", 1, INT32) + field("s", 2, STRING) + field("maybe", 3, INT32, isOptional = true) + field("in", 4, MESSAGE, "a.Inner")
         val recording = read(fields, ByteArray(0), whole(1, 5) + whole(3, 0) + sized(4, ByteArray(0)), others = inner)
@@ -116,7 +116,7 @@ class ProtoSpec : FunSpec({
             (listOf(4.0, null, 4.0) to listOf(0.001, 0.002, 0.004))
     }
 
-    test("of a field that occurs twice the last value counts, a message in two pieces is one, and unknown fields do no harm") {
+    test("of a field that occurs twice the last value counts, a message in two pieces is merged, and unknown fields are skipped") {
         val point = message("Point", field("x", 1, INT32), field("y", 2, INT32))
         val fields = field("n", 1, INT32) + field("in", 2, MESSAGE, "a.Point")
         val payload = whole(1, 1) + sized(2, whole(1, 7)) + words(99, "later") + sized(2, whole(2, 8)) + whole(1, 2)
@@ -137,7 +137,7 @@ class ProtoSpec : FunSpec({
     for (isList in listOf(false, true)) {
         val kind = if (isList) "lists" else "messages"
 
-        // The descriptor's bytes are flat, so nothing stops it from naming more levels than a stack has room for.
+        // The descriptor's bytes are flat, so it may name more levels than the stack has room for.
         test("a type whose $kind are nested 9,000 deep is shown by its size, with a note, and the rest of the log is read") {
             val levels = (1..9_000).map { sized(4, message("L$it", field("a", 1, MESSAGE, "a.L${it + 1}", isList))) }
             val last = sized(4, message("L9001", field("x", 1, DOUBLE)))
@@ -160,13 +160,13 @@ class ProtoSpec : FunSpec({
         levels(101).topic("p").unit shouldBe "B"
     }
 
-    test("a payload that is not such a message is dropped and counted") {
+    test("a payload that is not a message of its type is dropped and counted") {
         val recording = read(field("n", 1, INT32), whole(1, 3), words(1, "text"), byteArrayOf(8), byteArrayOf(3), whole(1, 4))
         recording.topic("p/n").samples.toList() shouldBe listOf(3.0, 4.0)
         recording.problems.single { it.kind == ProblemKind.BAD_RECORD }.count shouldBe 3
     }
 
-    test("records before their descriptor wait for it, and one of another package does not help") {
+    test("records wait for their descriptor, and a descriptor of another package is not enough") {
         val file = words(1, "b.proto") + words(2, "b") + sized(4, message("M", field("n", 1, INT32)))
         val log = TestLog().start(1, "p", "proto:b.M").start(2, "NT:/.schema/proto:b.proto", "proto:FileDescriptorProto").start(3, "q", "proto:c.M")
         val recording = parseLog(log.record(1, 10, whole(1, 3)).record(2, 20, file).record(1, 30, whole(1, 4)).record(3, 40, whole(1, 4)).bytes)
@@ -186,7 +186,7 @@ class ProtoSpec : FunSpec({
         recording.topic("DS:/Dscomm/Console/ConsoleLine/SequenceNumber").run { kind to attributes } shouldBe (TopicKind.NUMERIC to emptyList())
     }
 
-    test("whatever the bytes of descriptors and messages are, nothing throws, and every topic has as many samples as times") {
+    test("any bytes of descriptors and messages are read without an exception, and every topic has as many samples as times") {
         val fields = field("n", 1, INT32) + field("l", 2, MESSAGE, "a.P", isList = true) + field("s", 3, STRING, isList = true)
         val point = sized(4, message("P", field("x", 1, DOUBLE), field("v", 2, INT32, isList = true)))
         checkAll(Arb.byteArray(Arb.int(0..40), Arb.byte()), Arb.byteArray(Arb.int(0..40), Arb.byte())) { one, other ->

@@ -4,7 +4,7 @@ import badlog.core.recording.Recording
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** What is read from a log in which entry `s` of struct S has this [payload]. */
+/** The recording of a log in which entry `s` of struct S has this [payload]. */
 private fun read(
     schema: String,
     payload: ByteArray,
@@ -17,7 +17,7 @@ private fun read(
     return parseLog(log.record(1, 1000, payload).bytes)
 }
 
-/** Each topic that entry `s` has become, with its first sample. */
+/** Each topic of entry `s`, with its first sample. */
 private fun values(recording: Recording): Map<String, Any> = recording.topics.filter { "schema" !in it.name }
     .associate { it.name to if (it.texts.size > 0) it.texts[0] else it.samples.firstOrNull() ?: "nothing" }
 
@@ -74,7 +74,7 @@ class StructSpec : FunSpec({
         values(recording) shouldBe mapOf("s[0]/x" to 1.0, "s[0]/y" to 2.0, "s[1]/x" to 3.0, "s[1]/y" to 4.0)
     }
 
-    test("records that come before their schema wait for it, even to the end of the file") {
+    test("records before their schema wait for it, even to the end of the file") {
         val log = TestLog().start(1, "s", "struct:S").record(1, 1, doubles(1.0)).record(1, 2, doubles(2.0))
             .start(2, "/.schema/struct:S", "structschema").string(2, 3, "double x")
         parseLog(log.bytes).topics.first { it.name == "s/x" }.samples.toList() shouldBe listOf(1.0, 2.0)
@@ -82,7 +82,7 @@ class StructSpec : FunSpec({
             listOf(1.0, 2.0, 3.0)
     }
 
-    test("with a schema that makes no sense, never ends, or is huge, only sizes are read") {
+    test("with a schema that is invalid, endless or huge, only sizes are read") {
         val senseless = listOf("double", "double x y", "foo x", "S again", "double x[99999999]", "double x:3", "int8 a:9")
         for (schema in senseless + listOf("int8 x[", "enum {a=1 int8 b")) {
             values(read(schema, doubles(1.0))) shouldBe mapOf("s" to 8.0)

@@ -17,7 +17,7 @@ import kotlin.random.Random
 /** A record as it is in a file. */
 private data class Found(val id: Int, val micros: Double, val payload: List<Byte>)
 
-/** The records that a parser reads of [bytes], by their places, and the recording that it makes of them. */
+/** The records that a parser reads from [bytes], by their places, and the resulting recording. */
 private class ReadLog(bytes: ByteArray, piece: Int = bytes.size) {
     val records = LinkedHashMap<Long, Found>()
     val ends = HashMap<Long, Long>()
@@ -63,10 +63,10 @@ private val ROBOT: ByteArray = TestLog("{}").apply {
 
 private val WHOLE = ReadLog(ROBOT)
 
-/** Where the records of entries begin, behind those that begin the entries. */
+/** The places of the entries' records, behind the records that begin the entries. */
 private val BODY = WHOLE.records.entries.first { it.value.id != 0 }.key.toInt()
 
-/** The records of [WHOLE] that stand before [from] or from [until] on. */
+/** The records of [WHOLE] before [from] or from [until] on. */
 private fun intact(from: Int, until: Int) = WHOLE.records.filter { (at, _) -> WHOLE.ends.getValue(at) <= from || at >= until }
 
 class WpilogDamageSpec : FunSpec({
@@ -83,7 +83,7 @@ class WpilogDamageSpec : FunSpec({
         }
     }
 
-    test("what was skipped is reported with its place and its size") {
+    test("skipped bytes are reported with their place and their size") {
         val from = WHOLE.records.keys.first { it > 12_000 }.toInt()
         val until = WHOLE.records.keys.first { it > 13_000 }.toInt()
         val log = ReadLog(ROBOT.copyOf().also { it.fill(-1, from, until) })
@@ -94,7 +94,7 @@ class WpilogDamageSpec : FunSpec({
         log.records shouldBe WHOLE.records.filterKeys { it < from || it >= until }
     }
 
-    test("random bytes, lost bytes and repeated bytes cost what they touch, and little else") {
+    test("random, lost and repeated bytes cost the records that they touch, and few others") {
         val random = Random(3)
         repeat(PropertyTesting.defaultIterationCount) {
             val from = random.nextInt(BODY, ROBOT.size - 3000)
@@ -111,7 +111,7 @@ class WpilogDamageSpec : FunSpec({
         }
     }
 
-    test("a wrong byte in a record whose frame is intact costs this record only") {
+    test("a wrong byte in the record that starts an entry costs only this entry's records") {
         // The kind of the record that begins the third entry, and the length of the fourth one's name.
         for ((record, byte) in listOf(2 to 0, 3 to 5)) {
             val at = WHOLE.records.keys.elementAt(record)
@@ -124,7 +124,7 @@ class WpilogDamageSpec : FunSpec({
         }
     }
 
-    test("a wrong size of a text costs no more than it claims, and seldom that") {
+    test("a wrong size of a text costs at most the bytes that it claims, and rarely that") {
         val at = WHOLE.records.filterValues { it.id == MODE }.keys.elementAt(10)
         val head = ROBOT[at.toInt()].toInt()
         val sizeAt = at.toInt() + 1 + (head and 3) + 1
@@ -132,12 +132,12 @@ class WpilogDamageSpec : FunSpec({
             val log = ReadLog(ROBOT.copyOf().also { it[sizeAt] = size.toByte() })
             (WHOLE.records.keys - log.records.keys).filter { it !in at..at + size + 100 }.shouldBeEmpty()
         }
-        // With two more bytes for the size, what follows is taken for the rest of the record's head.
+        // With two more bytes for the size, the following bytes are taken for the rest of the record's head.
         val longer = ReadLog(ROBOT.copyOf().also { it[at.toInt()] = (head or 8).toByte() })
         (WHOLE.records.keys - longer.records.keys).size shouldBeLessThan 12
     }
 
-    test("the entries whose start record is lost are listed by their numbers") {
+    test("the entries without a start record are listed by their numbers") {
         val third = WHOLE.records.keys.elementAt(2).toInt()
         val fifth = WHOLE.records.keys.elementAt(4).toInt()
         val log = ReadLog(ROBOT.copyOf().also { it.fill(0, third, fifth) })
@@ -159,7 +159,7 @@ class WpilogDamageSpec : FunSpec({
         log.recording.problems.sumOf { it.loss.bytes } shouldBeLessThan 3_000_200
     }
 
-    test("the size of the pieces makes no difference to what is saved") {
+    test("the size of the pieces does not change which records are saved") {
         val random = Random(8)
         repeat(60) {
             val damaged = ROBOT.copyOfRange(0, 9000 + random.nextInt(4000))

@@ -60,7 +60,7 @@ class WpilogFuzzingSpec : FunSpec({
             parser.rowCount shouldBe records
             describeLog(parseLog(bytes, random.nextInt(1, 40))) shouldBe describeLog(recording)
             parseLog(bytes, keepSamples = false)
-            // What was read can be written, and that is whole.
+            // Every recording that was read can be written, and the written one is undamaged.
             parseLog(writeLog(recording).first).problems.none { it.kind in BROKEN } shouldBe true
             for (topic in recording.topics) {
                 topic.times?.size shouldBe topic.size
@@ -70,7 +70,7 @@ class WpilogFuzzingSpec : FunSpec({
         }
     }
 
-    test("a log cut at any byte reads as far as it goes, in whatever pieces") {
+    test("a log that is cut at any byte is read up to the cut, in pieces of any size") {
         val bytes = VARIED_LOG.bytes
         var samples = 0L
         for (cut in 0..bytes.size) {
@@ -93,7 +93,7 @@ class WpilogFuzzingSpec : FunSpec({
     }
 
     test("lengths beyond the end of the file take no memory") {
-        // A payload of 16 MB in a file of a few bytes, and a text of 4 GB inside a record.
+        // A payload of 16 MB in a small file, and a text of 4 GB in a record.
         val log = TestLog().start(1, "a", "string[]").record(1, 1, number(0x7FFFFFFF, 4) + number(-1, 4)).bytes
         parseLog(log + byteArrayOf(0x0C, 1, 0, 0, 0, 1, 1, 0), 1).topics.single().size shouldBe 0
         parseLog("WPILOG".encodeToByteArray() + byteArrayOf(0, 1) + number(-1, 4) + ByteArray(9)).isReadable shouldBe false

@@ -29,14 +29,14 @@ class WpilogMalformedSpec : FunSpec({
     val metadata = byteArrayOf(2)
     val id = number(2, 4)
 
-    test("a header whose text is longer than the file, or than an int, holds no topic, and takes no memory") {
+    test("a header with a text longer than the file, or than an int, gives no topic, and takes no memory") {
         for (size in listOf(1L, 0x7FFFFFFF, 0x80000000, HUGE)) {
             val recording = parseLog("WPILOG".encodeToByteArray() + byteArrayOf(0, 1) + number(size, 4))
             withClue(size) { recording.topics to recording.problems.isEmpty() shouldBe (emptyList<Topic>() to false) }
         }
     }
 
-    test("a header that ends anywhere holds no topic, and says that something is missing") {
+    test("a header that is cut anywhere gives no topic, and the loss is reported") {
         val whole = TestLog("{}").bytes
         for (size in whole.indices) {
             val recording = parseLog(whole.copyOf(size))
@@ -44,7 +44,7 @@ class WpilogMalformedSpec : FunSpec({
         }
     }
 
-    test("a control record whose texts are longer than it is dropped, and the records beside it are read") {
+    test("a control record with texts longer than itself is dropped, and the records beside it are read") {
         val malformed = mapOf(
             "a name beyond the record" to listOf(start, id, number(100, 4), byteArrayOf(65)),
             "a name of 4 GiB" to listOf(start, id, number(HUGE, 4), byteArrayOf(65)),
@@ -62,20 +62,20 @@ class WpilogMalformedSpec : FunSpec({
         for ((what, parts) in malformed) withClue(what) { around(*parts.toTypedArray()).shouldHaveAll() }
     }
 
-    test("what is said of entries that nobody started does no harm") {
+    test("control records of entries that were never started do no harm") {
         around(finish, number(77, 4)).shouldHaveAll()
         around(metadata, number(77, 4), text("{}")).shouldHaveAll()
         around(finish, number(0, 4)).shouldHaveAll()
         around(metadata, number(HUGE, 4), text("{}")).shouldHaveAll()
     }
 
-    test("an entry may have any number but 0, which is that of control records") {
+    test("an entry may have any number but 0, the number of control records") {
         for (number in listOf(0L, 1L shl 31, HUGE)) around(start, number(number, 4), text("b"), text("double"), text("")).shouldHaveAll()
         val log = TestLog().start(-1, "b", "double").double(-1, 5, 3.0)
         parseLog(log.bytes).topics.single().samples.toList() shouldBe listOf(3.0)
     }
 
-    test("bytes behind the last record are a cut record, whatever they say of its size") {
+    test("bytes behind the last record are a cut record, whatever size they claim") {
         val good = TestLog().start(1, "a", "double").double(1, 1_000_000, 0.0).double(1, 1_020_000, 1.0).bytes
         for (trailing in listOf("00", "7f", "3c01ffffffff", "7c01000000ffffff7f0000000000000000", "300108")) {
             val bytes = trailing.chunked(2).map { it.toInt(16).toByte() }.toByteArray()
@@ -88,7 +88,7 @@ class WpilogMalformedSpec : FunSpec({
         }
     }
 
-    test("arrays of texts whose count or sizes are beyond the record are dropped, and the next one is read") {
+    test("arrays of texts with a count or sizes beyond the record are dropped, and the next one is read") {
         val log = TestLog().start(1, "s", "string[]")
         val bad = listOf(
             number(HUGE, 4),

@@ -60,7 +60,7 @@ class WpilogParserSpec : FunSpec({
         recording.topic("n[0]").samples.toList() shouldBe listOf(-1.0)
     }
 
-    test("an element that goes missing has one gap, and only the samples it has") {
+    test("an element that goes missing has one gap, and only its own samples") {
         val log = TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0, 10.0))
         for (i in 2L..50L) log.record(1, i, doubles(1.0))
         log.record(1, 51, doubles(1.0, 11.0, 12.0)).record(1, 52, ByteArray(0))
@@ -75,7 +75,7 @@ class WpilogParserSpec : FunSpec({
         recording.topic("a[2]").timeList() shouldBe listOf(0.000051, 0.000052)
     }
 
-    test("an array that is too long loses its end, and says so") {
+    test("an array that is too long loses its end, and that is reported") {
         val recording = TestLog().start(1, "a", "boolean[]").record(1, 1, ByteArray(1000)).read()
         recording.topics.size shouldBe 256
         recording.count(ProblemKind.TOO_MANY_TOPICS) shouldBe 744
@@ -103,7 +103,7 @@ class WpilogParserSpec : FunSpec({
         }
     }
 
-    test("what is not decoded is there by its size, JSON by its text") {
+    test("an undecoded record is shown by its size, JSON by its text") {
         val recording = TestLog().start(1, "p", "proto:Pose").start(2, "r", "raw")
             .start(3, "j", "json").start(4, "s", "struct:No")
             .record(1, 1, ByteArray(5)).record(2, 1, ByteArray(0)).string(3, 1, "{\"a\":1}").record(4, 1, ByteArray(24)).read()
@@ -136,7 +136,7 @@ class WpilogParserSpec : FunSpec({
         recording.count(ProblemKind.DUPLICATE_TOPIC) shouldBe 1
     }
 
-    test("large numbers of entries are numbers, too") {
+    test("entries may have large numbers") {
         val recording = TestLog().start(-2, "a", "double").double(-2, 1, 1.0)
             .start(5_000_000, "b", "double").double(5_000_000, 1, 2.0)
             .finish(-2).double(-2, 2, 3.0).read()
@@ -156,7 +156,7 @@ class WpilogParserSpec : FunSpec({
         recording.problems.map { it.kind }.toSet() shouldBe setOf(ProblemKind.TIMES_SORTED)
     }
 
-    test("what is from before the robot's clock began holds from the recording's start, in its own order") {
+    test("records from before the robot's clock began hold from the recording's start, in their own order") {
         val log = TestLog().start(1, "a", "double").start(2, "camera", "string").start(3, "v", "double[]")
             .double(1, 3_000_000, 3.0).double(1, -1_000, 2.0).double(1, -585_000_000, 1.0).double(1, 2_000_000, 2.5)
             .string(2, -7_000_000, "there").record(3, -1, doubles(1.0)).record(3, 9_000_000, doubles(2.0))
@@ -171,7 +171,7 @@ class WpilogParserSpec : FunSpec({
         TestLog().start(1, "a", "double").double(1, -5, 1.0).read().topic("a").timeList() shouldBe listOf(0.0)
     }
 
-    test("times that cannot be, or are days away, are dropped and counted") {
+    test("impossible times, and times days away, are dropped and counted") {
         val log = TestLog().start(1, "a", "double").double(1, Long.MIN_VALUE, 1.0).double(1, 1_700_000_000_000_000, 2.0)
         for (i in 1L..9L) log.double(1, i * 1_000_000, i.toDouble())
         val recording = log.double(1, 1L shl 60, 1.0).read()
@@ -181,14 +181,14 @@ class WpilogParserSpec : FunSpec({
         recording.isSalvaged shouldBe true
     }
 
-    test("a log of an hour that began at any time is whole") {
+    test("a log of an hour is complete, whenever it began") {
         val begin = 1_700_000_000_000_000
         val recording = TestLog().start(1, "a", "double").double(1, begin, 1.0).double(1, begin + 3_600_000_000, 2.0).read()
         recording.topic("a").timeList() shouldBe listOf(1_700_000_000.0, 1_700_003_600.0)
         recording.problems.shouldBeEmpty()
     }
 
-    test("a cut last record is dropped, and all before it is there") {
+    test("a cut last record is dropped, and all records before it are read") {
         val whole = TestLog().start(1, "a", "double").double(1, 1, 1.0).double(1, 2, 2.0).bytes
         for (cut in 1..11) {
             val recording = parseLog(whole.copyOf(whole.size - cut))
@@ -200,7 +200,7 @@ class WpilogParserSpec : FunSpec({
     test("after nonsense nothing can be read, and the lost bytes are counted") {
         val good = TestLog().start(1, "a", "double").double(1, 1, 1.0)
         val end = good.bytes.size
-        // Two that look like records, of entries that do not exist, belong to the nonsense.
+        // Two of them look like records of entries that do not exist.
         val log = good.raw(0x00, 0x20, 0x00, 0x05).raw(0x00, 0x21, 0x00, 0x05).raw(0xFF, 0xFF, 0x01).double(1, 2, 2.0)
         val recording = log.read()
         recording.topic("a").samples.toList() shouldBe listOf(1.0)
@@ -224,7 +224,7 @@ class WpilogParserSpec : FunSpec({
         recording.topic("v").counts.empty shouldBe 1
     }
 
-    test("the match and the time of day come from what WPILib logs") {
+    test("the match and the time of day come from WPILib's entries") {
         val log = TestLog().start(1, "NT:/FMSInfo/EventName", "string").start(2, "NT:/FMSInfo/MatchNumber", "int64")
             .start(3, "NT:/FMSInfo/MatchType", "int64").start(4, "systemTime", "int64")
             .string(1, 1, "").string(1, 2_000_000, "OHCL").record(2, 1, longs(42)).record(3, 1, longs(2))
@@ -241,13 +241,13 @@ class WpilogParserSpec : FunSpec({
         }
     }
 
-    test("off the field, the alliance means nothing") {
+    test("off the field, the alliance is ignored") {
         val log = TestLog().start(1, "DriverStation/AllianceStation", "int64").record(1, 1, longs(2))
         log.read().values shouldBe emptyList()
         log.start(2, "DriverStation/MatchNumber", "int64").record(2, 2, longs(7)).read().values.map { it.text } shouldBe listOf("7", "Red")
     }
 
-    test("what is not a WPILOG, or one of another version, says so") {
+    test("a file that is not a WPILOG, or has another version, is refused with the reason") {
         parseLog("Time,a\n1,2\n".encodeToByteArray()).problems.single().kind shouldBe ProblemKind.NOT_A_RECORDING
         parseLog("WPILOG".encodeToByteArray() + byteArrayOf(0, 2, 0, 0, 0, 0)).isReadable shouldBe false
         parseLog("WPILOG".encodeToByteArray()).problems.map { it.kind } shouldContain ProblemKind.RECORD_CUT
@@ -261,7 +261,7 @@ class WpilogParserSpec : FunSpec({
         counted.problems.map { it.kind }.toSet() + ProblemKind.TIMES_SORTED shouldBe kept.problems.map { it.kind }.toSet()
     }
 
-    test("a number takes 16 bytes at most, whatever it comes in") {
+    test("a number takes 16 bytes at most, whatever its type is") {
         val log = TestLog().start(1, "a", "double").start(2, "v", "double[]").start(3, "b", "boolean")
         for (i in 1L..5000L) {
             log.double(1, i, 1.0).record(2, i, doubles(*DoubleArray((i % 7).toInt()))).record(3, i, byteArrayOf(1))

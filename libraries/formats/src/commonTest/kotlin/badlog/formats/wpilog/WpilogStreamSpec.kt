@@ -32,7 +32,7 @@ class WpilogStreamSpec : FunSpec({
         bytes.copyOfRange(bytes.size - 14, bytes.size).toList() shouldBe listOf<Byte>(0x20, 1, 8, 0x40, 0x42, 0x0f, 3, 0, 0, 0, 0, 0, 0, 0)
     }
 
-    test("what is written is read again: names, types, metadata, times and payloads") {
+    test("all that is written is read again: names, types, metadata, times and payloads") {
         checkAll(
             Arb.string(1..20),
             Arb.string(0..20),
@@ -50,7 +50,7 @@ class WpilogStreamSpec : FunSpec({
         }
     }
 
-    test("metadata change, and an entry that was finished begins anew under another number") {
+    test("metadata can change, and an entry that was finished starts again under another number") {
         val bytes = written {
             val id = start("a", "double", "{\"unit\":\"V\"}", 0)
             record(id, 1, doubles(1.0))
@@ -66,7 +66,7 @@ class WpilogStreamSpec : FunSpec({
         }
     }
 
-    test("it passes on a piece as soon as that is full") {
+    test("a piece is passed on as soon as it is full") {
         val pieces = ArrayList<Int>()
         val stream = WpilogStream { _, size -> pieces += size }
         val id = stream.start("a", "raw", "", 0)

@@ -18,7 +18,7 @@ private fun Recording.topic(name: String) = topics.first { it.name == name }
 private fun startWithMore(id: Int, name: String, type: String, more: Int) = byteArrayOf(0) + number(id.toLong(), 4) + text(name) + text(type) + text("") + ByteArray(more) { 7 }
 
 class WpilogVariantsSpec : FunSpec({
-    test("records before their schema are decoded as far back as there is room, and all after it") {
+    test("records before their schema are decoded if there is room for them, and all records after it") {
         val big = ByteArray(2000)
         val log = TestLog().start(1, "p", "struct:P[]")
         for (i in 0 until 1000) log.record(1, i * 20_000L, doubles(i.toDouble()) + big)
@@ -37,7 +37,7 @@ class WpilogVariantsSpec : FunSpec({
         describeLog(parseLog(log.bytes, 777)) shouldBe describeLog(recording)
     }
 
-    test("records whose schema never comes are all there by their size") {
+    test("records without a schema are all shown by their size") {
         val log = TestLog().start(1, "p", "struct:P")
         for (i in 0 until 3000) log.record(1, i * 1000L, ByteArray(1000))
         val recording = log.read()
@@ -58,7 +58,7 @@ class WpilogVariantsSpec : FunSpec({
         }
     }
 
-    test("whole numbers are decoded under the name that NetworkTables gives their type") {
+    test("whole numbers are decoded under NetworkTables' name of their type") {
         val log = TestLog().start(1, "a", "int").start(2, "b", "int[]").start(3, "NT:/FMSInfo/MatchNumber", "int")
             .start(4, "NT:/FMSInfo/MatchType", "int").start(5, "NT:/FMSInfo/EventName", "string")
         log.record(1, 1, longs(-5)).record(2, 2, longs(1, 2)).record(3, 3, longs(12)).record(4, 3, longs(2)).string(5, 3, "MIKET")
@@ -71,7 +71,7 @@ class WpilogVariantsSpec : FunSpec({
         parseLog(copy.toByteArray()).topic("a").type shouldBe "int64"
     }
 
-    test("the path of a Field2d is poses, however many there are, and no damage") {
+    test("the path of a Field2d is any number of poses, and no damage") {
         fun path(count: Int) = DoubleArray(3 * count) { if (it % 3 == 2) 90.0 else it / 10.0 }
         for ((name, type) in listOf("NT:/SmartDashboard/Field/traj" to null, "NT:/SmartDashboard/Auto/plan" to "NT:/SmartDashboard/Auto/.type")) {
             val log = TestLog()
@@ -100,7 +100,7 @@ class WpilogVariantsSpec : FunSpec({
             listOf("Robot[0]", "Robot[1]", "Robot[2]", "list[0]", "list[1]", "list[2]", "list[3]", "list[4]", "list[5]")
     }
 
-    test("many topics of a type that is not decoded are one hint, and their sizes are marked as sizes") {
+    test("many topics of an undecoded type are one hint, and their sizes are marked as sizes") {
         val log = TestLog()
         for (id in 1..378) log.start(id, "NT:\u0024pub\u0024topic$id", "msgpack").record(id, 5, ByteArray(30))
         val recording = log.start(400, "v", "double", "{\"unit\":\"B\"}").double(400, 5, 8.0).read()

@@ -14,7 +14,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import kotlin.random.Random
 
-/** [recording] as a WPILOG, and what that cannot hold. */
+/** [recording] as a WPILOG, and the content that this cannot hold. */
 internal fun writeLog(recording: Recording, changesOnly: Boolean = false): Pair<ByteArray, List<Omission>> {
     var bytes = ByteArray(0)
     val omissions = WpilogWriter(recording, changesOnly).write { piece, size -> bytes += piece.copyOf(size) }
@@ -34,7 +34,7 @@ class WpilogWriterSpec : FunSpec({
             listOf<Byte>(0x20, 1, 8, 0x40, 0x42, 0x0f, 3, 0, 0, 0, 0, 0, 0, 0)
     }
 
-    test("a bag comes back with its topics, units, attributes, values and every sample") {
+    test("a bag that is written and read again has its topics, units, attributes, values and every sample") {
         val bag = parse(VARIED_BAG)
         val (bytes, omissions) = writeLog(bag)
         val log = parseLog(bytes)
@@ -58,7 +58,7 @@ class WpilogWriterSpec : FunSpec({
         LogView.of(log).title shouldBe LogView.of(bag).title
     }
 
-    test("a log comes back as itself") {
+    test("a log that is written and read again is the same") {
         val log = TestLog().start(1, "/a", "double", "{\"source\":\"NT\",\"unit\":\"V\"}")
             .start(2, "b", "boolean").start(3, "s", "string")
             .start(4, "i", "int64").start(5, "f", "float").start(6, "j", "json").start(7, "none", "boolean")
@@ -77,7 +77,7 @@ class WpilogWriterSpec : FunSpec({
         describeLog(parseLog(writeLog(parseLog(bytes)).first)) shouldBe describeLog(recording)
     }
 
-    test("with changes only, what is the same as before is left out") {
+    test("with changes only, repeated samples are left out") {
         val log = TestLog().start(1, "a", "double").start(2, "s", "string")
         for ((i, value) in listOf(1.0, 1.0, 2.0, 2.0, 1.0, Double.NaN, Double.NaN, -0.0, 0.0).withIndex()) {
             log.double(1, i.toLong(), value).string(2, i.toLong(), if (i < 4) "x" else "y")
@@ -110,14 +110,14 @@ class WpilogWriterSpec : FunSpec({
             "All numbers are of type double, so whole numbers beyond 2^53 are rounded."
     }
 
-    test("an element that its array has lost has a gap again") {
+    test("an element that its array lost has a gap again") {
         val log = TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0, 2.0)).record(1, 2, doubles(3.0))
             .record(1, 3, doubles(4.0)).record(1, 4, doubles(5.0, 6.0))
         val read = parseLog(writeLog(parseLog(log.bytes)).first)
         read.topic("a[1]").samples.map { it.isNaN() } shouldBe listOf(false, true, false)
     }
 
-    test("a sparse topic has no gaps, and what a bag shows as events stays events") {
+    test("a sparse topic has no gaps, and the events of a bag stay events") {
         val header = "{\"topics\":[{\"name\":\"t\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"n\"},{\"name\":\"e\"}]}\n"
         val read = parseLog(writeLog(parse(header + "t,n,e\n0,1,\n1,,\n2,,boom\n3,2,\n4,,\n5,,\n")).first)
         read.topic("n").samples.toList() shouldBe listOf(1.0, 2.0)

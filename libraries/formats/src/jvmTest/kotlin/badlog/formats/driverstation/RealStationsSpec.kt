@@ -40,7 +40,7 @@ class RealStationsSpec : FunSpec({
         }
     }
 
-    test("every value of a real .dslog is that of another reader").config(enabledOrReasonIf = where) {
+    test("every value of a real .dslog equals another reader's").config(enabledOrReasonIf = where) {
         for (file in STATIONS.filter { it.extension == "dslog" }) {
             val read = parseStation(file.readBytes())
             val expected = oracle(file).drop(1).map { line -> line.map { it.toDouble() } }

@@ -93,7 +93,7 @@ private fun valuesOf(message: DynamicMessage, path: String): Map<String, Any> = 
 private fun valueOf(topic: Topic): Any? = if (topic.texts.size > 0) topic.texts[0] else topic.samples.firstOrNull()?.takeUnless { it.isNaN() }
 
 internal class ProtobufSpec : FunSpec({
-    test("every message is taken apart as Google's library for Protocol Buffers takes it apart") {
+    test("every message is read as Google's library for Protocol Buffers reads it") {
         checkAll(Arb.long()) { seed ->
             val written = Random(seed).message("Outer").toByteArray()
             val log = TestLog().start(1, "m", "proto:t.Outer").start(2, "/.schema/proto:t.proto", "proto:FileDescriptorProto")

@@ -20,7 +20,7 @@ import java.nio.ByteOrder
 internal val REAL_LOGS: List<File> =
     File(System.getenv("BADLOG_REAL_LOGS").orEmpty()).listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
 
-/** What a slow and simple reader finds: for each name the sizes of its payloads, and the number of those from before 0. */
+/** The result of a slow and simple reader: for each name the sizes of its payloads, and the number from before 0. */
 private class SimpleReading(bytes: ByteArray) {
     val payloads = LinkedHashMap<String, MutableList<Int>>()
     val types = HashMap<String, String>()
@@ -89,7 +89,7 @@ class RealLogsSpec : FunSpec({
         }
     }
 
-    test("a hole of 4 KiB in a real log costs what stood in it").config(
+    test("a hole of 4 KiB in a real log costs only the records in it").config(
         enabledOrReasonIf = {
             if (REAL_LOGS.isNotEmpty()) Enabled.enabled else Enabled.disabled("the logs are not on this machine")
         },
@@ -101,7 +101,7 @@ class RealLogsSpec : FunSpec({
                 val found = positionsIn(bytes.copyOf().also { it.fill(0, from, from + 4096) })
                 val begun = whole.filter { (at, id) -> id == 0 && at !in found }.size
                 val lost = whole.filter { (at, id) -> (at < from - 250 || at >= from + 4096 + 75) && at !in found && id != 0 }
-                // Entries that began in the hole have lost their names.
+                // Entries that began in the hole have no names any more.
                 lost.values.distinct().size shouldBeLessThanOrEqual begun
                 (found.keys - whole.keys).shouldBeEmpty()
             }
@@ -109,7 +109,7 @@ class RealLogsSpec : FunSpec({
     }
 })
 
-/** Where each record that is read begins, and the number of its entry. */
+/** The start of each record that is read, and the number of its entry. */
 private fun positionsIn(bytes: ByteArray): Map<Long, Int> {
     val positions = LinkedHashMap<Long, Int>()
     val entries = WpilogEntries(ColumnSource(keepsSamples = false), ProblemList())

@@ -5,7 +5,7 @@ import badlog.core.recording.Recording
 /** 2026-03-07 15:04:05.5 UTC, in s since 1904. */
 internal const val STATION_START = 3_855_740_645L
 
-/** What a record says of the robot and of the Driver Station: the bits that are low. */
+/** The state of the robot and of the Driver Station in a record: the bits that are low. */
 internal object Status {
     const val BOTH_DISABLED = 0xF6
     const val BOTH_AUTO = 0xED
@@ -14,7 +14,7 @@ internal object Status {
     const val BROWNOUT_IN_TELEOP = 0x5B
 }
 
-/** Writes a `.dslog` byte by byte as the format says, for tests; knows nothing of the code that is tested. */
+/** Writes a `.dslog` for tests, byte by byte by the format, independently of the code under test. */
 internal class TestDslog(private val version: Int = 4, start: Long = STATION_START) {
     private val out = ArrayList<Byte>()
 
@@ -73,7 +73,7 @@ private fun header(version: Int, start: Long) = big(version.toLong(), 4) + big(s
 
 internal fun big(value: Long, width: Int): ByteArray = ByteArray(width) { (value ushr 8 * (width - 1 - it)).toByte() }
 
-/** Returns the block of a PDP whose channel `i` has `raw(i)` eighths of an ampere, bit by bit. */
+/** Returns the block of a PDP with `raw(i)` eighths of an ampere in channel `i`, bit by bit. */
 internal fun pdp(voltage: Int = 164, temperature: Int = 88, raw: (Int) -> Int = { it }): ByteArray {
     val block = ByteArray(25)
     for (channel in 0 until 16) {
@@ -88,7 +88,7 @@ internal fun pdp(voltage: Int = 164, temperature: Int = 88, raw: (Int) -> Int = 
     return block
 }
 
-/** Returns the block of a PDH whose channel `i` has `raw(i)`: eighths of an ampere, sixteenths from channel 20 on. */
+/** Returns the block of a PDH with `raw(i)` in channel `i`: eighths of an ampere, sixteenths from channel 20 on. */
 internal fun pdh(raw: (Int) -> Int = { it }): ByteArray {
     val block = ByteArray(33)
     block[0] = 1
@@ -122,7 +122,7 @@ internal val STATION_LOG: TestDslog
         .record(Status.ONLY_DS_TELEOP, volts = Double.NaN, trip = 255, loss = 25)
         .records(10, Status.BOTH_TELEOP) { pdp() }
 
-/** What was said in that match. */
+/** The messages of that match. */
 internal val STATION_EVENTS: TestDsevents
     get() = TestDsevents()
         .entry(100, "FMS Connected:   Qualification - 42:1, Field Time: 26/3/7 10:4:5\n FMS Event Name: MILLC ")

@@ -4,9 +4,8 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * Ten seconds of a robot with a swerve drive that logs everything, as real logs do: hundreds of topics of dashboards and autonomous paths
- * that never change, dozens that were never written to, structs, arrays, joysticks, and among them what the robot did. More than 700
- * topics.
+ * Ten seconds of a robot with a swerve drive that logs everything, as real logs do. It has hundreds of topics of dashboards and autonomous paths that
+ * never change, dozens that were never written to, structs, arrays, joysticks, and among them the robot's own values. More than 700 topics.
  */
 internal fun largeLog(): ByteArray = LargeLog().bytes()
 

@@ -2,7 +2,7 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.Recording
 
-/** Writes a WPILOG byte by byte as the format says, for tests; knows nothing of the code that is tested. */
+/** Writes a WPILOG for tests, byte by byte by the format, independently of the code under test. */
 internal class TestLog(extraHeader: String = "") {
     private val out = ArrayList<Byte>()
 
@@ -62,7 +62,7 @@ internal fun parseLog(bytes: ByteArray, piece: Int = maxOf(1, bytes.size), keepS
     return parser.finish()
 }
 
-/** All that a recording holds, as text. */
+/** The whole content of a recording, as text. */
 internal fun describeLog(recording: Recording): String = buildString {
     appendLine("${recording.format.id} ${recording.sampleCount}")
     for (value in recording.values) appendLine("value ${value.name}=${value.text}")

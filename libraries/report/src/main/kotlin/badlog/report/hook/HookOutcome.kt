@@ -6,14 +6,14 @@ import badlog.rules.Finding
 import java.io.IOException
 
 /**
- * The outcome of a hook for one recording: [result], or [failure] that says why there is none.
+ * The outcome of a hook for one recording: a [result] or a [failure].
  *
  * @property hook the name of the hook.
- * @property result what it returned; null if it failed.
- * @property failure what went wrong; null if nothing did.
+ * @property result its result; null if it failed.
+ * @property failure the reason for the failure; null if it did not fail.
  */
 class HookOutcome private constructor(val hook: String, val result: HookResult?, val failure: HookException?) {
-    /** Returns what the program found; x has the unit [timeUnit]. */
+    /** Returns the program's findings; x has the unit [timeUnit]. */
     fun findings(timeUnit: String): List<Finding> = result?.findings.orEmpty().map { found ->
         val spans = if (found.time.isNaN()) emptyList() else listOf(Span(found.time, if (found.until.isNaN()) found.time else found.until))
         Finding(hook, found.severity, null, found.text, found.time, spans, spans.size, timeUnit, isOfHook = true)
@@ -34,7 +34,6 @@ class HookOutcome private constructor(val hook: String, val result: HookResult?,
 }
 
 /**
- * Thrown if a hook returned nothing usable. The message says what went wrong and what to do, with the end of the program's standard
- * error.
+ * Thrown if a hook has no valid result. The message has the reason, the next step, and the last line of the program's standard error.
  */
 class HookException internal constructor(override val message: String, cause: Throwable? = null) : IOException(message, cause)

@@ -12,7 +12,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 import java.util.Base64
 
-/** Checks what a hook printed. Throws [IllegalArgumentException] with a sentence at the first invalid part. */
+/** Reads and checks the output of a hook. Throws [IllegalArgumentException] with a sentence at the first invalid part. */
 internal object HookOutput {
     fun read(text: String): HookResult {
         require(text.isNotBlank()) { "The hook printed nothing; it must print one JSON object, at least {}." }

@@ -4,10 +4,10 @@ import badlog.core.analysis.Series
 import badlog.core.recording.Severity
 
 /**
- * What a hook returned about a recording, checked.
+ * The checked result of a hook for a recording.
  *
  * @property values names with texts or numbers, as texts.
- * @property findings what it found.
+ * @property findings its findings.
  * @property series lines over the recording's x.
  * @property figures pictures.
  */
@@ -22,7 +22,7 @@ class HookResult internal constructor(
  * Something that a hook found.
  *
  * @property time its place, in the unit of the recording's x; NaN if it is about the whole recording.
- * @property until where it ends; NaN if it is a moment, or about the whole recording.
+ * @property until its end; NaN if it is a moment, or about the whole recording.
  */
 class HookFinding internal constructor(val severity: Severity, val text: String, val time: Double, val until: Double)
 

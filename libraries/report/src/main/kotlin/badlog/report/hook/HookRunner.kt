@@ -26,8 +26,8 @@ import kotlin.time.Duration.Companion.seconds
  * @property command the program and its arguments; in an argument, `{header}` is replaced by the path of the header's file.
  * @property timeLimit the time that the program may take for one recording before it and all its children are killed.
  * @property name its name; usually the script, or the program if no script is among its arguments.
- * @property folder its working directory; null for that of this program.
- * @param nanos returns the time in ns, from any moment, by which [timeLimit] passes.
+ * @property folder its working directory; null for this program's own.
+ * @param nanos returns the time in ns, from any moment, for measuring [timeLimit].
  */
 class HookRunner internal constructor(
     val command: List<String>,

@@ -3,7 +3,7 @@ package badlog.report.hook
 import java.io.IOException
 import java.io.InputStream
 
-/** Reads what a program writes on a separate thread, so that the program never waits. */
+/** Reads the output of a program on a separate thread, so that the program never waits. */
 internal class PipeReader(private val stream: InputStream, private val most: Int, private val keepsEnd: Boolean) {
     private var bytes = ByteArray(minOf(most, PIECE))
     private var count = 0
@@ -26,7 +26,7 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
                 append(piece, size)
             }
         } catch (_: IOException) {
-            // The program was killed; what it wrote before counts.
+            // The program was killed; its output before that counts.
         }
     }
 
@@ -49,7 +49,7 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
         return !thread.isAlive
     }
 
-    /** Returns what was read so far. */
+    /** Returns the text that was read so far. */
     @Synchronized
     fun text(): String = bytes.decodeToString(0, count)
 

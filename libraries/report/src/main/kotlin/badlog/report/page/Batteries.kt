@@ -4,7 +4,7 @@ import badlog.report.SeasonOfLogs
 import badlog.viewer.shown.battery.BatteryAdvice
 import badlog.viewer.shown.battery.BatteryColumn
 
-/** Returns the table of batteries, and what to do with them; empty if nothing names one. */
+/** Returns the table of batteries, with advice; empty if no battery has a name. */
 internal fun batteriesPart(batteries: SeasonOfLogs): String {
     if (!batteries.hasNames) return ""
     val columns = BatteryColumn.of(batteries.seasons)

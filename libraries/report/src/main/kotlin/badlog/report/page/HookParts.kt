@@ -7,7 +7,7 @@ import badlog.protocol.PageSeries
 import badlog.report.hook.HookOutcome
 import java.util.Base64
 
-/** Returns what the page of a log shows of the outcomes of [hooks]. */
+/** Returns the parts of a log's page with the outcomes of [hooks]. */
 fun hookParts(hooks: List<HookOutcome>): List<HookPart> = hooks.map { outcome ->
     val result = outcome.result ?: return@map HookPart(outcome.hook, error = outcome.failure?.message)
     HookPart(

@@ -14,7 +14,7 @@ import badlog.rules.timeText
 internal class IndexedLog(val number: Int, val report: LogReport, val file: String, val page: String?, event: String) {
     val name: String get() = report.title ?: file
 
-    /** Its name without that of the event, if all logs are of the same event. */
+    /** Its name without the event's name, if all logs are of the same event. */
     val shortName: String = report.title?.removePrefix(event)?.trim() ?: file
 
     /** The id by which links find its part of the page. */
@@ -24,7 +24,7 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
     val data: String get() = "data-log=\"$number\" data-type=\"${escaped(report.matchType.orEmpty())}\""
 }
 
-/** Returns what was found in [log]: its incidents, then its findings, both with the worst first, and with links to their moments. */
+/** Returns the incidents of [log], then its findings, both with the worst first, and with links to their moments. */
 internal fun matchPart(log: IndexedLog): String {
     val report = log.report
     val out = StringBuilder("<article id=\"${log.id}\" class=\"match card\" ${log.data} aria-labelledby=\"${log.id}-name\">\n")
@@ -57,7 +57,7 @@ private fun findingItem(finding: Finding, page: String?): String {
     return item(finding.severity, finding, page) + "<div class=\"text\">$content</div></li>\n"
 }
 
-/** Returns what came first and what followed, each as a link to its evidence. */
+/** Returns the sentences of [incident] in their order, each as a link to its evidence. */
 private fun incidentItem(incident: Incident, page: String?): String {
     val content = incident.sentences.joinToString("") { "<p>${linked(it.text, page, it.finding)}</p>" }
     val next = if (incident.next.isEmpty()) "" else "<p class=\"next\">Next: ${escaped(incident.next)}</p>"

@@ -4,9 +4,9 @@ package badlog.report.page
  * A chart of all logs, for the index page and as files beside it.
  *
  * @property name its name in names of files: lower-case letters and `-`.
- * @property title what it shows.
+ * @property title its title.
  * @property question the question that it answers.
- * @property reading how to read it.
+ * @property reading an explanation for reading it.
  * @property svg the chart as a document of SVG.
  * @property png the chart as a picture.
  */
@@ -15,13 +15,13 @@ class PageChart(val name: String, val title: String, val question: String, val r
 /**
  * The charts of a report.
  *
- * @property all those that were drawn.
- * @property lacking what is lacking for each of the others, as a sentence.
+ * @property all the charts that were drawn.
+ * @property lacking the missing data for each of the others, as a sentence.
  * @property undrawn the names of the others.
  */
 class PageCharts(val all: List<PageChart>, val lacking: List<String>, val undrawn: List<String> = emptyList()) {
     companion object {
-        /** No charts, since nobody asked for them. */
+        /** No charts, for a report without them. */
         val NONE: PageCharts = PageCharts(emptyList(), emptyList())
 
         /** The folder of their files, beside the index. */
@@ -29,7 +29,7 @@ class PageCharts(val all: List<PageChart>, val lacking: List<String>, val undraw
     }
 }
 
-/** Returns what the index page shows of [charts]: each as a picture, which is a file beside the page, and what is lacking for others. */
+/** Returns the part of the index page with [charts]: each as a picture in a file beside the page, and the missing data for others. */
 internal fun chartsPart(charts: PageCharts): String {
     val out = StringBuilder()
     if (charts.all.isNotEmpty()) out.append("<div class=\"charts\">\n")

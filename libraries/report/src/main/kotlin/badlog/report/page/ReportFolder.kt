@@ -22,10 +22,10 @@ import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
-/** Returns the sentence about [file], which is where badlog was to write, and which it did not make. */
+/** Returns the sentence about [file], which badlog was to replace and did not make. */
 fun foreignFileSentence(file: Path): String = "$file exists already, and badlog did not make it; use --force to replace it, or $ELSEWHERE."
 
-/** What helps where the folder is named, or the file. */
+/** The advice, which fits a folder as well as a file. */
 private const val ELSEWHERE = "name another place with --out"
 
 /**
@@ -33,10 +33,10 @@ private const val ELSEWHERE = "name another place with --out"
  * are kept.
  *
  * @param logs the files that are read, and therefore never replaced.
- * @param rules the rules of the pages; the same as those of the report, so that index and pages agree.
+ * @param rules the rules of the pages; use the report's, so that index and pages agree.
  * @param virtualTopics definitions of topics that the pages show in addition to the logs' own, if they can be calculated.
  * @param isForced whether to also replace files that badlog did not make.
- * @param field the file of the field on which the pages draw paths; null for the one beside each log, if any.
+ * @param field the file of the field below the paths of the pages; null for the one beside each log, if any.
  * @param exporter makes the pages of the logs.
  */
 class ReportFolder(
@@ -54,11 +54,11 @@ class ReportFolder(
     private val index = folder.resolve(INDEX)
     private val problems = LinkedHashSet<String>()
 
-    /** A sentence for each mistake in the layouts and fields beside the logs whose pages were made. */
+    /** A sentence for each mistake in the layouts and fields beside the logs that have pages. */
     val problemsBeside: Set<String> get() = problems
 
     /**
-     * Checks that the index can be written, so that nobody waits in vain.
+     * Checks that the index can be written, so that an error comes before the work.
      *
      * @throws ExportException if another file is in its place.
      */
@@ -67,7 +67,7 @@ class ReportFolder(
     /**
      * Makes the page of [log], unless it cannot be read, with the rules and the outcomes of [hooks].
      *
-     * @return its path, or null if there is none.
+     * @return its path; null if there is none.
      * @throws ExportException if the page cannot be made, or another file is in its place; other pages can still
      * be made.
      * @throws InterruptedException if the thread was interrupted.
@@ -98,9 +98,9 @@ class ReportFolder(
     }
 
     /**
-     * Writes the index of [result], and the files of [charts], which it shows; former files of those that were not drawn are removed.
+     * Writes the index of [result], and the files of [charts], which it shows. Removes former files of charts that were not drawn.
      *
-     * @param leaveOut receives for each chart whose files cannot be written, so that the index does not show it, why, as a sentence.
+     * @param leaveOut receives the reason, as a sentence, for each chart that the index does not show because its files cannot be written.
      * @return its path.
      * @throws ExportException if it cannot be written, or another file is in its place.
      */
@@ -142,7 +142,7 @@ class ReportFolder(
         }
     }
 
-    /** Removes what badlog drew before of the chart [name]: whoever finds it beside the index would take it for one of these logs. */
+    /** Removes former pictures of the chart [name]: beside the index, they would seem to be of these logs. */
     private fun removeFormer(name: String) {
         val place = folder.resolve(PageCharts.FOLDER)
         // The picture is known by the other file, which is therefore the last to go.

@@ -17,8 +17,8 @@ import badlog.viewer.draw.color.cssColor
  * topic: `Q42.html#t=93.7&finding=Brownout;Voltage`.
  *
  * @param title the heading of the page.
- * @param charts the charts of all logs, whose files are beside the page.
- * @param pageOf returns where the page of a log is, as a path with `/` relative to this page, or null if there is none.
+ * @param charts the charts of all logs, with files beside the page.
+ * @param pageOf returns the place of a log's page, as a path with `/` relative to this page; null if there is none.
  */
 fun reportPage(
     result: ReportResult,
@@ -44,7 +44,7 @@ fun reportPage(
     return out.append("</main>\n<script>$SCRIPT</script>\n</body>\n</html>\n").toString()
 }
 
-/** Returns the event: the words with which all of [titles] begin, except for the last two, which are the match; empty if there is none. */
+/** Returns the event: the first words that all of [titles] share, without their last two, the match. Empty if there is none. */
 private fun eventOf(titles: List<String>): String {
     if (titles.size < 2) return ""
     val words = titles.map { it.split(' ') }

@@ -43,17 +43,17 @@ import kotlinx.serialization.Transient
 import java.nio.file.Path
 
 /**
- * A table with a row for each log, a column for each of [questions], see `docs/expressions.md`, three for each topic of [only], and one for
- * each value that [hooks] return.
+ * A table with a row for each log, a column for each of [questions] (see `docs/expressions.md`), three columns for each topic of [only], and
+ * one for each value from [hooks].
  *
- * @param by the names of header values that have columns of their own, and by which the rows are sorted; numbers as numbers.
+ * @param by the names of header values with columns of their own. Rows are sorted by them, numbers as numbers.
  * @param hooks programs to run for each log.
- * @param condition what must be true of a log's header values, as an expression; null for no condition.
+ * @param condition the condition for a log's header values, as an expression; null for none.
  * @param virtualTopics definitions of topics that the questions may use beside the log's own.
  * @param cache a folder for cached results; null for none. Results of hooks are not cached, because their dependencies are unknown.
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
  * @param signals the names of topics that the questions refer to by their meaning.
- * @param only the topics whose lowest, mean and highest values are in the table.
+ * @param only the topics with columns for their lowest, mean and highest values.
  */
 class MatchTable(
     val questions: List<String>,
@@ -85,7 +85,7 @@ class MatchTable(
         return NumberSinks { name, attributes -> if (only.any { it.matches(name) }) null else named.of(name, attributes) }
     }
 
-    /** What is wrong with a question, or the condition, regardless of the log; null if nothing seems wrong. */
+    /** The mistake in a question or the condition that does not depend on the log; null if none is certain. */
     val mistake: Reply.NotAsked? =
         (questions + listOfNotNull(condition)).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
@@ -109,7 +109,7 @@ class MatchTable(
      * Evaluates the questions for each of [files], on all cores.
      *
      * @param folders the folders in which they were found.
-     * @param complain called with why a file about batteries is not used, as a sentence.
+     * @param complain called with the reason, as a sentence, if a file about batteries is not used.
      * @param progress called on this thread with the number of files done.
      * @return a row for each file, sorted.
      */
@@ -152,7 +152,7 @@ class MatchTable(
         }
     }
 
-    /** Returns what is wrong with a question that failed for all [rows]. */
+    /** Returns the mistake in a question that failed for all [rows]; null if there is none. */
     fun mistakeIn(rows: List<TableRow>): Reply.NotAsked? {
         val wrong = rows.mapNotNull { it.mistake }
         if (wrong.isNotEmpty() && rows.all { it.mistake != null || it.unreadable != null }) return wrong.maxBy { it.place }

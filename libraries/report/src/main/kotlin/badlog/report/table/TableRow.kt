@@ -9,10 +9,10 @@ import kotlinx.serialization.Serializable
 /**
  * A log in a [MatchTable].
  *
- * @property headers the header values by which the table is sorted; empty texts if the log has none.
+ * @property headers the header values that sort the table; empty texts if the log has none.
  * @property cells the result of each question; empty if the log was excluded.
  * @property topics the statistics of the topics that the table summarizes, in the order of the log.
- * @property hookValues what the hooks returned.
+ * @property hookValues the values from the hooks.
  * @property hookFailures the hooks that failed for it.
  * @property unreadable why the file cannot be read; null if it can.
  * @property isNoLog whether it is something other than a log.
@@ -59,7 +59,7 @@ class HookValue internal constructor(val hook: String, val name: String, val tex
 /**
  * A column of the values of a hook.
  *
- * @property title the name of the value, with that of its hook if several hooks have such a value.
+ * @property title the name of the value, with the name of its hook if several hooks have such a value.
  */
 internal class HookColumn private constructor(private val hook: String, private val name: String, val title: String) {
     /** Its text in [row]; null if there is none. */

@@ -48,7 +48,7 @@ fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
     return (listOf(head) + lines).joinToString("") { line -> line.joinToString(",", postfix = "\r\n", transform = ::cell) }
 }
 
-/** Returns what failed, and why: virtual topics and hooks, each as a sentence or more. */
+/** Returns the failures of virtual topics and hooks with their reasons, each as a sentence or more. */
 fun notesOf(rows: List<TableRow>): List<String> =
     undefinedTexts(askedOf(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
 
@@ -90,5 +90,5 @@ private fun textOf(cell: TableCell, isUnitInTitle: Boolean): String = when {
 
 private const val UNKNOWN = "–"
 
-/** The columns that say which log a row is about. */
+/** The number of columns that name the log of a row. */
 private const val NAMES = 2

@@ -92,7 +92,7 @@ class HookOutputSpec : FunSpec({
         shouldThrow<IllegalArgumentException> { figure("png", lines(most + 1)) }.message shouldContain "at most 4194304 are allowed"
     }
 
-    test("whatever a hook prints, there is a result or a sentence") {
+    test("any output of a hook is read, or refused with a sentence") {
         checkAll(Arb.int(0, WHOLE.length), Arb.string(0, 5)) { at, text ->
             try {
                 read(WHOLE.take(at) + text + WHOLE.drop(at + text.length))

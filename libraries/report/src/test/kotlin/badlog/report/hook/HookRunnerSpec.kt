@@ -60,7 +60,7 @@ class HookRunnerSpec : FunSpec({
         result.figures.single().mediaType shouldBe "image/png"
     }
 
-    test("of R's output, the line that shows what went wrong is reported").config(enabled = HAS_PYTHON) {
+    test("the line of R's output with the error is reported").config(enabled = HAS_PYTHON) {
         val failure = shouldThrow<HookException> { python("import sys; sys.exit('Error: no such column\\nExecution halted\\n')") }
         failure.message shouldBe "The hook ended with exit code 1; its last error: Error: no such column."
     }
@@ -106,7 +106,7 @@ class HookRunnerSpec : FunSpec({
         failure.message shouldBe "The hook ended with exit code 1; its last error: no such column."
     }
 
-    test("whatever is wrong with a hook, its last error is reported").config(enabled = HAS_PYTHON) {
+    test("the last error is also reported if a hook prints nothing").config(enabled = HAS_PYTHON) {
         shouldThrow<HookException> { python("import sys; print('odd column', file=sys.stderr)") }.message shouldBe
             "The hook printed nothing; it must print one JSON object, at least {}. Its last error: odd column."
     }
@@ -153,7 +153,7 @@ class HookRunnerSpec : FunSpec({
         }
     }
 
-    test("a hook that takes too long is killed, with what it started").config(enabled = HAS_PYTHON) {
+    test("a hook that takes too long is killed, with its child processes").config(enabled = HAS_PYTHON) {
         val report = File.createTempFile("hook", ".txt")
         val program = """
             import os, subprocess, sys, time

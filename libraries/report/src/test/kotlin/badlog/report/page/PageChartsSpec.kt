@@ -80,7 +80,7 @@ class PageChartsSpec : FunSpec({
         }
     }
 
-    test("a picture whose other file is gone is not known as badlog’s, and costs no more than its chart") {
+    test("a picture without its other file is not known as badlog’s, and only its chart is left out") {
         inFolder { folder ->
             val out = folder.resolve("out")
             report(folder, out, CHARTS)
@@ -91,7 +91,7 @@ class PageChartsSpec : FunSpec({
         }
     }
 
-    test("what badlog drew before of charts that are no longer drawn is removed, and nothing else") {
+    test("former charts that are no longer drawn are removed, and nothing else") {
         inFolder { folder ->
             val out = folder.resolve("out")
             report(folder, out, CHARTS)

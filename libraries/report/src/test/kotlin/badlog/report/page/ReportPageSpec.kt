@@ -62,7 +62,7 @@ class ReportPageSpec : FunSpec({
         }
     }
 
-    test("what badlog made is replaced, what others made only if forced, and input files never") {
+    test("badlog's own files are replaced, others only if forced, and input files never") {
         inFolder { folder ->
             val log = folder.put("index.html", batteryBag(6.0))
             folder.put("Q1.bag", batteryBag(6.0))

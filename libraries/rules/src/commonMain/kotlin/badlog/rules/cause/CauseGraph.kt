@@ -13,14 +13,13 @@ import badlog.signals.vocabulary.patterns
 import badlog.signals.vocabulary.patternsJson
 
 /**
- * What rules know about cause and effect: which findings show that something happened, and which findings may follow from
- * which.
+ * The rules' causes and effects: which findings show that something happened, and which findings may follow from which.
  *
- * @property causes what may have happened; of two that explain the same, the earlier one counts.
- * @property effects for the name of each rule, the rules whose findings may follow from its findings.
+ * @property causes the possible causes; of two that explain the same, the earlier one counts.
+ * @property effects for the name of each rule, the rules with findings that may follow from its findings.
  */
 class CauseGraph internal constructor(internal val causes: List<Cause>, internal val effects: Map<String, List<String>>) {
-    /** Returns the rules whose findings may follow from those of [rules], directly or indirectly. */
+    /** Returns the rules with findings that may follow from findings of [rules], directly or indirectly. */
     internal fun reachedFrom(rules: Collection<String>): Set<String> {
         val reached = LinkedHashSet<String>()
         val waiting = ArrayList(rules)
@@ -54,12 +53,11 @@ class CauseGraph internal constructor(internal val causes: List<Cause>, internal
 /**
  * Something that happened, as shown by findings.
  *
- * @property name what happened, as the start of a sentence: “The robot pushed against something”.
- * @property shownBy the rules whose findings show it.
+ * @property name the event, as the start of a sentence: “The robot pushed against something”.
+ * @property shownBy the rules with findings that show it.
  * @property topics patterns for the topic of such a finding, if it matters; empty for all.
  * @property together the number of topics that must have findings at about the same time.
- * @property onlyWith if not empty, one of these rules must have a finding that followed: without one, it is not worth
- * mentioning.
+ * @property onlyWith if not empty, one of these rules must have a finding that followed: without one, it is not worth mentioning.
  * @property next what to look at next.
  */
 internal class Cause(

@@ -14,7 +14,7 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * How a log differs from the team's others.
+ * The differences of a log from the team's others.
  *
  * @property findings the differences that are large enough to be findings, the largest first.
  * @property numbers the number of each of [findings].
@@ -27,8 +27,7 @@ class LogDifferences internal constructor(val findings: List<Finding>, val numbe
 }
 
 /**
- * Compares each of [logs], which are in the order of a team's matches, with its neighbors of the same kind, by the comparisons of
- * these rules.
+ * Compares each of [logs], in the order of a team's matches, with its neighbors of the same kind. The comparisons of these rules are used.
  *
  * @return a result for each log.
  */
@@ -109,10 +108,10 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         val isBothWays = signal.isOfMotor && key.measure == Measure.DRIVING
         val isBelow = others.count { value < it } > others.size / 2
         if (!isBothWays && isBelow != signal.isWorseBelow) return null
-        // Most numbers are among those of the others, which can be seen without sorting.
+        // Most numbers lie within the others, which is seen without sorting.
         if (others.count { if (isBelow) it <= value else it >= value } > MOST_BEYOND) return null
         val usual = Baseline(others)
-        // A motor that is usually off, such as that of a compressor or a climber, is on when needed.
+        // A motor that is usually off, such as a compressor's or a climber's, is on when needed.
         if (signal.isOfMotor && abs(usual.median) < LEAST_AMPS) return null
         var away = abs(value - usual.median)
         if (key.measure == Measure.RESISTANCE) away -= log.uncertainty
@@ -196,7 +195,7 @@ private fun tenths(value: Double) = timeText(round(value * 10) / 10, "")
 
 private const val LEAST_SHOWN = 0.1
 
-/** Returns the topics that show [key]: its own, or, for the resistance, those of battery voltage and current. */
+/** Returns the topics that show [key]: its own, and for the resistance also the topic of the current. */
 private fun LogNumbers.evidenceOf(key: NumberKey): List<String> {
     val current = if (key.measure == Measure.RESISTANCE) keys.find { it.signal == "total current" }?.topic else null
     return listOfNotNull(key.topic, current).filter { it != SUM_OF_CHANNELS }

@@ -36,11 +36,11 @@ import badlog.signals.vocabulary.SignalVocabulary
 import kotlin.math.abs
 
 /**
- * Returns the numbers of [view], whose topics are found by [vocabulary]; none if it does not show when the robot was enabled, or that
- * time was too short.
+ * Returns the numbers of [view], with the topics that [vocabulary] finds. None if it does not show when the robot was enabled, or if that time was
+ * too short.
  *
  * @param fileName the name of its file, which may show the match.
- * @param battery what it says of the robot's battery.
+ * @param battery the facts in it about the robot's battery.
  */
 fun numbersOf(
     view: LogView,

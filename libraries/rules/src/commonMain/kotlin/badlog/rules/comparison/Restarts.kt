@@ -7,14 +7,14 @@ import badlog.rules.number.LogNumbers
 /**
  * A log among others of a folder.
  *
- * @property match the match that it is of; null if it does not say.
- * @property found what the rules found in it alone.
+ * @property match its match; null if it does not show one.
+ * @property found the rules' findings in it alone.
  */
 class LogOfFolder(val file: String, val match: String?, val numbers: LogNumbers, val found: List<Finding>)
 
 /**
- * Returns for each of [logs], which are in the order of time, that the robot code had restarted before it: it begins with an enabled robot,
- * and the log before it, of the same match, ended with one. Null for other logs, and where the log alone already shows it.
+ * Returns for each of [logs], in the order of time, the finding that the robot code restarted before it. Such a log begins with an enabled robot,
+ * and the log before it, of the same match, ended with one. Null for other logs, and if the log alone already shows it.
  */
 fun RuleSet.restartsIn(logs: List<LogOfFolder>): List<Finding?> {
     val rule = rules.find { it.name == RESTARTED }

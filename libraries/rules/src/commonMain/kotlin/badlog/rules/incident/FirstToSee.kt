@@ -5,19 +5,19 @@ import badlog.rules.Finding
 import badlog.rules.worstFirst
 
 /**
- * What somebody who has only a moment sees of a log's findings.
+ * The most important of a log's findings, for readers with only a moment.
  *
  * @property finding the worst; of an incident, the last of those that its sentences report, to which the others have led.
- * @property incident the incident that it is of; null if there is none.
+ * @property incident the incident that it belongs to; null if there is none.
  */
 class FirstToSee internal constructor(val finding: Finding, val incident: Incident?) {
-    /** Where a person begins to read: the cause of the incident, or else the finding. */
+    /** The finding to read first: the cause of the incident, or else [finding]. */
     val begin: Finding get() = incident?.sentences?.first()?.finding ?: finding
 }
 
 /**
- * Returns what to see first of [findings] and of the [incidents] among them, the worst first; null if nothing was found. A worse finding that
- * belongs to no incident comes before an incident.
+ * Returns the worst of [findings] and of the [incidents] among them; null if nothing was found. A worse finding that belongs to no incident comes
+ * before an incident.
  */
 fun firstToSee(findings: List<Finding>, incidents: List<Incident>): FirstToSee? {
     val worst: Severity = findings.maxOfOrNull { it.severity } ?: return null

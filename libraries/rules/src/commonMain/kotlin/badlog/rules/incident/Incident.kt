@@ -5,14 +5,14 @@ import badlog.rules.Finding
 import badlog.rules.timeText
 
 /**
- * Findings that belong together: what came first, as the likely cause, and what followed from it.
+ * Findings that belong together: the likely cause, and its effects.
  *
- * @property name what happened, such as “The robot pushed against something”.
- * @property severity that of the worst of its findings.
- * @property causes the findings that show what came first; at least one.
+ * @property name the event, such as “The robot pushed against something”.
+ * @property severity the worst severity of its findings.
+ * @property causes the findings that show the cause; at least one.
  * @property effects the findings that followed, in the order of time.
  * @property next what to look at next, as a sentence; empty if not given.
- * @property difference how it differed from the team's other matches; null if nothing is known.
+ * @property difference its difference from the team's other matches; null if none is known.
  */
 class Incident internal constructor(
     val name: String,
@@ -34,10 +34,7 @@ class Incident internal constructor(
     /** The unit of [time]. */
     val timeUnit: String get() = causes[0].timeUnit
 
-    /**
-     * Its description: first the likely cause, then the worst of what followed, and how it differed from other matches; each with the
-     * finding that shows it.
-     */
+    /** Its description: the likely cause, the worst effects, and the difference from other matches; each with the finding that shows it. */
     val sentences: List<Sentence>
         get() {
             val reported = effects.filter {
@@ -51,7 +48,7 @@ class Incident internal constructor(
     /** The effects that [sentences] omit. */
     val others: List<Finding> get() = sentences.mapTo(HashSet()) { it.finding }.let { reported -> effects.filter { it !in reported } }
 
-    /** The full names of the topics that show what [sentences] say, in order. */
+    /** The full names of the topics that show the content of [sentences], in order. */
     val evidence: List<String> get() = sentences.flatMap { it.finding.evidence }.distinct()
 
     /** Returns whether [finding] is a part of it. */
@@ -72,7 +69,7 @@ class Incident internal constructor(
      * A part of the description of an incident.
      *
      * @property text one or two sentences.
-     * @property finding what shows it: its time and its topics.
+     * @property finding the finding that shows it, with its time and its topics.
      */
     class Sentence internal constructor(val text: String, val finding: Finding)
 
@@ -84,17 +81,18 @@ class Incident internal constructor(
     }
 }
 
-/** Returns the full names of the topics that show [finding], then of those that show this incident, if it is part of one. */
+/** Returns the full names of the topics that show [finding]. If it is part of this incident, the incident's topics follow. */
 fun Incident?.evidenceOf(finding: Finding): List<String> = (finding.evidence + this?.evidence.orEmpty()).distinct()
 
 /**
- * Returns the full names of the topics that show the first of [incidents], or else the first of [worstFirst] that is more than a note.
- * Empty if there is neither.
+ * Returns the full names of the topics that show the first of [incidents]. Without any incident, they show the first of [worstFirst] that is more
+ * than a note. Empty if there is neither.
  */
 fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<String> =
     incidents.firstOrNull()?.evidence ?: worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
 
 /**
- * Returns what to look at next for [finding]: the advice of this incident, if it is part of one, or else that of the finding; may be empty.
+ * Returns the advice on what to look at next for [finding]. It is this incident's, if the finding is part of one, or else the finding's; may be
+ * empty.
  */
 fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }

@@ -28,9 +28,15 @@ fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = em
         explained += effects
         val evidence = showing.flatMapTo(HashSet()) { it.evidence } + effects.mapNotNull { it.topic }
         val difference = differences.find { difference -> difference.evidence.any { it in evidence } }
-        found += Incident(cause.name, showing.sortedBy { it.time }, effects.sortedBy { it.time }, cause.next, difference)
+        found += Incident(nameOf(cause, showing), showing.sortedBy { it.time }, effects.sortedBy { it.time }, cause.next, difference)
     }
     return found.sortedWith(compareBy({ -it.severity.ordinal }, { -it.effects.size }, { it.time }))
+}
+
+/** Returns the name of [cause], with the signals that were unusual each time; it does not say which led to which. */
+private fun nameOf(cause: Cause, showing: List<Finding>): String {
+    val signals = showing.flatMap { it.meanwhile }.distinct()
+    return if (signals.isEmpty()) cause.name else "${cause.name} while ${signals.joinToString(" and ")} rose"
 }
 
 /** Returns those of [findings] that show [cause], with as many simultaneous topics as it requires. */

@@ -1,7 +1,7 @@
 package badlog.rules.number
 
 /**
- * A signal whose topics have numbers to compare.
+ * A signal with topics that have numbers to compare.
  *
  * @property least smaller differences do not count, in the unit of the signal.
  * @property isRatio whether a difference is relative to the usual value, rather than absolute as for voltages.

@@ -4,8 +4,8 @@ import badlog.core.analysis.Series
 import badlog.core.analysis.weightedPercentile
 
 /**
- * How the values of a signal were distributed over the time in which the robot was enabled, in a few numbers: those of many logs fit in
- * memory, and can be drawn beside each other.
+ * The distribution of a signal's values over the time in which the robot was enabled, in a few numbers. The numbers of many logs fit in memory, and
+ * can be drawn beside each other.
  *
  * @property signal the name of the signal.
  * @property unit the unit of the values, empty for none.
@@ -48,14 +48,17 @@ class Distribution internal constructor(
 }
 
 /**
- * A signal whose distribution is worth keeping.
+ * A signal with a distribution that is worth keeping.
  *
  * @property above smaller values are not values: before the first measurement, libraries log 0.
  * @property binWidth the width of a bin, in the unit of the signal; 0 for no bins.
  * @property bins the number of bins.
  */
 internal class DistributedSignal(val signal: String, val above: Double, val binWidth: Double = 0.0, val bins: Int = 0) {
-    /** Returns the distribution of [series] with these weights, each of which is a part of [second]; null for less than [least] in total. */
+    /**
+     * Returns the distribution of [series] with these weights, times in the unit of x; null for less than [least] in total. [second] is one second in
+     * that unit.
+     */
     fun of(series: Series, weights: DoubleArray, unit: String, second: Double, least: Double): Distribution? {
         val values = DoubleArray(weights.size)
         val counted = DoubleArray(weights.size)

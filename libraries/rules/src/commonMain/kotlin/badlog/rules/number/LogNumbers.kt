@@ -3,7 +3,7 @@ package badlog.rules.number
 import badlog.signals.match.MatchKind
 
 /**
- * Identifies a number: what is measured, and in which topic.
+ * The key of a number: its measure, and the topic.
  *
  * @property signal the signal of the topic, or [RESISTANCE].
  * @property topic its full name.
@@ -17,14 +17,14 @@ data class NumberKey(val signal: String, val topic: String, val measure: Measure
 }
 
 /**
- * Numbers that summarize a whole log, and can be compared with those of others.
+ * Numbers that summarize a whole log, for comparison with other logs.
  *
  * @property kind the kind of run.
- * @property keys what is measured.
+ * @property keys the keys of the numbers.
  * @property uncertainty the uncertainty of the battery's resistance, in milliohms (95 %); NaN if there is none.
  * @property beginsEnabled whether the robot was enabled when the log began, as it is after a restart of the code in a match.
  * @property endsEnabled whether it was enabled when the log ended.
- * @property distributions how the values of some signals were distributed.
+ * @property distributions the distributions of some signals' values.
  */
 class LogNumbers internal constructor(
     val kind: MatchKind,
@@ -42,7 +42,7 @@ class LogNumbers internal constructor(
     fun of(signal: String, measure: Measure): Double =
         keys.indexOfFirst { it.signal == signal && it.measure == measure }.let { if (it < 0) Double.NaN else values[it] }
 
-    /** Returns how the values of [signal] were distributed; null if the log does not show it. */
+    /** Returns the distribution of the values of [signal]; null if the log does not show it. */
     fun distributionOf(signal: String): Distribution? = distributions.find { it.signal == signal }
 
     /** The resistance of battery and wiring in milliohms; NaN if the log does not show it. */

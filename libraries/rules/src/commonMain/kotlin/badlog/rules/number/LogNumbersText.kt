@@ -5,7 +5,7 @@ import badlog.signals.match.MatchKind
 /**
  * [LogNumbers] as texts: logs of one robot usually share [names], which are then parsed only once.
  *
- * @property names what is measured.
+ * @property names the keys of the numbers, one per line.
  * @property values the numbers in the order of [names].
  * @property distributions the distributions, one per line.
  */
@@ -48,7 +48,7 @@ private fun secondsIn(text: String): List<Double>? {
 
 private const val MAX_BINS = 1000
 
-/** Reads what [toText] wrote; equal texts of names are parsed once. Not thread-safe. */
+/** Reads the texts of [toText]; equal texts of names are parsed once. Not thread-safe. */
 class LogNumbersReader {
     private val keys = HashMap<String, List<NumberKey>>()
 
@@ -92,7 +92,7 @@ class LogNumbersReader {
         const val PARTS = 4
         const val DISTRIBUTION_PARTS = 5
 
-        /** Where the values begin. */
+        /** The index of the first value. */
         const val FIRST = 4
     }
 }

@@ -1,7 +1,7 @@
 package badlog.rules.number
 
 /**
- * How a topic's samples over a log become one number, which is compared with that of other logs.
+ * A way to make one number of a topic's samples over a log, for comparison with other logs.
  *
  * @property words the condition, as part of a sentence.
  */

@@ -7,8 +7,8 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /**
- * Returns [value] with as many digits as are useful for comparing: five. A stored number takes less room then, and is the same however a sum
- * was added up.
+ * Returns [value] with as many digits as are useful for comparing: five. A stored number takes less room then, and does not depend on the order in
+ * which a sum was added up.
  */
 internal fun usefulDigits(value: Double): Double {
     if (value == 0.0 || !value.isFinite()) return value

@@ -5,12 +5,12 @@ package badlog.rules.standing
  *
  * @property rule its name.
  * @property hash the beginning of the hash of the rule's text; another one means that the counts are of another rule.
- * @property couldRun the number of logs that have what it needs.
- * @property teams the number of teams that these logs are of; 0 for simulations.
+ * @property couldRun the number of logs in which it could run.
+ * @property teams the number of teams with these logs; 0 for simulations.
  * @property fired the number of its findings.
- * @property right those that are true: a fact that the team would accept as worth a warning.
- * @property wrong those that are false.
- * @property unknown those about which the log does not say enough to know.
+ * @property right the number of true ones: facts that the team would accept as worth a warning.
+ * @property wrong the number of false ones.
+ * @property unknown the number of findings that cannot be judged, since the log does not show enough.
  */
 data class RuleCounts(
     val rule: String,
@@ -23,7 +23,7 @@ data class RuleCounts(
     val wrong: Int,
     val unknown: Int,
 ) {
-    /** The number of findings that nobody has judged. */
+    /** The number of findings that were not judged yet. */
     val unjudged: Int get() = fired - right - wrong - unknown
 }
 

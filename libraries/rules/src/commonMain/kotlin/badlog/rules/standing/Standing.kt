@@ -13,10 +13,10 @@ enum class Standing {
 fun standingOf(counts: List<RuleCounts>): Standing = if (lackingIn(counts).isEmpty()) Standing.PROVEN else Standing.ON_TRIAL
 
 /**
- * Returns what [counts] of one rule lack to prove it, each as a few words; empty if they prove it.
+ * Returns the evidence that [counts] of one rule lack to prove it, each as a few words; empty if they prove it.
  *
- * A rule is proven by real logs over which it was silent or right, and by simulators in which it names what was planted. A simulated robot
- * shows that a rule finds its fault; only real ones show that it leaves other robots alone.
+ * A rule is proven by real logs over which it was silent or right, and by simulators in which it names the planted fault. A simulated robot shows
+ * that a rule finds its fault; only real ones show that it leaves other robots alone.
  */
 fun lackingIn(counts: List<RuleCounts>): List<String> {
     if (counts.isEmpty()) return listOf("its text was never counted")
@@ -36,7 +36,7 @@ fun lackingIn(counts: List<RuleCounts>): List<String> {
     )
 }
 
-/** Fewer logs say little of robots in general. */
+/** Fewer logs show little about robots in general. */
 private const val MIN_LOGS = 30
 private const val MIN_TEAMS = 3
 

@@ -26,20 +26,20 @@ class DistributionSpec : FunSpec({
         loops.seconds.sum() shouldBe (15.0 plusOrMinus 1e-9)
     }
 
-    test("what is not a value does not count: before the first voltage, a library logs 0") {
+    test("values from before the first voltage do not count: a library logs 0 then") {
         val battery = DistributedSignal("battery", above = 1.0)
         val volts = checkNotNull(of(listOf(0.0, 12.0, Double.NaN, 11.0), signal = battery))
         volts.lowest shouldBe 11.0
         volts.seconds shouldBe emptyList()
     }
 
-    test("there is none of too short a time, or of no time at all") {
+    test("a time that is too short, or zero, has no distribution") {
         of(listOf(5.0, 6.0), least = 3.0) shouldBe null
         of(listOf(5.0, 6.0), listOf(0.0, 0.0), least = 0.0) shouldBe null
         of(emptyList(), least = 0.0) shouldBe null
     }
 
-    test("distributions come back from text as they were, and a damaged line is left out") {
+    test("distributions are read as they were written, and a damaged line is left out") {
         val loops = checkNotNull(of(listOf(5.5, 7.25, 33.0, 70.0)))
         val text = LogNumbers(MatchKind.MATCH, emptyList(), DoubleArray(0), Double.NaN, distributions = listOf(loops)).toText()
         val back = checkNotNull(LogNumbersReader().read(text).distributionOf("loop time"))

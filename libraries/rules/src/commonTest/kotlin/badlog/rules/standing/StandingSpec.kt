@@ -32,7 +32,7 @@ class StandingSpec : FunSpec({
         lacking(REAL.copy(couldRun = 399, fired = 2, wrong = 2), GENERATED) shouldBe listOf("2 false in 399 real logs")
     }
 
-    test("a finding that nobody judged proves nothing; one that cannot be known is judged") {
+    test("a finding without a judgement proves nothing; one judged as unknown is judged") {
         lacking(REAL.copy(fired = 2, right = 1), GENERATED) shouldBe listOf("1 not judged")
         lacking(REAL.copy(fired = 2, right = 1, unknown = 1), GENERATED) shouldBe emptyList()
     }
@@ -43,14 +43,14 @@ class StandingSpec : FunSpec({
         lacking(REAL, GENERATED.copy(fired = 2, right = 2), third) shouldBe listOf("18 of 19 right in simulators")
     }
 
-    test("what was right less than three times, over real logs and simulators, is on trial") {
+    test("a rule that was right less than three times, over real logs and simulators, is on trial") {
         val two = GENERATED.copy(fired = 2, right = 2)
         lacking(REAL, two) shouldBe listOf("right 2 of 3 times")
         lacking(REAL.copy(fired = 1, right = 1), two) shouldBe emptyList()
         lacking(REAL) shouldBe listOf("right 0 of 3 times")
     }
 
-    test("counts are read as they were written, and what is none is named with its line") {
+    test("counts are read as they were written, and a line that has none is reported with its number") {
         val counts = listOf(REAL, GENERATED)
         ruleCountsIn(textOf(counts)) shouldBe counts
         for (row in listOf("Low battery\t0a\tmars\t1\t1\t1\t1\t1\t1", "Low battery\t0a\treal\t1\t1\t1\t1\t1", "Low battery\t0a\treal\t1\t1\t1\t1\t1\tx")) {

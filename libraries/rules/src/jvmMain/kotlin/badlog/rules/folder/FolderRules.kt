@@ -17,18 +17,18 @@ import java.nio.file.Path
  * The rules for the logs of a folder, and the names of topics and devices there.
  *
  * @property rules the rules, with the built-in vocabulary and the folder's additions.
- * @property file where they come from; null for the built-in ones.
- * @property packs the packs whose rules are added to them.
- * @property problem why an existing file or pack is not used, as a sentence, with the line of the mistake below it if there is one;
- *   null if all is well.
+ * @property file the file that they come from; null for the built-in ones.
+ * @property packs the packs with rules that are added to them.
+ * @property problem why an existing file or pack is not used, as a sentence, with the line of the mistake below it if there is one; null if all is
+ *   well.
  */
 class FolderRules private constructor(val rules: RuleSet, val file: Path?, val packs: List<Path>, val problem: String?) {
     companion object {
         /**
-         * Returns the rules for [log]: those of the nearest file called [RulesFile.NAME] in its folder, or in one above it up to [top],
-         * which is null for only its own folder; otherwise the built-in ones, also if that file has a mistake. The packs of the nearest folder
-         * that has some add theirs. The nearest file called [SignalsFile.NAME] has further names of topics. Hooks in these rules are never
-         * run, because they may have come with the logs.
+         * Returns the rules for [log]. They come from the nearest file called [RulesFile.NAME] in its folder, or in one above it up to [top], which
+         * is null for only its own folder. Without such a file, or if it has a mistake, they are the built-in ones. The packs of the nearest folder
+         * that has some add theirs. The nearest file called [SignalsFile.NAME] has further names of topics. Hooks in these rules are never run,
+         * because they may have come with the logs.
          */
         fun of(log: Path, top: Path? = null): FolderRules {
             fun <T> nearest(name: String, parse: (String) -> T) =
@@ -59,10 +59,10 @@ class FolderRules private constructor(val rules: RuleSet, val file: Path?, val p
 private class ReadPacks(paths: List<Path>) {
     val problems = ArrayList<String>()
 
-    /** Those that can be read. */
+    /** The packs that can be read. */
     val read: List<RulePack> = paths.mapNotNull { path -> attempt { RulePack.open(path).apply { close() } } }
 
-    /** Returns those whose names do not contradict each other, or [rules]. */
+    /** Returns the packs with names that contradict neither each other nor [rules]. */
     fun usableWith(rules: RuleSet): List<RulePack> = read.fold(emptyList()) { used, pack ->
         used + listOfNotNull(attempt { pack.also { rules.requireFree(it, used) } })
     }

@@ -8,7 +8,7 @@ import badlog.rules.NamedDevice
 import badlog.rules.RulesException
 
 /**
- * A file in which a team lists the devices on its CAN bus, in one of the ways that teams write it:
+ * A team's file with the devices on its CAN bus, in one of the ways that teams write it:
  *
  * - a list of objects with an id, a name, and perhaps a subsystem and a type;
  * - an object from ids to names, or to such objects: `{"3": "Front left drive", "CANcoder-3": {"name": "Front left encoder"}}`;

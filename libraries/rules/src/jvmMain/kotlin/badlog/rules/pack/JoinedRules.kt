@@ -5,8 +5,8 @@ import badlog.rules.DeviceNames
 import badlog.rules.RuleSet
 
 /**
- * Returns these rules, those for the logs of a folder, and those of [packs], which have no name in common. A rule of a pack replaces a
- * built-in one of the same name, and gives way to one of the folder's own. The names of signals are not changed.
+ * Returns these rules, for the logs of a folder, with the rules of [packs]. The packs have no name in common. A rule of a pack replaces a built-in
+ * one of the same name, and gives way to one of the folder's own. The names of signals are not changed.
  */
 internal fun RuleSet.and(packs: List<RulePack>): RuleSet {
     if (packs.isEmpty()) return this

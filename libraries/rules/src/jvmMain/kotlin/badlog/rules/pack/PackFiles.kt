@@ -37,7 +37,7 @@ internal interface PackFiles : AutoCloseable {
     }
 }
 
-/** What a pack may hold. */
+/** The limits for the content of a pack. */
 internal object PackLimits {
     /** The size of a file: some seconds of a log have a few megabytes. */
     const val FILE_BYTES = 32 shl 20
@@ -48,13 +48,13 @@ internal object PackLimits {
     /** The number of files. */
     const val FILES = 1000
 
-    /** The depth of its folders, those of its slices. */
+    /** The depth of its folders, as its slices need it. */
     const val DEPTH = 4
 
-    /** How much smaller a zip may make a file: numbers become ten times smaller, and only zeros a thousand times. */
+    /** The largest factor by which a zip may shrink a file: numbers shrink to a tenth, and only zeros to a thousandth. */
     const val RATIO = 200L
 
-    /** Smaller files may become smaller still. */
+    /** Smaller files may shrink more. */
     const val RATIO_COUNTS_FROM = 1L shl 20
 }
 
@@ -62,7 +62,7 @@ internal object PackLimits {
 internal fun isHidden(name: String): Boolean = name.split('/').any { it.startsWith(".") || it == "__MACOSX" }
 
 /**
- * Returns the bytes of this stream, that of the file [name] in [pack].
+ * Returns the bytes of this stream, the file [name] in [pack].
  *
  * @throws PackException if there are more than [PackLimits.FILE_BYTES].
  */

@@ -8,7 +8,7 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 
 /**
- * The files of the zip [pack], read in place: nothing is unpacked, so no name leads anywhere. A zip whose names are meant to do so, or that
+ * The files of the zip [pack], read in place: nothing is unpacked, so no name leads anywhere. A zip with names that are meant to do so, or one that
  * grows without end, is refused all the same. If everything is in one folder, as when a folder was zipped, that is the pack.
  */
 internal class PackZip(private val pack: Path) : PackFiles {

@@ -15,8 +15,8 @@ import java.nio.charset.CharacterCodingException
 import java.nio.file.Path
 
 /**
- * A folder or zip with rules, and with slices: pieces of logs that show what the rules must find, and what not. `docs/rules.md` describes it.
- * A pack is only data: nothing in it is ever run. Close it when its slices are read.
+ * A folder or zip with rules and slices: pieces of logs in which the rules must, or must not, find something. `docs/rules.md` describes it. A pack is
+ * only data: nothing in it is ever run. Close it when its slices are read.
  *
  * @property path the folder or zip.
  * @property rules its rules, with the built-in names of signals and its own.
@@ -43,13 +43,13 @@ class RulePack private constructor(
 
     val ignored: List<String> = files.names.filter { it !in DATA && !isNote(it) && sliceOf(it) == null }
 
-    /** The built-in rules and those of the pack, as they run over logs beside it. */
+    /** The built-in rules and the pack's, as they run over logs beside it. */
     val withBuiltIn: RuleSet get() = RuleSet.BUILT_IN.with(rules.signals).and(listOf(this))
 
     /**
      * Returns the bytes of [slice].
      *
-     * @throws PackException if it cannot be read, or is compressed, so that its size would say nothing of what reading it takes.
+     * @throws PackException if it cannot be read, or is compressed: its size would not show the memory that reading it takes.
      */
     fun bytesOf(slice: Slice): ByteArray = files.bytes(slice.name).also { bytes ->
         val isCompressed = COMPRESSED.any { it.size <= bytes.size && it.indices.all { i -> bytes[i] == it[i] } }
@@ -59,10 +59,10 @@ class RulePack private constructor(
     override fun close() = files.close()
 
     companion object {
-        /** What the name of a pack ends in, before the ending of a zip. */
+        /** The ending of a pack's name, before the ending of a zip. */
         const val ENDING: String = ".badlog-rules"
 
-        /** What the name of a zip ends in that is a pack. */
+        /** The ending of the name of a zip that is a pack. */
         const val ZIP_ENDING: String = "$ENDING.zip"
 
         /** The folder of slices in which rules must find something. */
@@ -71,7 +71,7 @@ class RulePack private constructor(
         /** The folder of slices in which rules must not find anything. */
         const val SILENT: String = "silent"
 
-        /** What may be in a pack's file of rules. Hooks are programs, and a pack adds to the rules of others, so it turns none of them off. */
+        /** The keys allowed in a pack's file of rules. Hooks are programs, and a pack adds to the rules of others, so it turns none of them off. */
         private val KEYS = setOf("aliases", "rule", "cause", "leads_to")
 
         private val DATA = setOf(RulesFile.NAME, SignalsFile.NAME, DeviceMap.NAME)
@@ -81,7 +81,7 @@ class RulePack private constructor(
 
         private val NOTE_ENDINGS = listOf(".md", ".txt")
 
-        /** How files begin that gzip or xz has made. */
+        /** The first bytes of files made by gzip or xz. */
         private val COMPRESSED = listOf(byteArrayOf(0x1F, 0x8B.toByte()), byteArrayOf(0xFD.toByte(), 0x37, 0x7A, 0x58, 0x5A))
 
         /**

@@ -13,14 +13,14 @@ internal class Diagnosis(val name: String, val naming: Naming, val fault: Fault,
     val visibility: Visibility get() = fault.sightIn(naming).visibility
 }
 
-/** What was claimed about a match without a fault; empty for nothing. */
+/** The claims about a match without a fault; empty if there are none. */
 internal class Silence(val name: String, val naming: Naming, val isHard: Boolean, val headline: String) {
     val isSilent: Boolean get() = headline.isEmpty()
 }
 
 /**
- * Measures the claims of the built-in rules on generated matches, and writes the table. Arguments: the set, the seed (empty for that of the
- * set), how often each combination of fault, strength and naming occurs, the number of matches without a fault for each naming, the file.
+ * Measures the claims of the built-in rules on generated matches, and writes the table. Arguments: the set; the seed (empty for the set's own); how
+ * often each combination of fault, strength and naming occurs; the number of matches without a fault for each naming; the file.
  */
 internal fun main(arguments: Array<String>) {
     val set = MatchSet.valueOf(arguments[0].uppercase())
@@ -68,7 +68,7 @@ private fun row(title: String, diagnoses: List<Diagnosis>): String {
     return "| $title | ${diagnoses.size} | $shares |\n"
 }
 
-/** What somebody who mends a rule reads: the outcomes of each fault in each naming, and what should not have been said. */
+/** The details for an author who mends a rule: the outcomes of each fault in each naming, and the wrong claims. */
 private fun details(diagnoses: List<Diagnosis>, silences: List<Silence>): String {
     val cells = diagnoses.filter { it.visibility == Visibility.CAUSE }.groupBy { "${it.fault} ${it.naming.id}" }.entries.joinToString("") {
         "- ${it.key}: ${it.value.joinToString(", ") { one -> one.outcome.title }}\n"

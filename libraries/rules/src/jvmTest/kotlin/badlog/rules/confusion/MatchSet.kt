@@ -10,7 +10,7 @@ import badlog.samples.generated.fault.STRENGTHS
 /**
  * Matches for one purpose.
  *
- * @property seed what they follow from; null if it has to be given: for the final set, the hash of the commit that was frozen for it.
+ * @property seed the seed of the matches; null if it has to be given: for the final set, the hash of the commit that was frozen for it.
  * @property namings how their robots name topics. Rules are never fitted to the others.
  */
 internal enum class MatchSet(val seed: Long?, val namings: List<Naming>) {
@@ -19,7 +19,7 @@ internal enum class MatchSet(val seed: Long?, val namings: List<Naming>) {
     FINAL(null, Naming.entries),
 }
 
-/** Returns what makes each match of [set] with a fault: each fault in each strength and naming, [rounds] times. */
+/** Returns a function for each match of [set] with a fault: each fault in each strength and naming, [rounds] times. */
 internal fun faultyMatches(set: MatchSet, seed: Long, rounds: Int): List<() -> GeneratedMatch> {
     val generator = MatchGenerator(seed)
     return set.namings.flatMap { naming ->
@@ -29,7 +29,7 @@ internal fun faultyMatches(set: MatchSet, seed: Long, rounds: Int): List<() -> G
     }
 }
 
-/** Returns what makes [count] matches without a fault for each naming of [set]; a third of them are hard. */
+/** Returns functions for [count] matches without a fault for each naming of [set]; a third of them are hard. */
 internal fun healthyMatches(set: MatchSet, seed: Long, count: Int): List<() -> GeneratedMatch> {
     val generator = MatchGenerator(seed)
     return set.namings.flatMap { naming -> (0 until count).map { number -> { generator.healthy(naming, number) } } }

@@ -12,10 +12,10 @@ internal enum class Outcome(val title: String) {
 }
 
 /**
- * Returns how the diagnosis of a match with [fault] ended, which the topics [evidence] show, with [claims] in the order of their list.
+ * Returns how the diagnosis of a match with [fault] ended, with [claims] in the order of their list. The topics [evidence] show the fault.
  *
- * A list that begins with an incident of another cause is wrong, whatever follows: that is what a team would act on. Otherwise the best of
- * all claims counts. A claim that shows none of [evidence] is about something else, whatever it says.
+ * A list that begins with an incident of another cause is wrong, whatever follows: a team would act on that. Otherwise the best of all claims counts.
+ * A claim that shows none of [evidence] is about something else, whatever it says.
  */
 internal fun outcomeOf(fault: Fault, evidence: List<String>, claims: List<Claim>): Outcome {
     if (claims.isEmpty()) return Outcome.SILENT

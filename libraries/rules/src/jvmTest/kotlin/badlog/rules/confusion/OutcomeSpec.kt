@@ -12,9 +12,9 @@ class OutcomeSpec : FunSpec({
     val right = claim(fault.cause)
     val other = claim("Something else.")
 
-    test("no claim is silence") { outcomeOf(fault, evidence, emptyList()) shouldBe Outcome.SILENT }
+    test("a list without claims is silence") { outcomeOf(fault, evidence, emptyList()) shouldBe Outcome.SILENT }
 
-    test("the right cause counts wherever it stands, unless the list begins with another cause") {
+    test("the right cause counts anywhere in the list, unless the list begins with another cause") {
         outcomeOf(fault, evidence, listOf(right)) shouldBe Outcome.RIGHT
         outcomeOf(fault, evidence, listOf(other, right)) shouldBe Outcome.RIGHT
         outcomeOf(fault, evidence, listOf(claim(other.text, isIncident = true), right)) shouldBe Outcome.WRONG

@@ -3,8 +3,8 @@ package badlog.rules.confusion
 import kotlin.random.Random
 
 /**
- * Returns the share of [groups]' members that meet [isCounted], in percent, with the interval in which 95 % of the shares lie that other
- * choices of groups would give. Groups are resampled, not members: matches with the same fault tell much the same.
+ * Returns the share of [groups]' members that meet [isCounted], in percent, with an interval of 95 %. The interval has 95 % of the shares that other
+ * choices of groups would give. Groups are resampled, not members: matches with the same fault show much the same.
  */
 internal fun <T> shareText(groups: List<List<T>>, isCounted: (T) -> Boolean): String {
     val counts = groups.filter { it.isNotEmpty() }.map { group -> group.count(isCounted) to group.size }

@@ -3,6 +3,7 @@ package badlog.rules.field
 import badlog.core.analysis.LogView
 import badlog.core.bag.RecordingParser
 import badlog.core.recording.Severity
+import badlog.expression.LogViewSignals
 import badlog.formats.LOG_FORMATS
 import badlog.rules.BUILT_IN
 import badlog.rules.Finding
@@ -33,7 +34,7 @@ internal class FieldFinding(val firing: Firing, val severity: Severity, val text
  */
 internal class FieldLog(val name: String, val team: String, val ran: Set<String>, val findings: List<FieldFinding>)
 
-/** What the built-in rules say of the log in some bytes: the rules that could run, and their findings. */
+/** The built-in rules that could run over the log in some bytes, none if the robot was never enabled, and their findings. */
 internal class RulesOverLog(val ran: Set<String>, val isSimulated: Boolean, val findings: List<Finding>)
 
 /** Returns what the built-in rules say of the log [bytes] called [name]; null if it is not a log. */
@@ -43,9 +44,11 @@ internal fun rulesOver(bytes: ByteArray, name: String): RulesOverLog? {
     val recording = parser.finish()
     if (!recording.isReadable) return null
     val rules = RuleSet.BUILT_IN
-    val result = rules.over(LogView.of(recording).withSignals(rules.signals, name), name)
+    val view = LogView.of(recording).withSignals(rules.signals, name)
+    val result = rules.over(view, name)
     val skipped = result.skipped.mapTo(HashSet()) { it.rule }
-    val ran = rules.rules.map { it.name }.filterTo(LinkedHashSet()) { it !in skipped }
+    val wasEnabled = LogViewSignals(view).enabled?.isNotEmpty() != false
+    val ran = if (wasEnabled) rules.rules.map { it.name }.filterTo(LinkedHashSet()) { it !in skipped } else emptySet()
     return RulesOverLog(ran, result.skipped.any { it.simulated != null }, result.findings)
 }
 

@@ -5,8 +5,8 @@ import badlog.rules.RuleSet
 import java.io.File
 
 /**
- * Runs the built-in rules over a folder of real logs, and writes where each could run, where it fired, and what of that was judged.
- * Arguments: the folder, the file of judgements (empty for none), the file to write.
+ * Runs the built-in rules over a folder of real logs. Writes where each could run, where it fired, and which of its findings were judged. Arguments:
+ * the folder, the file of judgements (empty for none), the file to write.
  */
 internal fun main(arguments: Array<String>) {
     val logs = fieldLogsIn(File(arguments[0]))
@@ -16,7 +16,7 @@ internal fun main(arguments: Array<String>) {
     File(arguments[2]).apply { parentFile.mkdirs() }.writeText(text + openQuestions(logs, judged))
 }
 
-/** Returns the table of all rules that could run over one of [logs], of which some findings are [judged]. */
+/** Returns the table of all rules that could run over one of [logs]; some of their findings are [judged]. */
 internal fun fieldTable(logs: List<FieldLog>, judged: Map<Firing, Judgement>): String {
     val rows = RuleSet.BUILT_IN.rules.mapNotNull { rule ->
         val ran = logs.count { rule.name in it.ran }
@@ -30,7 +30,7 @@ internal fun fieldTable(logs: List<FieldLog>, judged: Map<Firing, Judgement>): S
         "|---|---|---|---|---|---|---|---|\n" + rows.joinToString("\n") + "\n"
 }
 
-/** The findings that nobody judged, as lines of judgements to complete. */
+/** The findings without a judgement, as lines of judgements to complete. */
 private fun openQuestions(logs: List<FieldLog>, judged: Map<Firing, Judgement>): String = logs.flatMap { log ->
     log.findings.filter { it.firing !in judged }.map { "${lineOf(it.firing)}?\t${log.name}: ${it.severity.name.lowercase()}: ${it.text}" }
 }.joinToString("\n", "\n", "\n")

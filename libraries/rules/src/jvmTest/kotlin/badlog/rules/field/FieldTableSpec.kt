@@ -28,6 +28,19 @@ class FieldTableSpec : FunSpec({
         table.lines().count { it.startsWith("| ") } shouldBe 3
     }
 
+    test("no rule could run over a log of a robot that was never enabled") {
+        fun ran(enabled: Boolean) = fieldLogOf(
+            (
+                "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"DS:enabled\",\"unit\":\"ul\",\"attrs\":[]}," +
+                    "{\"name\":\"System/Battery Voltage\",\"unit\":\"V\",\"attrs\":[]}],\"values\":[]}\nTime,DS:enabled,System/Battery Voltage\n" +
+                    (0..99).joinToString("") { "${it / 50.0},${enabled && it in 20..80},12.5\n" }
+                ).encodeToByteArray(),
+            "a.bag",
+        ).shouldNotBeNull().ran
+        ("Low battery" in ran(enabled = true)) shouldBe true
+        ran(enabled = false) shouldBe emptySet()
+    }
+
     test("a log is known by its bytes, and what is none is left out") {
         val bag = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"System/Battery Voltage\",\"unit\":\"V\",\"attrs\":[]}],\"values\":[]}\n" +
             "Time,System/Battery Voltage\n" + (0..99).joinToString("") { "${it / 50.0},${if (it in 40..60) 6 else 12.5}\n" }

@@ -1,11 +1,11 @@
 package badlog.rules.field
 
-/** What somebody said who compared a finding with the samples of its log. */
+/** A person's judgement of a finding, after comparing it with the samples of its log. */
 internal enum class Judgement { TRUE, FALSE, UNKNOWN }
 
 /**
- * Returns the judgements in [text]: on each line the beginning of the log's hash, the rule, the second (`-` for the whole log), and `true`,
- * `false` or `unknown`, with tabs between them. What follows on the line is a remark, and a line that begins with `#` is one, too. Throws
+ * Returns the judgements in [text]: on each line the beginning of the log's hash, the rule, the second (`-` for the whole log), and `true`, `false`
+ * or `unknown`, with tabs between them. The rest of the line is a remark, and a line that begins with `#` is one, too. Throws
  * [IllegalArgumentException] with the number of a line that is none of these.
  */
 internal fun judgementsIn(text: String): Map<Firing, Judgement> = text.lines().withIndex()

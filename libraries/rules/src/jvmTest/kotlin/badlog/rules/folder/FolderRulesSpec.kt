@@ -22,7 +22,7 @@ private fun writeRule(folder: Path, name: String, severity: String = "note"): Pa
 )
 
 class FolderRulesSpec : FunSpec({
-    test("the rules are those of the log's folder, otherwise of a folder above it up to the top, otherwise the built-in ones") {
+    test("the rules are from the log's folder, otherwise from a folder above it up to the top, otherwise the built-in ones") {
         val above = tempdir().toPath()
         val top = Files.createDirectories(above.resolve("logs"))
         val day = Files.createDirectories(top.resolve("day 1/morning"))
@@ -93,7 +93,7 @@ class FolderRulesSpec : FunSpec({
         condition() shouldBe "A > 7"
     }
 
-    test("a pack that is wrong, or means something else by the same name, is reported, and the others are used") {
+    test("a wrong pack, or one with another meaning for the same name, is reported, and the others are used") {
         val folder = tempdir().toPath()
         folder.packFolder("a.badlog-rules", RulesFile.NAME to "[aliases]\narm = \"A\"\n" + ruleText("One"))
         folder.packFolder("b.badlog-rules", RulesFile.NAME to ruleText("One"))

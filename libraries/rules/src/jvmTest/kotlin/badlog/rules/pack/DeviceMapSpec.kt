@@ -41,14 +41,14 @@ class DeviceMapSpec : FunSpec({
         listed(DeviceMap.parse("""[{"id": 2, "name": "Left", "type": "CANcoder"}]""")) shouldBe listOf(listOf("CANcoder", "2", "Left", ""))
     }
 
-    test("what is not JSON, or lists no device, is refused with what to write") {
+    test("a text that is not JSON, or lists no device, is refused with the form to write") {
         shouldThrow<RulesException> { DeviceMap.parse("[{") }.message shouldContain "It is not JSON"
         for (text in listOf("{}", "[]", "3", "\"x\"", "[[1]]", "{\"a\": true}")) {
             shouldThrow<RulesException> { DeviceMap.parse(text) }.message shouldContain "It lists no device; write each as {\"id\": 3"
         }
     }
 
-    test("any text is a map or a mistake") {
+    test("any text is a map, or is refused as a mistake") {
         val pieces = listOf("{", "}", "[", "]", ":", ",", "\"3\"", "\"id\"", "\"name\"", "\"devices\"", "\"TalonFX-2\"", "3", "-1", "1e9", "null", " ")
         checkAll(Arb.list(Arb.element(pieces), 0..14)) { parts ->
             try {

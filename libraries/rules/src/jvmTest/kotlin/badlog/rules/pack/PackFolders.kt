@@ -25,7 +25,7 @@ internal fun Path.packZip(name: String, vararg files: Pair<String, ByteArray>): 
     }
 }
 
-/** The folder [pack] zipped, with its own name before those of its files if [isOuter]. */
+/** The folder [pack] zipped, with its own name before its files' names if [isOuter]. */
 internal fun zipped(pack: Path, target: Path, isOuter: Boolean = false): Path {
     val files = Files.walk(pack).use { all -> all.filter(Files::isRegularFile).toList() }
     val before = if (isOuter) "${pack.fileName}/" else ""

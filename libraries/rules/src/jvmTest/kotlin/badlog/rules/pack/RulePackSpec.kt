@@ -59,14 +59,14 @@ class RulePackSpec : FunSpec({
         }
     }
 
-    test("a pack is data: programs, and what would change the rules of others, are refused in its rules") {
+    test("a pack is data: programs, and changes to the rules of others, are refused in its rules") {
         val folder = tempdir().toPath()
         for (text in listOf("[[hook]]\ncommand = \"x\"\n", "extends = \"default\"\n", "off = [\"power\"]\n", "[limits]\n\"Low battery\" = { volts = 1 }\n")) {
             problemOf(folder.packFolder("p", RULES to text)) shouldContain "is not a key of a pack's rules; the keys are aliases, rule, cause, leads_to."
         }
     }
 
-    test("what is wrong in a file of a pack is said with the file, the pack and the place") {
+    test("a mistake in a file of a pack is reported with the file, the pack and the place") {
         val folder = tempdir().toPath()
         val pack = folder.packFolder("p", RULES to ruleText("A").replace("warning", "bad"))
         problemOf(pack).lines()[0] shouldBe "badlog-rules.toml in $pack: Line 3: A severity is “error”, “warning” or “note”, not “bad”."
@@ -112,7 +112,7 @@ class RulePackSpec : FunSpec({
         problemOf(folder.packFolder("q", RULES to ruleText("A"), "fires/A/b/c/d.bag" to "")) shouldContain "is nested too deeply"
     }
 
-    test("a compressed slice is refused, since its size says nothing of what reading it takes") {
+    test("a compressed slice is refused, since its size does not show the memory that it takes") {
         val folder = tempdir().toPath()
         val pack = folder.packFolder("p", RULES to ruleText("A"), "fires/A/x.bag" to "\u001f")
         Files.write(pack.resolve("fires/A/x.bag"), byteArrayOf(0x1F, 0x8B.toByte(), 8))
@@ -133,7 +133,7 @@ class RulePackSpec : FunSpec({
         }
     }
 
-    test("any names in a zip make a pack, or one sentence, and what is read lies in its folders") {
+    test("any names in a zip make a pack, or one sentence, and all that is read lies in its folders") {
         val folder = tempdir().toPath()
         val pieces = Arb.list(Arb.element("..", ".", "", "fires", "silent", "A", "a.bag", "\\", "C:", "\u0001", "~"), 1..6)
         checkAll(Arb.list(pieces, 0..5)) { names ->

@@ -31,18 +31,18 @@ class CountsSpec : FunSpec({
         COUNTS.groupBy { it.rule to it.set }.filterValues { it.size > 1 }.keys.shouldBeEmpty()
     }
 
-    test("counts of a rule's text say nothing of the rule with another text") {
+    test("counts of another text of a rule do not count for it") {
         val proven = RuleSet.BUILT_IN.rules.first { !it.isOnTrial }.name
         countedStanding(proven, hashes.getValue(proven)) shouldBe Standing.PROVEN
         countedStanding(proven, "00000000") shouldBe Standing.ON_TRIAL
     }
 
-    test("each rule's hash is its own, and the same on a system whose lines end otherwise") {
+    test("each rule's hash is its own, and the same with another system's line ends") {
         hashes.values.toSet().size shouldBe hashes.size
         hashOfJson("{\r\n  \"name\": \"A\"\r\n}") shouldBe hashOfJson("{\n  \"name\": \"A\"\n}")
     }
 
-    test("a built-in rule on trial is a note, whatever it is once proven") {
+    test("a built-in rule on trial is a note, whatever its severity once proven") {
         val proven = builtInRulesFromToml { _, _ -> Standing.PROVEN }
         val trial = builtInRulesFromToml { _, _ -> Standing.ON_TRIAL }
         trial.rules.forAll { it.severity to it.isOnTrial shouldBe (Severity.NOTE to true) }

@@ -2,13 +2,13 @@ package badlog.rules.standing
 
 import badlog.rules.field.Judgement
 
-/** A finding of [rule], and what was said of it; null if nobody judged it. */
+/** A finding of [rule], and the judgement of it; null if it was not judged. */
 internal class JudgedFinding(val rule: String, val text: String, val judgement: Judgement?)
 
 /**
  * A log in which the findings of the built-in rules were judged.
  *
- * @property team the team that it is of; null for a simulated robot.
+ * @property team its team; null for a simulated robot.
  * @property ran the names of the rules that could run.
  */
 internal class JudgedLog(val name: String, val team: String?, val ran: Set<String>, val found: List<JudgedFinding>)

@@ -3,7 +3,7 @@ package badlog.rules.standing
 /** Rules about what a robot that draws too much does to its battery. */
 private val LOAD = setOf(
     "Browned out", "Below the brownout voltage", "Low battery", "Weak battery", "Too much at once", "Main breaker", "High total current",
-    "Heavy load", "Current too long", "High current", "Motor hot", "Motor too hot",
+    "Current too long", "High current", "Motor hot", "Motor too hot",
 )
 private val BATTERY = setOf(
     "Browned out",
@@ -15,34 +15,40 @@ private val BATTERY = setOf(
     "Raised battery resistance",
 )
 private val BLOCKED = setOf(
-    "Motor stalled", "Motor stuck", "Motor does not turn", "Motor jammed", "Output without effect", "Setpoint missed", "Speed not reached",
-    "Output saturated", "Moves harder", "Current too long", "High current", "Motor hot", "Motor too hot", "Side stands still",
+    "Motor stalled", "Still at stall current", "Motor does not turn", "Driven without moving", "Position stands still", "Output without effect", "Away from its setpoint", "Speed not reached",
+    "Output saturated", "Moves harder", "Current too long", "High current", "Too much at once", "Motor hot", "Motor too hot", "Side stands still",
 )
 private val CAN = setOf(
-    "CAN errors", "CAN bus full", "One CAN bus full", "CAN utilization high", "CAN bus off", "Values frozen", "Device silent", "Device lost",
+    "CAN errors", "CAN bus full", "One CAN bus full", "CAN utilization high", "CAN bus off", "Values frozen", "Device without values", "Device lost",
     "Sensor lost", "Error logged", "Motor fault",
 )
 private val LINK = setOf(
-    "Link lost", "Link lost while disabled", "Packets late", "Packets very late", "Packets lost", "Many packets lost", "Very weak radio signal",
-    "Weak radio signal", "Error logged",
+    "Link lost",
+    "Packets late",
+    "Packets very late",
+    "Packets lost",
+    "Many packets lost",
+    "Very weak radio signal",
+    "Weak radio signal",
+    "Error logged",
 )
 private val SLOW = setOf(
     "Loop blocked", "Loop overrun", "Slow loops", "Loop overruns reported", "Gap in time", "Long garbage collection",
     "Frequent garbage collection", "CPU busy", "CPU overloaded",
 )
-private val RESTARTED = setOf("Restarted in the match", "Ended in the match", "Code restarted", "Code crashed", "Error logged", "Gap in time")
+private val RESTARTED = setOf("Restarted in the match", "Log begins in teleop", "Ended in the match", "Code restarted", "Code crashed", "Error logged", "Gap in time")
 private val ENCODER = setOf(
-    "Encoder frozen", "Encoder stopped", "Encoders disagree", "Linked speeds differ", "Setpoint missed", "Output without effect", "Flat sensor",
-    "Sensor lost", "Side stands still", "Output saturated", "Values frozen", "Motor turns alone", "Module does not turn",
+    "Encoder frozen", "Encoder stopped", "Position stands still", "Encoders disagree", "Linked speeds differ", "Away from its setpoint", "Output without effect", "Flat sensor",
+    "Sensor lost", "Side stands still", "Output saturated", "Values frozen", "Motor and mechanism disagree", "Module does not turn",
 )
 private val GYRO = setOf("Heading jumped", "Gyro drifts", "Pose jumped", "Sensor lost", "Left the plan", "Flat sensor")
-private val MODULE = setOf("Module does not turn", "Module lags", "Module drives weakly", "Channel lost its share", "Setpoint missed")
+private val MODULE = setOf("Module does not turn", "Module lags", "Module draws less current", "Channel lost its share", "Away from its setpoint")
 private val UNPOWERED = setOf(
-    "Breaker tripped", "Breaker open", "Channel rests alone", "Device silent", "Device lost", "Output lost", "Linked motor off",
-    "Linked motors unequal", "Channel lost its share", "Module drives weakly", "Module does not turn", "Motor fault", "Values frozen",
-    "Setpoint missed", "Speed not reached", "Encoder frozen", "Output without effect", "Side drags", "Sensor lost", "Error logged",
+    "Breaker open", "Channel rests alone", "Device without values", "Device lost", "Output without voltage", "Linked motor without current",
+    "Linked motors unequal", "Channel lost its share", "Module draws less current", "Module does not turn", "Motor fault", "Values frozen",
+    "Away from its setpoint", "Speed not reached", "Encoder frozen", "Output without effect", "Side needs more output", "Sensor lost", "Error logged",
 )
-private val AIR = setOf("Air leak", "Low air pressure", "Compressor without effect")
+private val AIR = setOf("Stored air falls", "Low air pressure", "Compressor without effect")
 
 /** Rules that repeat what the robot's computer reported of itself, which is never all right: true in any match. */
 internal val FACTS: Set<String> = setOf("Browned out", "Below the brownout voltage", "CAN bus off", "Code crashed")
@@ -65,7 +71,7 @@ private val RIGHT = mapOf(
     "lead" to BATTERY + RESTARTED + LINK + "Bad battery contact" + "Radio lost power",
     "stall" to BLOCKED,
     "can" to CAN,
-    "vision" to SLOW + setOf("Vision blocked the loop", "Vision in the loop", "Vision jumps", "Late pictures", "Camera silent"),
+    "vision" to SLOW + setOf("Loop and vision late together", "Vision in the loop", "Vision jumps", "Late pictures", "No new pictures"),
     "encoder" to ENCODER,
     "gyro" to GYRO,
     "radio" to LINK + setOf("Radio lost power", "Controller unplugged"),
@@ -88,6 +94,14 @@ private val RIGHT = mapOf(
     "code_crash" to RESTARTED,
     "controller_unplugged" to setOf("Controller unplugged", "Error logged"),
     "air_leak" to AIR,
-    "setpoint_not_held" to setOf("Overshoot", "Setpoint missed", "Speed oscillates", "Speed not reached", "Output saturated", "Motor turns alone"),
+    "setpoint_not_held" to setOf(
+        "Overshoot",
+        "Away from its setpoint",
+        "Speed oscillates",
+        "Speed not reached",
+        "Output saturated",
+        "Motor and mechanism disagree",
+        "Driven without moving",
+    ),
     "motor_overheats" to LOAD + BLOCKED,
 )

@@ -29,15 +29,15 @@ private fun verdictOn(finding: Finding, match: GeneratedMatch): Judgement {
     return if (isShown && fault.verdictOn("${finding.rule}. ${finding.text}") != Verdict.OTHER) Judgement.TRUE else Judgement.FALSE
 }
 
-/** Returns the matches of the second simulator in [folder], whose names begin with what was planted. */
+/** Returns the matches of the second simulator in [folder]; their names begin with the planted fault. */
 internal fun plantedLogs(folder: File): List<JudgedLog> = logsIn(folder).parallelStream().map { file ->
     val right = rightRulesFor(file.name.takeWhile { it.isLetter() })?.plus(MESSAGES).orEmpty() + FACTS
     judgedLog(file.readBytes(), file.name) { if (it.rule in right) Judgement.TRUE else Judgement.FALSE }
 }.toList().filterNotNull()
 
 /**
- * Returns the matches of the third simulator in [folder] and those below it, whose `truth.json` says what was planted in each, and when. What its author calls
- * invisible still disturbs the robot, so other rules' findings there are neither true nor false.
+ * Returns the matches of the third simulator in [folder] and below it. The `truth.json` of each names the planted faults and their times. Faults that
+ * its author calls invisible still disturb the robot, so other rules' findings there are neither true nor false.
  */
 internal fun thirdLogs(folder: File): List<JudgedLog> = folder.walkTopDown().filter { it.name == "truth.json" }.sorted().toList().flatMap { thirdLogsOf(it.parentFile) }
 

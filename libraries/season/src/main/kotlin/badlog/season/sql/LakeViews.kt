@@ -59,7 +59,7 @@ internal class LakeViews(
         return "SELECT * FROM ${scanOf(files, isUnion = true)}"
     }
 
-    /** Returns a column for each topic, with all of its statistics. */
+    /** Returns one column per topic, a struct of its statistics. */
     private fun matchStatistics(): String {
         make(LakeView.MATCHES)
         make(LakeView.STATISTICS)

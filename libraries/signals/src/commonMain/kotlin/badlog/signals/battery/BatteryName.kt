@@ -9,8 +9,8 @@ import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Returns what [recording] calls its battery: in a value of its header, or else at the end in a topic, both as [vocabulary] names them; null
- * if it does not say.
+ * Returns the name of the battery in [recording]: from a value of its header, or else from the end of a topic. [vocabulary] names both; null if the
+ * recording has none.
  */
 fun batteryNameIn(recording: Recording, vocabulary: SignalVocabulary): String? {
     val patterns = vocabulary.find(BATTERY_NAME)?.topics.orEmpty().map { it.pattern }

@@ -15,7 +15,7 @@ import badlog.signals.vocabulary.SignalTopics
  * The battery in a log, over seconds.
  *
  * @property volts its voltage.
- * @property amps what the robot takes from it; null if the log does not show it.
+ * @property amps the current that the robot takes from it; null if the log does not show it.
  * @property end when the last samples end.
  */
 class BatterySeries private constructor(
@@ -38,7 +38,7 @@ class BatterySeries private constructor(
         val weights = DoubleArray(volts.size)
         var size = 0
         forEachHeld(volts) { from, to, volt ->
-            // What was logged long before is no longer known.
+            // An older voltage is not known any more.
             val held = minOf(to, from + LONGEST_LOAD, span.to) - maxOf(from, span.from)
             // Until there is a first voltage, libraries log 0.
             if (held > 0 && volt > LEAST_VOLTS) {
@@ -49,7 +49,7 @@ class BatterySeries private constructor(
         return if (weights.sum() < LEAST_REST) null else weightedPercentile(values, weights, size, HALF)
     }
 
-    /** Returns what the robot took from the battery in watt-hours; null if it is not known for a tenth of the time. */
+    /** Returns the energy that the robot took from the battery in watt-hours. Null if it is unknown for more than a tenth of the time. */
     internal fun energy(): Double? {
         if (amps == null || !volts.isOrdered || !amps.isOrdered || volts.size == 0 || amps.size == 0) return null
         var joules = 0.0
@@ -58,7 +58,7 @@ class BatterySeries private constructor(
         forEachHeld(amps) { from, to, amp ->
             while (v + 1 < volts.size && volts.x[v + 1] <= from) v++
             val volt = if (v < 0) Double.NaN else volts.y[v]
-            // A large current is not the same for long: somebody stopped logging.
+            // A large current does not stay the same for long: logging has stopped.
             val isKnown = amp.isFinite() && volt.isFinite() && (to - from < LONGEST_LOAD || amp < SMALL_LOAD)
             if (isKnown) {
                 joules += volt * amp * (to - from)

@@ -10,14 +10,14 @@ import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * What a log says of the battery that was in the robot. Each property is null if the log does not show it.
+ * The facts in a log about the battery that was in the robot. Each property is null if the log does not show it.
  *
- * @property name what the log calls it.
+ * @property name the battery's name in the log.
  * @property topic the topic of its voltage.
  * @property lowest the lowest voltage, in volts.
  * @property restBefore the voltage at rest before the robot was enabled for the first time, in volts.
  * @property restAfter the voltage at rest after it was enabled for the last time, in volts.
- * @property energy what the robot took from it, in watt-hours.
+ * @property energy the energy that the robot took from it, in watt-hours.
  * @property resistance the resistance of battery and wiring.
  */
 data class BatteryUse(
@@ -30,7 +30,7 @@ data class BatteryUse(
     val resistance: Resistance? = null,
 )
 
-/** Returns what [view], whose topics are named by [vocabulary], says of its battery; null for nothing. */
+/** Returns the facts in [view] about its battery, found by [vocabulary]; null if there are none. */
 fun batteryUseOf(view: LogView, vocabulary: SignalVocabulary): BatteryUse? {
     val shape = LogShape.of(view)
     val topics = shape.topicsOf(vocabulary)
@@ -50,14 +50,14 @@ fun batteryUseOf(view: LogView, vocabulary: SignalVocabulary): BatteryUse? {
     )
 }
 
-/** Before a sensor has been read for the first time, it returns 0, which no battery of a running robot has. */
+/** Returns the lowest voltage above 0. A sensor returns 0 before it is read for the first time; no battery of a running robot has that. */
 private fun lowestVoltage(topics: List<Topic>, battery: SignalTopic): Double? {
     var lowest = Double.POSITIVE_INFINITY
     for (voltage in topics.first { it.name == battery.topic }.samples) if (voltage > 0 && voltage < lowest) lowest = voltage
     return lowest.takeIf { it.isFinite() }?.let { it * (battery.scale ?: 1.0) }
 }
 
-/** For how long before a match, and at its end, the voltage at rest is measured, in seconds. */
+/** The seconds before a match, and at the log's end, over which the voltage at rest is measured. */
 private const val REST = 10.0
 
 /** A battery's voltage recovers after a load; in seconds. */

@@ -3,9 +3,9 @@ package badlog.signals.battery
 import kotlin.math.sqrt
 
 /**
- * Returns the mean of [resistances], one per match, with its uncertainty (95 %); null if there are none. Matches differ by more than their
- * own uncertainty, since batteries are warm or half empty: how much more is estimated from them, as DerSimonian and Laird do for trials in
- * medicine (Controlled Clinical Trials 7, 1986), and by Student's t where that is so. A single match has its own uncertainty only.
+ * Returns the mean of [resistances], one per match, with its uncertainty (95 %); null if none has an uncertainty. Matches differ by more than their
+ * own uncertainty, since batteries are warm or half empty. The excess is estimated from them, as DerSimonian and Laird do for trials in medicine
+ * (Controlled Clinical Trials 7, 1986); if there is one, Student's t is used. A single match has its own uncertainty only.
  */
 fun meanOf(resistances: List<Resistance>): Resistance? {
     val known = resistances.filter { it.uncertainty > 0 }

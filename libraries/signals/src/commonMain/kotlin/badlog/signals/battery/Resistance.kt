@@ -7,10 +7,10 @@ import kotlin.math.sqrt
 data class Resistance(val milliohms: Double, val uncertainty: Double)
 
 /**
- * Returns the slope of [volts] against [amps] within each 10 s, so that a battery that empties does not count as resistance, and its
- * uncertainty. That is estimated by leaving out each 10 s in turn (the jackknife), since neighboring samples are nearly the same. It has
- * noise and emptying in it, but not that a battery's resistance is higher for a long load than for a short one. Null if the current hardly
- * changes, or for too short a time, or if the result is too uncertain to tell one battery from another.
+ * Returns the slope of [volts] against [amps] as a resistance, with its uncertainty. It is fitted within each 10 s, so that a battery that empties
+ * does not count as resistance. The uncertainty is estimated by leaving out each 10 s in turn (the jackknife), since neighboring samples are nearly
+ * the same. It includes noise and emptying, but not that a battery's resistance is higher for a long load than for a short one. Null if the current
+ * hardly changes, or for too short a time, or if the result is too uncertain to tell one battery from another.
  *
  * @param end when the last samples end, in seconds like all times.
  */
@@ -44,8 +44,8 @@ fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
 }
 
 /**
- * Returns how many standard errors to both sides have 95 % of the values if they are estimated from [degrees] of freedom: Student's t by the
- * expansion in Abramowitz and Stegun, 26.7.5.
+ * Returns the number of standard errors to both sides that include 95 % of the values. It is Student's t for [degrees] of freedom, by the expansion
+ * in Abramowitz and Stegun, 26.7.5.
  */
 internal fun quantile95(degrees: Int): Double {
     // The expansion is for more.

@@ -1,21 +1,21 @@
 package badlog.signals.battery
 
 /**
- * What a team wrote down about its batteries.
+ * A team's written records of its batteries.
  *
  * @property batteries the batteries that it has.
- * @property used which battery was in the robot: by the place of a log's file from that file on, with slashes, or by its match,
- * `Qualification 12`.
+ * @property used the name of the battery in the robot: by the path of a log's file from the team's file on, with slashes, or by its match,
+ *   `Qualification 12`.
  */
 data class TeamBatteries(val batteries: List<TeamBattery> = emptyList(), val used: Map<String, String> = emptyMap()) {
-    /** Returns the battery of a match, whose logs are at [places], as written down; null if it is not. */
+    /** Returns the battery written down for a match with logs at [places]; null if there is none. */
     fun usedFor(places: List<String>, match: String?): String? = places.firstNotNullOfOrNull(used::get) ?: match?.let(used::get)
 }
 
 /**
  * A battery that a team has.
  *
- * @property name what it is called, as on its label.
+ * @property name its name, as on its label.
  * @property bought when it was new: `2025`, `2025-01` or `2025-01-31`; null if not known.
  * @property isRetired whether it is no longer used in matches.
  */

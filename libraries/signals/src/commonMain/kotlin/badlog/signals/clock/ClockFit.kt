@@ -4,20 +4,20 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * How the clock of one log relates to that of another.
+ * The relation of one log's clock to another's.
  *
  * @property seconds the offset to add to its times, in s, to the microsecond.
  * @property edges the number of moments of enabling and disabling that match; 0 if only clocks or names were used.
- * @property error the largest distance of those from the other log's, in s, to the microsecond; if there are none, the possible error of
- * the clocks.
+ * @property error the largest distance of a matching moment from the other log's, in s, to the microsecond; if none match, the possible error of the
+ *   clocks.
  */
 class ClockFit(val seconds: Double, val edges: Int, val error: Double) {
     companion object {
         /**
-         * Returns how the clock of [own] relates to that of [others], so that as many edges as possible match; null if none can.
+         * Returns the relation of the clock of [own] to the clock of [others] at which most edges match; null if none can.
          *
-         * @param near the estimated difference of the clocks in seconds, if known: among several fits with as many edges, the one nearest
-         *   to it counts.
+         * @param near the estimated difference of the clocks in seconds, if known: among several fits with as many edges, the one nearest to it
+         *   counts.
          */
         fun ofEdges(own: List<EnabledEdge>, others: List<EnabledEdge>, near: Double? = null): ClockFit? {
             fun distance(fits: List<Double>): Double {

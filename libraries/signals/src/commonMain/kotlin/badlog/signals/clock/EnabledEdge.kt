@@ -13,8 +13,8 @@ import badlog.core.analysis.enabledSpans
 class EnabledEdge(val seconds: Double, val isRise: Boolean)
 
 /**
- * Returns when the robot was enabled and disabled, the first [MAX_EDGES] times, except at the log's own start and end. Empty if the
- * log does not show it.
+ * Returns the moments when the robot was enabled and disabled, the first [MAX_EDGES] ones. The log's own start and end are left out. Empty if the log
+ * does not show it.
  */
 fun LogView.enabledEdges(): List<EnabledEdge> {
     val range = xAxis.range ?: return emptyList()
@@ -29,7 +29,7 @@ fun LogView.enabledEdges(): List<EnabledEdge> {
     }.take(MAX_EDGES)
 }
 
-/** The number of seconds per unit of x; what is not a unit of time counts as a second. */
+/** The number of seconds per unit of x; any unit that is not a time counts as a second. */
 val LogView.secondsPerX: Double get() = Units.secondsIn(xAxis.unit) ?: 1.0
 
 private const val MAX_EDGES = 200

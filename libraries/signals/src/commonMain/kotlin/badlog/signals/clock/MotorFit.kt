@@ -6,12 +6,11 @@ import badlog.signals.vocabulary.SignalVocabulary
 import kotlin.math.abs
 
 /**
- * Returns how the clock of the motor controllers' log [log] relates to that of the robot's log [robot], by the moments in both at which a
- * motor started and stopped. If the robot's log has no motor output, the times when it was enabled are used, since no motor is driven while
- * a robot is disabled. Null if fewer than three moments of a motor, or two of enabling, match.
+ * Returns the relation of the clock of [log], from motor controllers, to the clock of [robot], the robot's log. It is found by the moments in both at
+ * which a motor started and stopped. If the robot's log has no motor output, the times when it was enabled are used, since no motor is driven while a
+ * robot is disabled. Null if fewer than three moments of a motor, or two of enabling, match.
  *
- * Both logs count from the start of the robot's program, so among several fits with as many moments, the one that moves the log least
- * counts.
+ * Both logs count from the start of the robot's program, so among several fits with as many moments, the one that moves the log least counts.
  *
  * @param signals the names of the topics in both.
  */

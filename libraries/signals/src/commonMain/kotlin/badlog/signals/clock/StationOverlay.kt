@@ -7,11 +7,11 @@ import badlog.signals.signalTopicsOf
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * The log of a robot, and that of the Driver Station of the same match, on the robot's clock.
+ * The log of a robot, and the Driver Station's log of the same match, on the robot's clock.
  *
  * @param robot the robot's log, with the signals of [vocabulary].
  * @param station the Driver Station's log.
- * @param fit how the clock of that relates to the robot's.
+ * @param fit the relation of the Driver Station's clock to the robot's.
  */
 class StationOverlay(
     private val robot: LogView,
@@ -29,8 +29,8 @@ class StationOverlay(
     val both: LogView by lazy { with(station.recording.topics.zip(namesOf), AROUND) }
 
     /**
-     * The view on which rules run: the robot's topics, plus those topics of the Driver Station that are signals which the robot's log
-     * lacks, over the robot's time. What the robot logged itself has priority.
+     * The view on which rules run, over the robot's time: the robot's topics, and the Driver Station's. A topic of the Driver Station that is a
+     * signal which the robot's log has, too, is left out.
      */
     val forRules: LogView by lazy {
         val own = signalTopicsOf(robot, vocabulary).all.mapTo(HashSet()) { it.signal }
@@ -55,12 +55,12 @@ class StationOverlay(
         }
         val both = LogView.of(robot.recording.copy(topics = robot.recording.topics + topics))
         val modes = if (robot.modes.enabled != null) robot.modes else signalTopicsOf(both, vocabulary).modes
-        // The time of day alone may be that of another match.
+        // The time of day alone may belong to another match.
         return both.identified(robot.title ?: station.match.title.takeIf { fit.edges >= SURE_EDGES }, modes)
     }
 
     companion object {
-        /** So many moments of enabling that match are no coincidence. */
+        /** So many matching moments of enabling are not a coincidence. */
         private const val SURE_EDGES = 2
 
         /** The seconds before and after the robot's log for which the Driver Station's log is also shown. */

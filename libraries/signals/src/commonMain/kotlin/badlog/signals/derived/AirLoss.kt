@@ -4,8 +4,8 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns how fast stored air is lost while nothing uses it, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS], if
- * [compressor] was off all along and no cylinder moved; NaN elsewhere. A cylinder takes its air at once.
+ * Returns the loss of stored air while nothing uses it, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS]. NaN unless [compressor] was
+ * off all along and no cylinder moved. A cylinder takes its air at once.
  */
 fun airLoss(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)
@@ -20,7 +20,7 @@ fun airLoss(pressure: Series, compressor: Series): Series {
             if (pressure.x[i] - pressure.x[first] < LOSS_SECONDS * 0.9) {
                 Double.NaN
             } else {
-                // A leak goes on all the time; cylinders, of which small ones take hardly more than sensors err, do not.
+                // A leak lasts; cylinders take air for moments only, small ones hardly more than the error of a sensor.
                 val ends = IntArray(PARTS + 1) { part -> indexBefore(pressure.x, i, LOSS_SECONDS * (PARTS - part) / PARTS, first) }
                 DoubleArray(PARTS) { part -> lossOver(pressure, ends[part], ends[part + 1]) }.apply { sort() }[SECOND_LOWEST]
             }
@@ -28,10 +28,7 @@ fun airLoss(pressure: Series, compressor: Series): Series {
     )
 }
 
-/**
- * Returns the most by which [pressure] rose within a second in the last [RUN_SECONDS], in psi, if [compressor] was on all along;
- * NaN elsewhere.
- */
+/** Returns the largest rise of [pressure] within a second in the last [RUN_SECONDS], in psi. NaN unless [compressor] was on all along. */
 fun airGain(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)
     var since = 0

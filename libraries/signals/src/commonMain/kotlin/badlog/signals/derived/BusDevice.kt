@@ -3,7 +3,7 @@ package badlog.signals.derived
 import badlog.expression.signals.Signal
 import badlog.signals.vocabulary.NamePattern
 
-/** What devices on the CAN bus say of themselves, whatever their vendors call it. */
+/** The values that devices on the CAN bus report about themselves, by all vendors' names. */
 enum class BusSignal(vararg val names: String) {
     POSITION("position", "primaryencoderposition"),
     VELOCITY("velocity", "primaryencodervelocity"),
@@ -22,18 +22,17 @@ enum class BusSignal(vararg val names: String) {
 }
 
 /**
- * A device on the CAN bus whose topics are named by its type and its id, as in `Phoenix6/TalonFX-3/StatorCurrent`. Nothing says what it
- * moves.
+ * A device on the CAN bus with topics named by its type and its id, as in `Phoenix6/TalonFX-3/StatorCurrent`. Nothing shows what it moves.
  *
  * @property label its name for people, such as `TalonFX 3`.
  */
 class BusDevice internal constructor(val label: String, private val topics: Map<BusSignal, String>) {
-    /** The full names of its topics, without those of other devices. */
+    /** The full names of its topics, without other devices' topics. */
     val names: List<String> get() = topics.values.toList()
 
     internal val id: Int get() = label.filter { it in '0'..'9' }.toInt()
 
-    /** Whether it is a motor that says how fast it turns. */
+    /** Whether it is a motor that reports its velocity and its current. */
     val isMotor: Boolean get() = BusSignal.VELOCITY in topics && BusSignal.CURRENT in topics
 
     fun topic(signal: BusSignal): String? = topics[signal]
@@ -55,7 +54,7 @@ fun busDeviceIn(name: String): String? {
  */
 class BusAddress private constructor(val type: String, val id: Int) {
     companion object {
-        /** Returns the address in [device], a device's label or what its topics share; null if it has none. */
+        /** Returns the address in [device], a device's label or the common beginning of its topics; null if it has none. */
         fun of(device: String): BusAddress? {
             val label = device.substringAfterLast('/')
             val digits = label.indexOfFirst { it in '0'..'9' }

@@ -4,11 +4,11 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * What motors that are known by their ids alone move, as far as their speeds show. Motors of one shaft turn in one ratio; of those, the
- * first stands for all.
+ * The roles of motors that are known by their ids alone, found by their speeds. Motors of one shaft turn in one ratio; the first of them stands for
+ * all.
  *
  * @param speeds the speed of each motor, at the same times.
- * @param places how far each has turned, then; empty if it does not say.
+ * @param places the position of each motor at these times; empty if it is not reported.
  * @param isEncoded whether each has an absolute encoder of its own, as steering motors have.
  */
 class BusRoles(private val speeds: List<DoubleArray>, private val places: List<DoubleArray>, isEncoded: List<Boolean>) {
@@ -21,7 +21,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     /** The drive motors of a robot: four of a swerve drive, two of a tank drive; empty if that is not known. */
     val drive: List<Int>
 
-    /** The motors that turn the modules of a swerve drive, as far as known. */
+    /** The motors that turn the modules of a swerve drive; not all if some are unknown. */
     val steering: List<Int>
 
     /** The motors that move mechanisms; empty unless [drive] is known, since a robot that pushes is not jammed. */
@@ -30,7 +30,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     init {
         val free = leaders.filter { !isEncoded[it] && tops[it] > 0 }
         val modules = alike(free, 4)
-        // Two rollers run alike, too, but never against each other as the sides of a robot that turns, of which each has several motors.
+        // Two rollers run alike, too, but never against each other, as the sides of a turning robot do. Each side has several motors.
         drive = modules ?: alike(free.filter(::isFollowed), 2)?.takeIf { (one, other) -> turnsAgainst(one, other) } ?: emptyList()
         val encoded = isEncoded.indices.filter { isEncoded[it] }
         steering = alike(leaders.filter { it !in drive && tops[it] > 0 }, 4).takeIf { modules != null }.orEmpty() +
@@ -44,7 +44,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     private fun isOnShaft(one: Int, other: Int): Boolean = abs(correlation(speeds[one], speeds[other])) > SAME_SPEED ||
         (places[one].size == places[other].size && abs(correlation(places[one], places[other])) > SAME_PLACE)
 
-    /** Returns the [count] motors among [motors] that run alike, if there is one such set; those that turned most, if there are several. */
+    /** Returns the [count] motors among [motors] that run alike; of several such sets, the one that turned most. Null if there is none. */
     private fun alike(motors: List<Int>, count: Int): List<Int>? = motors.map { one -> motors.filter { it == one || isAlike(one, it) } }
         .filter { set -> set.size == count && set.all { one -> set.all { it == one || isAlike(one, it) } } }
         .maxByOrNull { set -> set.sumOf { sizes[it].sumOf { size -> if (size.isFinite()) size else 0.0 } } }

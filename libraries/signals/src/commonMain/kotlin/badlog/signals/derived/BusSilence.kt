@@ -4,9 +4,9 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns for how long a device whose topics are [sent] sent nothing while the robot was enabled and half of [others] did, in s: the
- * length
- * of each such gap from its start to its end, 0 elsewhere. Empty if the log keeps changes only: then silence says that nothing changed.
+ * Returns how long a device with the topics [sent] sent nothing, in s: each gap's length from its start to its end, 0 elsewhere. Only gaps count in
+ * which the robot was enabled and more than half of [others] sent something. Empty if there are too few samples, or if the log keeps changes only:
+ * then silence means that nothing changed.
  */
 fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> Boolean): Series {
     val own = sent.map(::known).maxByOrNull { it.size }
@@ -30,7 +30,7 @@ fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> 
     return Series(times.toDoubleArray(), gaps.toDoubleArray())
 }
 
-/** Returns [series] without its gaps: where rows hold what was logged, a device that sends nothing leaves cells empty. */
+/** Returns [series] without its gaps: in a log of rows, a device that sends nothing leaves cells empty. */
 private fun known(series: Series): Series {
     val kept = (0 until series.size).filter { series.y[it].isFinite() }
     return if (kept.size == series.size) {

@@ -3,10 +3,10 @@ package badlog.signals.derived
 import kotlin.math.sqrt
 
 /**
- * Returns how the current of each of [currents], the channels of a power distribution, changed from the first sixth of enabled time to the
- * last two fifths, as a share of how those of its equals changed: 1 if all changed alike. Equals are the four drive motors of a swerve
- * drive: at first they take alike, and more and less at the same moments. Null for others, if there are no such four, if the other three
- * changed unlike each other, as they do if wheels work against each other, or if a log is too short.
+ * Returns the change of each of [currents], the channels of a power distribution, relative to its equals: 1 if all changed alike. It is the change
+ * from the first sixth of enabled time to the last two fifths. Equals are the four drive motors of a swerve drive: at first they take alike, and more
+ * and less at the same moments. Null for other channels, and if the other three changed unlike each other, as they do if wheels work against each
+ * other. No list if there are no such four, or if a log is too short.
  */
 fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { isEnabled[it] }
@@ -28,7 +28,10 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
     }
 }
 
-/** Returns which four of [currents], whose means are [means], are alike at the times [at], and like no other one. */
+/**
+ * Returns the four of [currents] that are alike at the times [at], and like no other one. [means] are the means of all. Null if there are no such
+ * four.
+ */
 private fun equalsAmong(currents: List<DoubleArray>, means: List<Double>, at: List<Int>): Set<Int>? {
     val drawing = currents.indices.filter { means[it] >= LEAST_MEAN }
     val alike = drawing.associateWith { one ->
@@ -42,7 +45,7 @@ private fun equalsAmong(currents: List<DoubleArray>, means: List<Double>, at: Li
     }
 }
 
-/** Returns Pearson's correlation of [one] and [other], whose means are given, at the times [at]; NaN if either is constant. */
+/** Returns Pearson's correlation of [one] and [other], with the given means, at the times [at]; NaN if either is constant. */
 private fun correlation(one: DoubleArray, mean: Double, other: DoubleArray, otherMean: Double, at: List<Int>): Double {
     var both = 0.0
     var squares = 0.0

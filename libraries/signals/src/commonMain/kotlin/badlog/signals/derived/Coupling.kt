@@ -4,9 +4,9 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's sensor [moved] has drifted from what its motor's position [turned] says since the robot was first
- * enabled, in percent of the mechanism's range: 0 while one ratio holds for both. [times] are those of all arrays. Empty if the motor
- * hardly moved, or if the two were never coupled. Before, code may set either position.
+ * Returns the drift of a mechanism's sensor [moved] from its motor's position [turned], in percent of the mechanism's range. It is 0 while one ratio
+ * holds for both. It counts from the first time the robot was enabled, since code may set either position before. All arrays have the same [times].
+ * Empty if the motor hardly moved, or if the two were never coupled.
  */
 fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(moved, 0.98) - quantile(moved, 0.02)
@@ -20,8 +20,9 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
 }
 
 /**
- * Returns whether [moved] stands exactly still at [times] although [turned] has moved by more than a twentieth of its range since it last
- * changed while the robot is enabled: 1 or 0. Two devices report at different times, so what [turned] does just after that does not count.
+ * Returns whether [moved] stands exactly still at [times] although [turned] moves while the robot is enabled: 1 or 0. [turned] must have moved by
+ * more than a twentieth of its range since [moved] last changed. Two devices report at different times, so movements of [turned] just after that do
+ * not count.
  */
 fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(turned, 0.98) - quantile(turned, 0.02)
@@ -50,10 +51,9 @@ internal fun areCoupled(turned: DoubleArray, moved: DoubleArray, isEnabled: Bool
 }
 
 /**
- * Returns the one of [motors], positions at [times], that [moved] is coupled to: in some stretch of the first [KNOWN_SECONDS] in which the
- * robot is enabled and it moves far, one ratio holds for both, and for no other motor. Null if there is none, and for a sensor that counts
- * from
- * 0 again after each turn.
+ * Returns the one of [motors], positions at [times], that [moved] is coupled to. In some stretch of the [KNOWN_SECONDS] after the robot was first
+ * enabled in which it moves far, one ratio holds for both, and for no other motor. Null if there is none, and for a sensor that counts from 0 again
+ * after each turn.
  */
 internal fun coupledMotor(times: DoubleArray, motors: List<DoubleArray>, moved: DoubleArray, isEnabled: BooleanArray): DoubleArray? {
     if (turnsAround(moved)) return null
@@ -79,8 +79,8 @@ internal fun turnsAround(turns: DoubleArray): Boolean =
     (1 until turns.size).count { abs(turns[it] - turns[it - 1]) > HALF_TURN } > FEW_TURNS
 
 /**
- * Returns the median of how far the mechanism moves for each turn of the motor, over its first steps: what breaks later does not count.
- * Null if there are too few, or if they differ: then nothing couples the two.
+ * Returns the median movement of the mechanism per turn of the motor, over its first steps: later damage does not count. Null if there are too few,
+ * or if they differ: then nothing couples the two.
  */
 private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double? {
     val range = quantile(moved, 0.98) - quantile(moved, 0.02)

@@ -3,10 +3,9 @@ package badlog.signals.derived
 import kotlin.math.abs
 
 /**
- * Returns the current of each of several equal motors as a share of what the others have on average, 1 for all in a healthy drive: the
- * means of their amounts while the robot is enabled, over the second half of that time, since motors fail in a match. Null if they hardly
- * ran, and for a motor whose others are not alike: then wheels work against each other,
- * as they do if one of them points aside.
+ * Returns the current of each of several equal motors as a share of the others' average. It is 1 in a healthy drive. Absolute currents count while
+ * the robot is enabled, over the second half of that time, since motors fail in a match. No list if they hardly ran; null for a motor if the others
+ * are not alike: then wheels work against each other, as they do if one of them points aside.
  */
 fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { i -> isEnabled[i] && currents.all { it[i].isFinite() } }
@@ -20,7 +19,7 @@ fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: Bo
     }
 }
 
-/** Returns the largest of [currents] at each time, as far as they are known. */
+/** Returns the largest of [currents] at each time; an unknown one counts as 0. */
 internal fun largestOf(currents: List<DoubleArray>): DoubleArray =
     DoubleArray(currents[0].size) { i -> currents.maxOf { if (it[i].isFinite()) it[i] else 0.0 } }
 

@@ -4,9 +4,9 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns by how much the friction of a mechanism rose in a log: what it needs more, in both directions, for the same movements in the last
- * two fifths of enabled time than in the first sixth, as a share of the most that it needed beside its speed at first. 0 for a healthy
- * mechanism. What it lifts does not count, since that helps it down. Null if it moved too little to tell.
+ * Returns the rise of a mechanism's friction in a log. It compares the efforts for the same movements, in both directions, in the last two fifths of
+ * enabled time and in the first sixth. The unit is the highest effort at first, without the part for the speed; 0 for a healthy mechanism. The weight
+ * that it lifts does not count, since that helps it down. Null if it moved too little to tell.
  *
  * All arrays have the same times: its [place], and the [effort] of its motor, such as its current or the voltage that it gets.
  */
@@ -31,7 +31,7 @@ fun frictionRise(times: DoubleArray, place: DoubleArray, effort: DoubleArray, is
     return strokes.rise()
 }
 
-/** Returns whether [amperes], which a motor draws, say by their sign which way it pushes; some controllers report sizes only. */
+/** Returns whether the sign of [amperes], which a motor draws, shows which way it pushes; some controllers report sizes only. */
 internal fun hasDirection(amperes: DoubleArray): Boolean = quantile(amperes, 0.01) < -0.05 * quantile(amperes, 0.99)
 
 /** The samples in which a mechanism moves, at first and later, and the fit of its effort. */

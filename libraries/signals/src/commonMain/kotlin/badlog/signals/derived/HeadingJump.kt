@@ -6,11 +6,11 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns how far a [heading] jumped at each sample, in degrees: more than a robot turns from sample to sample, given how fast it turned
- * just before and just after. 0 elsewhere. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to 180°. A jump to
- * a multiple of 90° is none either: a driver or the program has set it. While the robot turns fast, a late sample looks like a jump.
+ * Returns how far a [heading] jumped at each sample, in degrees: more than a robot turns from sample to sample, given how fast it turned just before
+ * and just after. 0 elsewhere. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to 180°. A jump to a multiple of 90°
+ * is not one either: a driver or the program has set it. While the robot turns fast, a late sample looks like a jump.
  *
- * @param degrees what its numbers are multiplied by to get degrees.
+ * @param degrees the factor from its numbers to degrees.
  */
 fun headingJump(heading: Series, degrees: Double): Series {
     val jumps = DoubleArray(heading.size)
@@ -57,7 +57,7 @@ private const val QUARTER_TURN = 90.0
 /** A heading that was just set has moved on by that much, in degrees. */
 private const val SET_WITHIN = 1.0
 
-/** Over how many samples a robot turns fast. */
+/** The number of samples over which a robot turns fast. */
 private const val TURN_SAMPLES = 5
 
 /** In °/s. */
@@ -67,7 +67,7 @@ private const val LEAST_DEGREES = 12.0
 /** No robot turns faster, in °/s. */
 private const val FASTEST = 900.0
 
-/** After a longer gap, nothing is known of how it turned, in s. */
+/** After a longer gap, in s, it is unknown how the robot turned. */
 private const val LONGEST_STEP = 0.12
 
 /** Degrees in a radian. */

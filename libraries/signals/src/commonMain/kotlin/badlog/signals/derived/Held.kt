@@ -21,6 +21,25 @@ fun timesOf(series: List<Series>): DoubleArray {
     return all.copyOf(kept)
 }
 
+/**
+ * Returns the times of [series] together, and others between those that are more than [step] apart: a log of changes has no sample while
+ * nothing changes.
+ */
+internal fun steppedTimes(series: List<Series>, step: Double): DoubleArray {
+    val own = timesOf(series)
+    val all = ArrayList<Double>(own.size)
+    for (time in own) {
+        val before = all.lastOrNull() ?: time
+        val between = minOf(((time - before) / step).toInt(), MOST_BETWEEN)
+        for (k in 1..between) if (before + k * step < time) all += before + k * step
+        all += time
+    }
+    return all.toDoubleArray()
+}
+
+/** A pause of minutes shows nothing. */
+private const val MOST_BETWEEN = 600
+
 /** Returns [values] times [scale]. */
 internal fun scaled(values: DoubleArray, scale: Double): DoubleArray = DoubleArray(values.size) { values[it] * scale }
 

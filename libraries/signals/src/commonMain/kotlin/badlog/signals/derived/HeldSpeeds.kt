@@ -3,9 +3,9 @@ package badlog.signals.derived
 import kotlin.math.abs
 
 /**
- * Returns the speed that a controller seems to hold at each of [times], where no setpoint is logged: the median of each stretch in which
- * [speed] stays near its mean, 0 elsewhere. A stretch in which the speed follows the [output] is not held by a controller, but by a
- * driver or the battery.
+ * Returns the speed that a controller seems to hold at each of [times], for logs without a setpoint. It is the median of each stretch in which
+ * [speed] stays near its mean, 0 elsewhere. A stretch in which the speed follows the [output] is not held by a controller, but by a driver or the
+ * battery.
  */
 fun heldSpeeds(times: DoubleArray, speed: DoubleArray, output: DoubleArray): DoubleArray {
     val top = quantile(DoubleArray(speed.size) { abs(speed[it]) }, 0.98)

@@ -3,10 +3,11 @@ package badlog.signals.derived
 import kotlin.math.floor
 
 /**
- * Returns for each of [currents], the channels of a power distribution, at each time how many seconds' pulls of its equal it has missed since
- * its last current; 0 unless it is without current for 10 s of enabled time or more, from a hard pull on. An equal is another channel that
- * took about as much until then, more and less at the same moments, and hardly ever without it: the other side of a drive, or another of its
- * wheels. Mechanisms that rest have none: what the drive takes meanwhile says nothing about them. Null for channels that never rest so.
+ * Returns for each of [currents], the channels of a power distribution, the number of pulls that it missed. It counts, at each time, the seconds in
+ * which its equal pulled since the channel's last current. It is 0 unless the channel is without current for 10 s of enabled time or more, from a
+ * hard pull on. An equal is another channel that took about as much until then, more and less at the same moments, and hardly ever without it: the
+ * other side of a drive, or another of its wheels. Mechanisms that rest have none: the drive's current meanwhile shows nothing about them. Null for
+ * channels that never rest so.
  *
  * All arrays have the same times.
  *
@@ -17,7 +18,7 @@ fun missedPulls(times: DoubleArray, currents: List<DoubleArray>, isEnabled: Bool
         var missed: DoubleArray? = null
         for (rest in restsOf(times, own, isEnabled)) {
             if (peakBefore(times, own, rest.first) < pull) continue
-            // What blocks a motor makes it unlike the others before its breaker opens.
+            // A blocked motor is unlike the others before its breaker opens.
             val end = times[rest.first] - PULL_SECONDS
             val before = (0 until rest.first).filter { times[it] < end && isEnabled[it] && own[it].isFinite() }
             val equals = currents.filter { it !== own && isEqual(own, it, before) }
@@ -28,7 +29,7 @@ fun missedPulls(times: DoubleArray, currents: List<DoubleArray>, isEnabled: Bool
         missed
     }
 
-/** Returns the indices at which each long rest of a channel lasts. */
+/** Returns the indices of each long rest of a channel. */
 private fun restsOf(times: DoubleArray, own: DoubleArray, isEnabled: BooleanArray): List<IntRange> {
     val rests = ArrayList<IntRange>()
     var start = -1

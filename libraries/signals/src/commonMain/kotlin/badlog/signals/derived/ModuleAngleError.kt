@@ -6,9 +6,9 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns by how much the angle of module [at] of a drive is off its target at [times], in degrees, beyond what the worst of the others
- * is at that moment. A module that runs backward instead of turning by half a turn follows its target. NaN while the module should stand,
- * or while nothing is enabled.
+ * Returns how far the angle of module [at] of a drive is off its target at [times], in degrees. The worst error of the other modules at that moment
+ * is subtracted. A module that runs backward instead of turning by half a turn follows its target. NaN while the module should stand, or while
+ * nothing is enabled.
  */
 fun moduleAngleError(
     at: Int,
@@ -21,7 +21,7 @@ fun moduleAngleError(
     // While nothing turns, nothing lags; a log of changes has no samples then, either.
     val turning = times.indices.filter { i -> i == 0 || angles.any { it[i] != it[i - 1] } || targets[at][i] != targets[at][i - 1] }
     val steps = DoubleArray(maxOf(0, turning.size - 1)) { times[turning[it + 1]] - times[turning[it]] }
-    // An angle that comes seldom is an old one: it followed the target of then.
+    // An angle that comes seldom is an old one: it followed an earlier target.
     val age = quantile(steps, 0.5).let { if (it > SELDOM) 2 * it else 0.0 }
     return Series(
         DoubleArray(turning.size) { times[turning[it]] },

@@ -1,10 +1,10 @@
 package badlog.signals.derived
 
 /**
- * Returns by how many times each module of a drive is further behind its target angle than the worst of the others, over all the time in
- * which it turns while it drives: 1.0 in a healthy drive, since all are steered alike. How far it is behind is measured by how far its
- * target turns, so that a module that has to turn more does not seem slower. Null if it hardly drove, and for a module whose others are
- * not alike: then late measurements are likelier than two bad modules.
+ * Returns how far each module of a drive lags behind its target angle, relative to the worst other one. It is 1.0 in a healthy drive, since all are
+ * steered alike. It counts all the time in which the module turns while it drives. The lag is divided by the movement of its target, so that a module
+ * that has to turn more does not seem slower. No list if a module hardly drove; null for a module if the others are not alike: then late measurements
+ * are likelier than two bad modules.
  *
  * @param angles the measured angles at [times], in rad; each module has a list of its own in [targets] and [speeds], too.
  */
@@ -29,7 +29,7 @@ fun moduleAngleLags(
             count++
         }
         if (count < LEAST_SAMPLES || turned < LEAST_TURNED) return null
-        // What no sensor resolves is not a lag.
+        // An error below a sensor's resolution is not a lag.
         (error + RESOLUTION * count) / turned
     }
     return behind.mapIndexed { at, own ->
@@ -38,7 +38,7 @@ fun moduleAngleLags(
     }
 }
 
-/** A target that jumps, and an angle that is far away, say nothing of how fast a module turns; in degrees. */
+/** A target that jumps, and an angle that is far away, do not show how fast a module turns; in degrees. */
 private const val FARTHEST = 20.0
 
 /** In degrees. */

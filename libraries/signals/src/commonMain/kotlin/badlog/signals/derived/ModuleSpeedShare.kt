@@ -7,9 +7,8 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * Returns the speed of each wheel of a swerve drive as a share of what the speeds of the other wheels would have it be, 1 for all in a
- * healthy drive. A wheel that points aside of where its encoder says slides, and turns slower than the others. Null if there is too
- * little straight driving to tell.
+ * Returns the speed of each wheel of a swerve drive as a share of the others' average. It is 1 in a healthy drive. A wheel that does not point where
+ * its encoder says slides, and turns slower than the others. Null if there is too little straight driving to tell.
  *
  * Only straight driving counts, in which all wheels point the same way: then all have to turn equally fast, wherever they are.
  */

@@ -6,18 +6,18 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.TARGET_WORDS
 import badlog.signals.vocabulary.wordsOf
 
-/** What a topic of a part of a robot measures. */
+/** The quantity that a topic of a robot's part measures. */
 enum class Quantity { POSITION, VELOCITY, CURRENT, SUPPLY_CURRENT, VOLTAGE, OUTPUT, SWITCH, NONE }
 
 /**
- * A topic as a part of a robot has it: `Elevator/Target Height` is a target position of the elevator, in m.
+ * A topic of a part of a robot: `Elevator/Target Height` is a target position of the elevator, in m.
  *
- * @property part the words of its name that remain, without those for the quantity, the target, and the program that logged it.
- * @property quantity what it measures; NONE if its name does not say.
+ * @property part the words of its name that remain, without the words for the quantity, the target, and the program that logged it.
+ * @property quantity the measured quantity; NONE if its name does not show it.
  * @property unit its unit, by the log or by its name; empty if unknown.
- * @property isTarget whether it is what the program wants, not what a sensor says.
+ * @property isTarget whether it is the program's target rather than a sensor's value.
  * @property isAbsolute whether it is from a sensor beside the motor's own.
- * @property isMotor whether its name says that it is about the motor, not what it moves.
+ * @property isMotor whether its name says that it is about the motor, not the moved part.
  */
 class PartTopic internal constructor(
     val signal: Signal,
@@ -32,7 +32,7 @@ class PartTopic internal constructor(
     val label: String get() = part.joinToString(" ") { word -> word.replaceFirstChar { it.uppercase() } }
 }
 
-/** Returns [topics] as parts of robots have them, with the units of [vocabulary]; those that say nothing of a part are left out. */
+/** Returns the topics of parts among [topics], with the units of [vocabulary]; topics without a part are left out. */
 fun partTopicsOf(topics: List<Signal>, vocabulary: SignalVocabulary): List<PartTopic> = topics.mapNotNull { partTopicOf(it, vocabulary) }
 
 private fun partTopicOf(signal: Signal, vocabulary: SignalVocabulary): PartTopic? {
@@ -102,7 +102,7 @@ private val OTHER = setOf(
     "torque", "ks", "kv", "kp", "kd", "ki", "time", "count",
 )
 
-/** Words for what logged a topic. */
+/** Words for the program or library that logged a topic. */
 private val ROOTS = setOf(
     "nt", "smart", "dashboard", "smartdashboard", "shuffleboard", "telemetry", "real", "outputs", "realoutputs", "replay",
     "advantage", "kit", "system", "live", "window", "inputs", "m", "robot",

@@ -4,9 +4,9 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns how much more output one side of a tank drive needs than the other at the same speed, as part of full output: what remains of
- * its output after what its speed and its acceleration need, both fitted to the log. Positive if the first side needs more. Null if there
- * is too little straight driving to tell. All arrays have the same times.
+ * Returns how much more output one side of a tank drive needs than the other at the same speed. It is a part of full output: the rest after the
+ * output for its speed and acceleration, both fitted to the log. Positive if the first side needs more. Null if there is too little straight driving
+ * to tell. All arrays have the same times.
  */
 fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
     val top = quantile(DoubleArray(times.size) { abs(one.speed[it]) }, 0.98)
@@ -20,9 +20,9 @@ fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
 /** Output (-1 to 1) and speed of a side of a tank drive. */
 class Side(val output: DoubleArray, val speed: DoubleArray)
 
-/** Returns the current that is to full output what [currents] are to the outputs of their motors: at its limit, one takes about a quarter. */
+/** Returns the current that corresponds to full output, from the [currents] of the motors: at its limit, a motor takes about a quarter of it. */
 internal fun fullCurrentOf(currents: List<DoubleArray>): Double = 4 * currents.maxOf { own ->
-    // But for moments.
+    // Short peaks do not count.
     quantile(DoubleArray(own.size) { abs(own[it]) }, 0.99).coerceAtLeast(1.0)
 }
 
@@ -51,7 +51,7 @@ private fun frictionOf(times: DoubleArray, side: Side, isStraight: BooleanArray)
     return if (count < 300) null else solved(sums)?.get(0)
 }
 
-/** Returns the solution of a system of linear equations, whose last column is the right side; null if it has none. Changes [rows]. */
+/** Returns the solution of a system of linear equations; the last column is the right side. Null if it has none. Changes [rows]. */
 internal fun solved(rows: Array<DoubleArray>): DoubleArray? {
     val n = rows.size
     for (k in 0 until n) {

@@ -5,17 +5,17 @@ import kotlin.math.abs
 import kotlin.math.hypot
 
 /**
- * Returns how far from the robot's place just before the camera's places are, in m, at the time of each of them; less if the place before
- * or after is off alike: then it is the robot's own estimate that was wrong, as it is after its wheels slipped.
+ * Returns how far the camera's places are from the robot's place just before, in m, at their times. The error is smaller if the place before or after
+ * is off alike: then the robot's own estimate was wrong, as it is after its wheels slipped.
  *
- * @param seen x and y of what the camera saw; a new picture has a new time in either.
- * @param driven x and y of where the robot believed to be.
+ * @param seen x and y of the places that the camera saw; a new picture has a new time in either.
+ * @param driven x and y of the robot's own estimate.
  */
 fun sightError(seen: Pair<Series, Series>, driven: Pair<Series, Series>): Series {
     val times = timesOf(listOf(seen.first, seen.second))
     val x = seen.first.heldAt(times)
     val y = seen.second.heldAt(times)
-    // What is seen moves the estimate at once, so that from just before counts.
+    // A seen place moves the estimate at once, so the estimate from just before counts.
     val before = DoubleArray(times.size) { times[it] - BEFORE_SECONDS }
     val ownX = driven.first.heldAt(before)
     val ownY = driven.second.heldAt(before)

@@ -6,15 +6,20 @@ import kotlin.math.sign
 
 /**
  * Returns whether something that should turn does not, at [times]: 1 while it hardly turns ([speeds] below 4 % of its usual speed) though
- * it is driven at least half as hard as it ever is ([drives]: current or output), otherwise 0. Something that never turned has no usual
- * speed: it gives 0.
+ * it takes at least half as much [current] as it ever does, and [least] A, otherwise 0. Something that never turned has no usual speed: it
+ * gives 0. So does exactly the current with which it still turned, since a device without power leaves its last values in the log.
  */
-fun stall(times: DoubleArray, speeds: DoubleArray, drives: DoubleArray, leastDrive: Double): Series {
+fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double): Series {
     val usual = quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
-    val most = quantile(DoubleArray(times.size) { abs(drives[it]) }, 0.995)
-    val least = maxOf(0.5 * most, leastDrive)
-    fun isStalled(at: Int) = abs(drives[at]) >= least && usual > 0 && abs(speeds[at]) < 0.04 * usual
-    return Series(times, DoubleArray(times.size) { if (isStalled(it)) 1.0 else 0.0 })
+    val hard = maxOf(0.5 * quantile(DoubleArray(times.size) { abs(current[it]) }, 0.995), least)
+    val stalled = DoubleArray(times.size)
+    var isOld = false
+    for (at in times.indices) {
+        val speed = abs(speeds[at])
+        isOld = at > 0 && current[at] == current[at - 1] && (isOld || abs(speeds[at - 1]) > TURNING * usual)
+        if (abs(current[at]) >= hard && usual > 0 && speed < 0.04 * usual && !isOld) stalled[at] = 1.0
+    }
+    return Series(times, stalled)
 }
 
 /**
@@ -44,6 +49,9 @@ fun limitedStall(times: DoubleArray, speeds: DoubleArray, outputs: DoubleArray, 
     }
     return Series(times, stalled)
 }
+
+/** The share of its usual speed at which something clearly turns. */
+private const val TURNING = 0.2
 
 /** More than friction alone takes. */
 private const val PUSHING = 0.05

@@ -4,8 +4,9 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns the current that a motor takes from the battery: the [current] through its windings, of which some controllers report the size
- * only, as far as its [output] is on. It is negative while the motor brakes: while its output is less than it usually is at its [speed].
+ * Returns the current that a motor takes from the battery: the [current] through its windings times its [output]. Only the size of the current is
+ * used, since some controllers report no sign. The result is negative while the motor brakes: while its output is less than it usually is at its
+ * [speed].
  */
 fun suppliedCurrent(current: DoubleArray, output: DoubleArray, speed: DoubleArray): DoubleArray {
     val top = quantile(DoubleArray(speed.size) { abs(speed[it]) }, 0.98)

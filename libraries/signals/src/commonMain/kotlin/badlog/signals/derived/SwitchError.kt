@@ -4,10 +4,9 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]: how far it moves while
- * the switch stays [pressed], counted anew every [MOVE_SECONDS], since a sensor may drift farther in minutes, or how much farther it jumps than it moved
- * before at the moment at which the switch closes, which code does that takes this for the end of the way. 0 while nothing contradicts.
- * [times] are those of both arrays.
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]; 0 while it does not. It may move while the
+ * switch stays [pressed]; that is counted from 0 again every [MOVE_SECONDS], since a sensor may drift farther in minutes. Or it may jump by more than
+ * it moved before at the moment at which the switch closes: code that takes this for the end of the way does that. All arrays have the same [times].
  */
 fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double = rangeOf(position)): Series {
     val errors = DoubleArray(times.size)
@@ -39,12 +38,12 @@ fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray,
     return Series(times, errors)
 }
 
-/** Returns how far a mechanism goes that was at [places], but for moments. */
+/** Returns the range of a mechanism that was at [places]; extremes of short moments do not count. */
 internal fun rangeOf(places: DoubleArray): Double = quantile(places, 0.995) - quantile(places, 0.005)
 
 /**
- * Returns where a switch has been [pressed] for some samples: a device sends its switch and its position at different times, so the
- * position that comes with the switch may be an old one.
+ * Returns where a switch has been [pressed] for some samples. A device sends its switch and its position at different times, so the position that
+ * comes with the switch may be an old one.
  */
 fun longPressed(times: DoubleArray, pressed: DoubleArray): DoubleArray {
     var since = 0

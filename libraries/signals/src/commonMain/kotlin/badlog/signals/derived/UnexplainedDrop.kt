@@ -4,11 +4,11 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns by how much [battery] is lower than [current] explains, in V: 0 where it is not, and in dips whose current is not known well
- * enough to tell, since its sensor was not read at least twice within them, or is slow.
+ * Returns by how much [battery] is lower than [current] explains, in V; 0 where it is not. It is also 0 in dips with an uncertain current: if its
+ * sensor was not read at least twice within them, or is slow.
  *
- * A battery is taken as a voltage that changes slowly and a resistance, which is fitted to the log. The highest current from
- * [LAG_SECONDS] before to [LATEST_SECONDS] after counts, since sensors lag and a dip may be over before they are read.
+ * A battery is modeled as a voltage that changes slowly and a resistance, which is fitted to the log. The highest current from [LAG_SECONDS] before
+ * to [LATEST_SECONDS] after counts, since sensors lag and a dip may be over before they are read.
  */
 fun unexplainedDrop(battery: Series, current: Series): Series {
     val times = battery.x
@@ -42,8 +42,8 @@ fun unexplainedDrop(battery: Series, current: Series): Series {
 }
 
 /**
- * Returns the resistance in Ω, within what batteries have: the slope of voltage over current, or what high currents take of the voltage at
- * rest, if that is more. A sensor that is read a little later than the voltage makes the slope too small.
+ * Returns the resistance in Ω, within the range of batteries: the slope of voltage over current. If the drop from the voltage at rest under high
+ * currents shows a larger one, that counts. A sensor that is read a little later than the voltage makes the slope too small.
  */
 private fun resistanceOf(volts: DoubleArray, amperes: DoubleArray): Double {
     val resting = quantile(DoubleArray(volts.size) { if (amperes[it] < REST_AMPERES) volts[it] else Double.NaN }, 0.5)
@@ -145,7 +145,7 @@ private const val LEAST_OHMS = 0.010
 private const val MOST_OHMS = 0.100
 private const val SECOND = 1.0
 
-/** By how much a battery without a load falls within a second at most. */
+/** The largest fall of a battery without a load within a second, in V. */
 private const val SLOWEST_VOLTS = 0.2
 
 /** The highest voltage of a battery at rest. */

@@ -4,8 +4,8 @@ import badlog.core.analysis.Series
 import badlog.expression.signals.Signals
 
 /**
- * Which topics of [log] are elements of lists: of arrays whose length changes, such as queues of odometry, paths, and tags in sight. The
- * last elements of such an array come and go, and the first mean something else each time, so none of them is a sensor.
+ * The topics of [log] that are elements of lists: of arrays with a changing length, such as queues of odometry, paths, and tags in sight. The last
+ * elements of such an array come and go, and the first mean something else each time, so none of them is a sensor.
  */
 class ListElements(private val log: Signals) {
     private val arrays: Map<String, List<String>> by lazy {
@@ -13,12 +13,12 @@ class ListElements(private val log: Signals) {
     }
     private val known = HashMap<String, Boolean>()
 
-    /** Returns whether [topic] is one. */
+    /** Returns whether [topic] is an element of a list. */
     operator fun contains(topic: String): Boolean = '[' in topic && known.getOrPut(arrayOf(topic)) { isList(arrayOf(topic)) }
 
     /**
-     * A list is empty at times, or loses its last elements first, and again and again. A sensor that is lost is a single element, or is lost
-     * once.
+     * Returns whether [array] is a list. A list is empty at times, or loses its last elements first, and repeatedly. A sensor that is lost is a
+     * single element, or is lost once.
      */
     private fun isList(array: String): Boolean {
         val elements = arrays[array].orEmpty().sortedBy(::indexOf).map(log::series)
@@ -43,11 +43,11 @@ class ListElements(private val log: Signals) {
 
     private fun indexOf(topic: String) = topic.substringAfter('[').substringBefore(']').toIntOrNull() ?: 0
 
-    /** The names of an array's elements without their index. */
+    /** Returns the common name of an array's elements, without their index. */
     private fun arrayOf(topic: String) = topic.substringBefore('[') + "[]" + topic.substringAfter(']')
 
     private companion object {
-        /** How often an element comes or goes, the start counted where it is missing first. */
+        /** The least number of times that an element comes or goes; the start counts if it is missing first. */
         const val FEWEST_CHANGES = 3
     }
 }

@@ -7,17 +7,17 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns why [recording] must be of a simulated robot, as part of a sentence such as `its battery had exactly 12 V throughout`; null for a
- * real robot, and if nothing shows it. Its metadata say so, or the FPGA that WPILib's simulation has, or its dashboards, which all ran on the
- * same computer; or its battery: WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it, which no battery and no
- * converter that measures one does.
+ * Returns why [recording] must be of a simulated robot, as part of a sentence; null for a real robot, and if nothing shows it. An example is `its
+ * battery had exactly 12 V throughout`. Its metadata show it, or the FPGA of WPILib's simulation, or its dashboards, which all ran on the same
+ * computer; or its battery: WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it, which no battery and no converter
+ * that measures one does.
  *
  * @param topics the signals of the log.
  */
 fun simulationIn(recording: Recording, topics: SignalTopics): String? =
     saidIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics)
 
-/** Returns which of the topics [names] decide whether a log is of a simulated robot, besides that of its battery. */
+/** Returns the topics among [names] that decide whether a log is of a simulated robot, besides its battery. */
 fun namesOfKind(names: List<String>): List<String> = names.filter { saysKind(it) || it.endsWith(FPGA) || it == CLIENTS }
 
 private fun saidIn(recording: Recording): String? {
@@ -54,11 +54,11 @@ private fun isLocal(address: String) = address == "127.0.0.1" || address == "::1
 
 private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
     val found = topics.of("battery").firstOrNull() ?: return null
-    // The Driver Station's own measurement has few steps, of which one is 12 V.
+    // The Driver Station's own measurement has few steps; one of them is 12 V.
     if ("DSLog" in found.topic || MEASURED.none { it in found.topic.lowercase() }) return null
     val volts = recording.topics.find { it.name == found.topic }?.let(::numbersOf).orEmpty()
     if (volts.isEmpty() || volts.any { it > NOMINAL }) return null
-    // AdvantageKit logs changes; in others, a single sample is where something began that was never measured.
+    // AdvantageKit logs changes; in others, a single sample may be the start of something that was never measured.
     if (volts.size == 1 && "SystemStats" !in found.topic) return null
     val resting = volts.count { it == NOMINAL }
     return when {
@@ -70,13 +70,13 @@ private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
 
 private fun numbersOf(topic: Topic) = topic.samples.filter { it.isFinite() }
 
-/** A program that rounds what it logs may meet 12 V by chance. */
+/** Returns whether [volts] has more than two decimals; a program that rounds its values may meet 12 V by chance. */
 private fun isCalculated(volts: Double) = abs(volts * HUNDREDTHS - round(volts * HUNDREDTHS)) > ROUNDED
 
 private const val FPGA = "SystemStats/FPGAVersion"
 private const val CLIENTS = "NTConnection"
 
-/** What a measured voltage of the battery is called; others may be constants. */
+/** The names of a measured voltage of the battery; others may be constants. */
 private val MEASURED = listOf("battery", "powerdistribution", "pdp", "pdh")
 private val NAMES =
     setOf("runtimetype", "runtime type", "robotmode", "robot mode", "mode", "robot", "robottype", "robot type", "environment")

@@ -1,7 +1,7 @@
 package badlog.signals.logging
 
 /**
- * What a robot program can log so that a log has a signal.
+ * A value that a robot program can log so that its log has a signal.
  *
  * @property topic the name of the topic, by which it is recognized as the signal.
  * @property unit its unit; `ul` for none, as in bags.

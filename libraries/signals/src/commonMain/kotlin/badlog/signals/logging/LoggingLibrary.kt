@@ -7,7 +7,7 @@ package badlog.signals.logging
  * @property place where its lines belong, as a sentence.
  */
 enum class LoggingLibrary(val title: String, val place: String) {
-    /** WPILib alone: `DataLogManager.start()` writes what is on NetworkTables into a WPILOG. */
+    /** WPILib alone: `DataLogManager.start()` writes the topics of NetworkTables into a WPILOG. */
     WPILIB("WPILib", "In robotPeriodic(), with DataLogManager.start() in the robot's constructor."),
 
     /** AdvantageKit, of Littleton Robotics. */

@@ -1,6 +1,6 @@
 package badlog.signals.match
 
-/** How names of files write each type; null for a match of an unknown one. */
+/** The forms of each type in the names of files; null for a match of an unknown one. */
 private val TYPES: List<Pair<MatchType?, String>> =
     MatchType.entries.filter { it.inNames.isNotEmpty() }.map { it to it.inNames } + (null to "match|m")
 
@@ -12,7 +12,10 @@ private val MATCH = Regex(
 /** A single word between the date and the match, as in the names of WPILib's logs: `FRC_20240316_104107_MILLC_Q42`. */
 private val EVENT = Regex("[-_. ]+([A-Za-z][A-Za-z0-9]{2,})[-_. ]+")
 
-/** Returns the code of an event, in capitals or with its year, if that is the only word in [start] that is not common in names of logs. */
+/**
+ * Returns the code of an event in [start], in capitals or with its year. It must be the only word that is not common in names of logs; otherwise
+ * null.
+ */
 private fun eventBefore(start: String): String? {
     val word = start.split(Regex("[-_. ]+")).filter { it.isNotEmpty() && it.lowercase() !in COMMON }.singleOrNull() ?: return null
     if (NO_EVENT.matches(word)) return null
@@ -21,12 +24,12 @@ private fun eventBefore(start: String): String? {
 
 private val CODE = Regex("([A-Z][A-Z0-9]{2,})|20\\d\\d([A-Za-z][A-Za-z0-9]{2,})")
 
-/** The words for an alliance, a team, a robot or a kind of match that stand where the code of an event may be. */
+/** The words that may stand where an event's code may be, such as an alliance or a team. */
 private val NO_EVENT = Regex("(red|blue|alliance|team|comp|competition|practice|quals|elims)\\d*", RegexOption.IGNORE_CASE)
 private val COMMON =
     setOf("log", "logs", "frc", "ftc", "robot", "rio", "roborio", "bag", "badlog", "akit", "match", "data", "test", "day", "rev", "run")
 
-/** Returns what the name of a file says about the match, such as `qualification-42.bag`, `Q42.bag`, `ohcl_sf2m1.csv` and `MIKET_Q12_rio.wpilog`. */
+/** Returns the match in the name of a file, such as `qualification-42.bag`, `Q42.bag`, `ohcl_sf2m1.csv` and `MIKET_Q12_rio.wpilog`. */
 fun matchInName(fileName: String): MatchOfLog {
     val date = dateInName(fileName)
     // The digits of a date do not belong to a match, so a match is searched for after it first.

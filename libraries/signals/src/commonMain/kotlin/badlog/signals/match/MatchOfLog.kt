@@ -5,7 +5,6 @@ import badlog.core.analysis.matchTitle
 import badlog.core.analysis.meant
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
-import badlog.core.recording.TopicKind
 import badlog.core.recording.Value
 import badlog.expression.signalOf
 import badlog.expression.signals.Vocabulary
@@ -14,6 +13,7 @@ import badlog.signals.vocabulary.MATCH_NUMBER
 import badlog.signals.vocabulary.MATCH_TYPE
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.topicsWithoutValues
 
 /**
  * The match that a log is of. Each property is null if unknown.
@@ -55,8 +55,7 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
  * of its file, [fileName].
  */
 fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog {
-    val empty = recording.topics.filter { it.kind == TopicKind.EMPTY || it.isSizes }.mapTo(HashSet()) { it.name }
-    val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, empty)
+    val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, topicsWithoutValues(recording.topics))
     fun topic(signal: String) = topics.of(signal).firstOrNull()?.let { found -> recording.topics.find { it.name == found.topic } }
     fun value(signal: String): String? {
         val patterns = find(signal)?.topics.orEmpty().map { it.pattern }

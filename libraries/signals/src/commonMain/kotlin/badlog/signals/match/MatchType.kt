@@ -5,8 +5,8 @@ package badlog.signals.match
  *
  * @property title its name.
  * @property kind the kind of run.
- * @param word what a text that names the type contains, in lower case; the first type whose word it contains is meant.
- * @param inNames how names of files write it, as a regular expression; empty if they do not.
+ * @param word the part of a text that names the type, in lower case; the first type with a word in the text is meant.
+ * @param inNames its forms in names of files, as a regular expression; empty if it has none.
  */
 enum class MatchType(val title: String, val kind: MatchKind, private val word: String, internal val inNames: String) {
     PRACTICE("Practice", MatchKind.PRACTICE, "prac", "practice|prac|pm|p"),

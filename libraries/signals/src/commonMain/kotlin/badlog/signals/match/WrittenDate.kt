@@ -14,9 +14,9 @@ internal class WrittenDate(val second: Long, val offset: Int?) {
 }
 
 /**
- * Returns the date in [text] with English names of months, as in RFC 1123 (`Fri, 16 Mar 2018 10:41:07 -0400`), in Java's `Date`
- * (`Fri Mar 16 10:41:07 EDT 2018`) or for people in the United States (`Mar 16, 2018, 2:41:07 PM`); in ISO 8601 with an offset; or with
- * slashes, month first. Null for any other text.
+ * Returns the date in [text]; null for any text but these. English names of months occur as in RFC 1123 (`Fri, 16 Mar 2018 10:41:07 -0400`), in
+ * Java's `Date` (`Fri Mar 16 10:41:07 EDT 2018`) or for people in the United States (`Mar 16, 2018, 2:41:07 PM`). Others are in ISO 8601, or with
+ * slashes, month first.
  */
 internal fun writtenDate(text: String): WrittenDate? {
     for ((pattern, order) in PATTERNS) {
@@ -76,7 +76,7 @@ private const val HALF = "(?:[ \u00A0\u202F]?([AaPp]\\.?[Mm]\\.?))?"
 // JavaScript needs the closing bracket escaped.
 private const val ZONE = "(?: ?([A-Za-z]{1,5}|(?:GMT|UTC|UT)?[+-]\\d{1,2}(?::?\\d{2}(?::?\\d{2})?)?)(?:\\[[A-Za-z0-9_/+-]+\\])?)?"
 
-/** Each form with what its groups are: year, month, day, hour, minute, second, a.m. or p.m., and zone. */
+/** Each form with the meaning of its groups: year, month, day, hour, minute, second, a.m. or p.m., and zone. */
 private val PATTERNS = listOf(
     Regex("$WEEKDAY(\\d{1,2})[ -]([A-Za-z]{3,9})[ -](\\d{4})(?:[ ,]+$CLOCK$HALF$ZONE)?") to "dMyhmsaz",
     Regex("$WEEKDAY([A-Za-z]{3,9}) +(\\d{1,2}) $CLOCK$ZONE (\\d{4})") to "Mdhmszy",
@@ -87,8 +87,8 @@ private val PATTERNS = listOf(
 private val OFFSET = Regex("(?:GMT|UTC|UT)?([+-])(\\d{1,2})(?::?(\\d{2}))?(?::?(\\d{2}))?")
 
 /**
- * The short names of zones that mean one offset only, or nearly always one of those in RFC 1123; in hours. CST is not one: it is also the
- * time of China and Taiwan.
+ * The offsets of zones in hours, by their short names. A name means one offset only, or nearly always the one in RFC 1123. CST is left out: it is
+ * also the time of China and Taiwan.
  */
 private val ZONES = mapOf(
     "Z" to 0, "UT" to 0, "UTC" to 0, "GMT" to 0,

@@ -25,8 +25,8 @@ fun planSpans(view: LogView): List<Span> {
 }
 
 /**
- * Returns the distance of [driven] from its planned place in [planned] at the same moment during [spans], in meters, rounded to
- * centimeters: a sample for each of [driven], NaN where no plan was followed. A plan is followed
+ * Returns the distance of [driven] from its planned place in [planned] at the same moment during [spans]. It is in meters, rounded to centimeters: a
+ * sample for each of [driven], NaN where no plan was followed. A plan is followed
  *
  * - as long as it keeps changing: afterwards it is over;
  * - by less than [PLAN_LIMIT] from sample to sample: a larger jump is another plan, or a goal without a path to it;

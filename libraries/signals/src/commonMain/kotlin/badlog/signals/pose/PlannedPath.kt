@@ -12,8 +12,8 @@ data class PlannedPath(val driven: Pose, val planned: Pose) {
 
     companion object {
         /**
-         * Returns the pair in [poses] that shares the most folders and, among those, is in the fewest; null if there is no plan. A plan in
-         * an array has the robot's future places, not where it should be at a moment.
+         * Returns the pair in [poses] that shares the most folders and, among those, is in the fewest; null if none is planned. A plan in an array
+         * has the robot's future places, not its target at a moment.
          */
         fun of(poses: List<Pose>): PlannedPath? {
             val driven = poses.filter { it.role == PoseRole.DRIVEN }

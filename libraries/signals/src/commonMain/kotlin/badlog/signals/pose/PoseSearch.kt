@@ -10,9 +10,8 @@ import kotlin.math.PI
  * Returns the poses in [topics], in order:
  *
  * - the structs `Pose2d`, `Pose3d` and `Translation2d` of WPILib, and arrays of them;
- * - three numbers x, y and degrees, as from a `Field2d`, in an array whose name says that it is a pose; for a Limelight,
- *   `botpose_wpiblue`;
- * - two topics in a unit of length whose names end in X and Y, with a third one for the heading: `Drive/Pose X`, `… Y`, `… Heading`.
+ * - three numbers x, y and degrees, as from a `Field2d`, in an array with the name of a pose; for a Limelight, `botpose_wpiblue`;
+ * - two topics in a unit of length with names that end in X and Y, and a third one for the heading: `Drive/Pose X`, `… Y`, `… Heading`.
  *
  * Needs no samples.
  */

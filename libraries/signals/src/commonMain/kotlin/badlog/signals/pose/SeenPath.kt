@@ -1,7 +1,7 @@
 package badlog.signals.pose
 
 /**
- * A path that a robot believed to drive, and where a camera saw it.
+ * A robot's path by its own estimate, and by a camera.
  *
  * @property seen where the camera saw the robot.
  * @property driven where the robot believed to be.
@@ -11,7 +11,7 @@ data class SeenPath(val seen: Pose, val driven: Pose) {
     val topics: List<String> get() = listOf(seen.x, seen.y, driven.x, driven.y)
 
     companion object {
-        /** Returns the first pair in [poses]; null if there is none. Of a list of places, the first counts. */
+        /** Returns the first pair in [poses]; null if there is none. The first place of a list counts. */
         fun of(poses: List<Pose>): SeenPath? {
             fun isSight(pose: Pose) = pose.role == PoseRole.SEEN && pose.meters == 1.0 && !pose.name.contains("target", ignoreCase = true)
             val seen = poses.find(::isSight) ?: return null

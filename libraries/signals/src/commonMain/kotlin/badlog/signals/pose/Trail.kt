@@ -4,7 +4,7 @@ import badlog.core.analysis.Series
 import badlog.core.analysis.Span
 
 /**
- * Where something was over time: sample `i` is `(x[i], y[i])` at [times]`[i]`.
+ * The places of something over time: sample `i` is `(x[i], y[i])` at [times]`[i]`.
  *
  * @property times the times; usually ascending.
  * @property x NaN where it is not known; [y] may be known there or not.
@@ -18,7 +18,7 @@ class Trail(val times: DoubleArray, val x: DoubleArray, val y: DoubleArray) {
     /** The range of x over samples where both are finite; null if there are none. */
     val xSpan: Span? by lazy { spanOf(x) }
 
-    /** The same for y. */
+    /** The range of y over the same samples; null if there are none. */
     val ySpan: Span? by lazy { spanOf(y) }
 
     /** Returns the last sample at or before [time]; -1 for none. */

@@ -3,11 +3,11 @@ package badlog.signals.swerve
 import badlog.core.recording.Topic
 
 /**
- * The modules of a drive: what they do, and what they should do.
+ * The modules of a drive: their measured values and their targets.
  *
- * @property measured the first that are measured.
- * @property target those targets, optimized ones if there are any, that all of them have; null if there are none.
- * @property withoutTarget the labels of those that lack a target in the most complete targets.
+ * @property measured the first modules that are measured.
+ * @property target targets, optimized ones if there are any, that all of them have; null if there are none.
+ * @property withoutTarget the labels of the modules that lack a target in the most complete targets.
  */
 class DriveTopics private constructor(val measured: SwerveModules, val target: SwerveModules?, val withoutTarget: List<String>) {
     companion object {

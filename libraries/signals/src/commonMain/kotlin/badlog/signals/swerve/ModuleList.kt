@@ -4,8 +4,8 @@ import badlog.signals.vocabulary.TARGET_WORDS
 import badlog.signals.vocabulary.wordsOf
 
 /**
- * Three to six modules of a swerve drive whose speeds and angles are fields of structs, `SwerveModuleState` and `SwerveModuleVelocity`: an
- * array of them, or one topic each in a folder. They are known by their fields, whatever the topics are called.
+ * Three to six modules of a swerve drive with speeds and angles in structs, `SwerveModuleState` and `SwerveModuleVelocity`. They are an array of
+ * structs, or one topic each in a folder. They are known by their fields, whatever the names of the topics.
  *
  * @property name the name of the array or folder.
  * @property elements the name of each struct.
@@ -37,7 +37,7 @@ internal fun moduleListsOf(names: Collection<String>): List<ModuleList> {
 /** Returns the name for people of a module that the log only numbers. */
 internal fun numberedLabel(module: Int): String = "Module $module"
 
-/** Whether the targets called [name] are those that the modules get after the direction was chosen in which they turn less. */
+/** Whether [name] is of optimized targets: each module has got the direction in which it turns less. */
 internal fun isOptimized(name: String): Boolean = "optimized" in name.lowercase()
 
 internal const val LEAST_MODULES = 3

@@ -41,25 +41,33 @@ private fun listedModules(names: List<Signal>): List<ModuleTopics> {
 }
 
 private fun namedModules(parts: List<PartTopic>): List<ModuleTopics> {
-    fun of(part: List<String>, quantity: Quantity, isTarget: Boolean) = parts.find { topic ->
-        // “Front Left Setpoint” is that of the speed, if “Front Left Angle Setpoint” is beside it.
-        val isOfSpeed = isTarget && quantity == Quantity.VELOCITY && topic.quantity == Quantity.NONE
-        topic.part == part && topic.isTarget == isTarget && (topic.quantity == quantity || isOfSpeed)
-    }
-    val corners = parts.map { it.part }.distinct().filter { part -> part.count { it in CORNERS } == 2 }
-    val found = corners.mapNotNull { part ->
-        val speed = of(part, Quantity.VELOCITY, isTarget = false) ?: return@mapNotNull null
-        val angle = of(part, Quantity.POSITION, isTarget = false)?.takeIf { "angle" in wordsOf(it.signal.name) } ?: return@mapNotNull null
-        ModuleTopics(
-            part.filter { it in CORNERS }.joinToString(" ") { word -> word.replaceFirstChar { it.uppercase() } },
-            speed.signal.name,
-            angle.signal.name,
-            of(part, Quantity.VELOCITY, isTarget = true)?.signal?.name,
-            of(part, Quantity.POSITION, isTarget = true)?.signal?.name,
-            if (angle.unit == "rad") 1.0 else PI / 180,
-        )
-    }
+    val ofCorners = parts.filter { topic -> topic.part.count { it in CORNERS } == 2 }
+    val byModule = ofCorners.groupBy { topic -> topic.part.dropLastWhile { it in DRIVE_WORDS || it in STEER_WORDS } }
+    val found = byModule.mapNotNull { (module, topics) -> moduleOf(module, topics) }
     return if (found.size == 4) found else emptyList()
 }
 
+/** Returns the module [part] that [topics] are of; null without its speed and its angle. */
+private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics? {
+    fun of(quantity: Quantity, isTarget: Boolean, others: Set<String>) =
+        topics.filter { topic -> topic.isTarget == isTarget && topic.quantity == quantity && topic.part.last() !in others }
+    fun speeds(isTarget: Boolean) = of(Quantity.VELOCITY, isTarget, STEER_WORDS)
+    fun angles(isTarget: Boolean) = of(Quantity.POSITION, isTarget, DRIVE_WORDS)
+    val speed = speeds(isTarget = false).firstOrNull() ?: return null
+    val angle = angles(isTarget = false).find { "angle" in wordsOf(it.signal.name) } ?: return null
+    // “Front Left Setpoint” is that of the speed, if “Front Left Angle Setpoint” is beside it.
+    val targetSpeed = speeds(isTarget = true).firstOrNull() ?: of(Quantity.NONE, isTarget = true, STEER_WORDS).firstOrNull()
+    return ModuleTopics(
+        part.filter { it in CORNERS }.joinToString(" ") { word -> word.replaceFirstChar { it.uppercase() } },
+        speed.signal.name,
+        angle.signal.name,
+        targetSpeed?.signal?.name,
+        angles(isTarget = true).firstOrNull()?.signal?.name,
+        if (angle.unit == "rad") 1.0 else PI / 180,
+    )
+}
+
+/** Words of the motors of a module, which are parts of it. */
+internal val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
+private val DRIVE_WORDS = setOf("drive", "driving")
 private val CORNERS = setOf("front", "back", "rear", "left", "right")

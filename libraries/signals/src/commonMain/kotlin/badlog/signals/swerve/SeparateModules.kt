@@ -7,10 +7,9 @@ import badlog.signals.vocabulary.TARGET_WORDS
 import badlog.signals.vocabulary.wordsOf
 
 /**
- * Returns the swerve modules whose speeds and angles are separate [topics], such as `Chassis/FrontLeft/Speed` and
- * `Chassis/FrontLeft/Angle`: one topic for each module, with a unit of speed or angle, or a struct. A module is given by words or their
- * first letters (`FL`), for at least three of the four corners, or by its number, from 0 on. Apart from that and from the words for speed or angle,
- * the names must be the same.
+ * Returns the swerve modules with speeds and angles in separate [topics], such as `Chassis/FrontLeft/Speed` and `Chassis/FrontLeft/Angle`. Each
+ * module has one topic, with a unit of speed or angle, or a struct. A module is given by words or their first letters (`FL`), for at least three of
+ * the four corners, or by its number, from 0 on. Apart from that and from the words for speed or angle, the names must be the same.
  */
 internal fun separateModulesOf(topics: List<Topic>): List<SwerveModules> {
     val present = topics.filter { it.samples.isNotEmpty() }
@@ -71,7 +70,7 @@ private fun cornerAt(words: List<String>, i: Int): Pair<Int, Int>? {
     return LETTERS[words[i]]?.let { it to 1 }
 }
 
-/** Logs also have `Rightt` and `LeftSide`. */
+/** Returns the side that [word] names, 0 for left and 1 for right; logs also have `Rightt` and `LeftSide`. */
 private fun sideOf(word: String?): Int? = SIDES.indexOfFirst { word?.startsWith(it) == true }.takeIf { it >= 0 }
 
 private fun speedOf(topic: Topic): Double? = when {

@@ -3,15 +3,15 @@ package badlog.signals.swerve
 import badlog.core.recording.Topic
 
 /**
- * The three to six modules of a swerve drive, by the names of the topics with the speed and direction of each wheel.
+ * The three to six modules of a swerve drive, with the topics of each wheel's speed and direction.
  *
  * @property labels their names for people.
  * @property corners the corner of each: 0 for the front left one, then front right, back left, back right; null if the log numbers them.
  * @property speeds the topics of their speeds.
  * @property angles the topics of their angles, counterclockwise from straight ahead.
  * @property isTarget whether these are targets rather than measured values.
- * @property meters what the speeds are multiplied by to get m/s.
- * @property radians what the angles are multiplied by to get rad.
+ * @property meters the factor from the speeds to m/s.
+ * @property radians the factor from the angles to rad.
  */
 class SwerveModules internal constructor(
     val labels: List<String>,

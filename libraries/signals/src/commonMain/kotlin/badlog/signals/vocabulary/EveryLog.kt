@@ -25,5 +25,5 @@ internal const val ROBOT_TEST: String = "robot test"
 /** The signal of the name of the op mode that runs. */
 internal const val OP_MODE: String = "op mode"
 
-/** The signal of what a team calls the battery in the robot. */
+/** The signal of the team's name for the battery in the robot. */
 internal const val BATTERY_NAME: String = "battery name"

@@ -32,7 +32,7 @@ class SignalTopic internal constructor(
 }
 
 /**
- * Finds the signals of [vocabulary] among the topics of a log, whose names are [names].
+ * Finds the signals of [vocabulary] among the topics of a log, by their [names].
  *
  * @param timeTopic the topic of the x axis, which is not another signal; or null.
  * @param empty the names of topics without samples, which are not signals.
@@ -43,7 +43,7 @@ class SignalTopics(
     private val timeTopic: String?,
     private val empty: Set<String> = emptySet(),
 ) {
-    // Names that begin with a dot are how WPILib's dashboards describe what they show.
+    // With names that begin with a dot, WPILib's dashboards describe their topics.
     private val folded by lazy { names.signals.filter { it.name !in empty && "/." !in it.name }.map { it to NamePattern.folded(it.name) } }
     private val found = HashMap<String, List<SignalTopic>>()
 
@@ -60,10 +60,10 @@ class SignalTopics(
 
     private fun flag(signal: String) = of(signal).firstOrNull()?.let { FlagTopic(it.topic, it.reading ?: FlagReading.Truth) }
 
-    /** Returns the topics whose sum is the signal [name], if it has no topic itself. */
+    /** Returns the topics that add up to the signal [name], if it has no topic itself. */
     fun summandsOf(name: String): List<SignalTopic> = vocabulary.find(name)?.sumOf?.let(::of).orEmpty()
 
-    /** Returns pairs of [topics] whose devices a team has linked, each in both orders. */
+    /** Returns the pairs of [topics] with devices that a team has linked, each in both orders. */
     fun linked(topics: List<SignalTopic>): List<Pair<SignalTopic, SignalTopic>> = vocabulary.linked.flatMap { devices ->
         val members = topics.filter { topic -> devices.any { it.matches(topic.device) } }
         members.flatMap { one -> members.filter { it !== one }.map { one to it } }

@@ -13,8 +13,8 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     fun find(name: String): SignalName? = byName[name]
 
     /**
-     * Returns the signals all of whose words occur in [text], regardless of case, those of which they are sums, and those for the match and
-     * for when the robot was enabled.
+     * Returns the signals with all their words in [text], regardless of case. Also returns the signals that they are sums of, and the ones for the
+     * match and for when the robot was enabled.
      */
     fun namedIn(text: String): SignalVocabulary {
         val named = signals.filter { it.name in OF_EVERY_LOG || it.name.split(' ').all { word -> text.contains(word, ignoreCase = true) } }
@@ -29,7 +29,7 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     /** Returns the unit at the end of [name]; the longest match counts, as in “RadPerSec”. Null for none. */
     internal fun unitIn(name: String): NamedUnit? = units.filter { it.isOf(name) }.maxByOrNull { it.ending.length }
 
-    /** Returns this vocabulary with that of a team, [own]: its topics come before others, and its exceptions are added. */
+    /** Returns this vocabulary with a team's, [own]: its topics come before others, and its exceptions are added. */
     fun with(own: SignalVocabulary): SignalVocabulary {
         if (own === NONE) return this
         val extended = signals.map { signal -> own.find(signal.name)?.let(signal::with) ?: signal }
@@ -41,7 +41,7 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     }
 }
 
-/** The [unit] of topics whose names end in [ending]. */
+/** The [unit] of topics with names that end in [ending]. */
 class NamedUnit(val ending: String, val unit: String) {
     fun isOf(name: String): Boolean {
         // “Height (m)” has its unit in parentheses.
@@ -97,10 +97,9 @@ private val BITS = 0..52
  * A signal, and the topics that it may be.
  *
  * @property unit its unit in rules and questions; null for the topic's own.
- * @property isMany whether every matching topic is one of it; otherwise the first pattern that matches a topic
- * decides.
+ * @property isMany whether every matching topic is one of it; otherwise the first pattern that matches a topic decides.
  * @property atMost the largest number that can be true, in [unit]; larger ones are not readings. Null for any.
- * @property sumOf the signal whose topics, added up, are this one if no topic is; or null.
+ * @property sumOf the signal with the topics that add up to this one, if it has no topic itself; or null.
  */
 class SignalName(
     val name: String,
@@ -116,7 +115,7 @@ class SignalName(
     fun with(own: SignalName) = SignalName(name, meaning, content, unit, own.topics + topics, own.except + except, isMany, sumOf, atMost)
 }
 
-/** What the samples of a signal are. */
+/** The kind of content of a signal's samples. */
 enum class SignalContent(private vararg val kinds: SignalKind) {
     NUMBER(SignalKind.NUMBER),
     CONDITION(SignalKind.NUMBER, SignalKind.CONDITION),

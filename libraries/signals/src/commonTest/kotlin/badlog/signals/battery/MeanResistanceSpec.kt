@@ -12,7 +12,7 @@ import kotlin.math.sqrt
 import kotlin.random.Random
 
 class MeanResistanceSpec : FunSpec({
-    test("one match is its own mean, and nothing has none") {
+    test("one match is its own mean, and no matches have none") {
         meanOf(listOf(Resistance(20.0, 1.0))).shouldNotBeNull().run {
             milliohms shouldBe (20.0 plusOrMinus 1e-9)
             uncertainty shouldBe (1.0 plusOrMinus 1e-9)
@@ -26,7 +26,7 @@ class MeanResistanceSpec : FunSpec({
         mean.uncertainty shouldBe (0.1 plusOrMinus 0.01)
     }
 
-    test("matches that disagree make it less certain than each of them says") {
+    test("matches that disagree make it less certain than each of them alone") {
         meanOf(listOf(Resistance(18.0, 0.2), Resistance(22.0, 0.2), Resistance(20.0, 0.2))).shouldNotBeNull().uncertainty shouldBeGreaterThan 2.0
     }
 

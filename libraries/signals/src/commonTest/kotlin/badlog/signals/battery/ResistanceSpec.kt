@@ -31,7 +31,7 @@ class ResistanceSpec : FunSpec({
         found.uncertainty shouldBeLessThan 1.5
     }
 
-    test("what is logged only when it changes has the same resistance") {
+    test("a log of changes has the same resistance") {
         val steps = DoubleArray(times.size) { kotlin.math.floor(times[it] / 1.5) % 4 * 50 }
         val fallen = DoubleArray(times.size) { 12.6 - 0.02 * steps[it] }
         val changes = times.indices.filter { it == 0 || steps[it] != steps[it - 1] }

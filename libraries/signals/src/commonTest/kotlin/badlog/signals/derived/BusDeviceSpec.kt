@@ -17,17 +17,17 @@ class BusDeviceSpec : FunSpec({
         device.topic(BusSignal.POSITION) shouldBe null
     }
 
-    test("a Spark's topics are those of REV's logs") {
+    test("a Spark's topics are named as in REV's logs") {
         val device = devices("REV/Spark-12/APPLIED_OUTPUT", "REV/Spark-12/PRIMARY_ENCODER_VELOCITY", "REV/Spark-12/CURRENT").single()
         device.label shouldBe "Spark 12"
         device.topic(BusSignal.VELOCITY) shouldBe "REV/Spark-12/PRIMARY_ENCODER_VELOCITY"
     }
 
-    test("an encoder says what it is") {
+    test("an encoder is labeled as one") {
         devices("Phoenix6/CANcoder-20/AbsolutePosition").single().label shouldBe "CANcoder 20 (an absolute encoder)"
     }
 
-    test("topics that name a mechanism, or no id, are of no device") {
+    test("topics that name a mechanism, or have no id, belong to no device") {
         devices("/Drive/Module0/DriveVelocity", "TalonFX/Velocity", "Elevator/Motor 3/Current", "Spark").shouldBeEmpty()
         busDeviceIn("Phoenix6/TalonFX-3 (rio)/Position") shouldBe "Phoenix6/TalonFX-3 (rio)"
     }

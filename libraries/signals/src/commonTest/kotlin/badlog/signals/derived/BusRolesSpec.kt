@@ -9,13 +9,13 @@ import kotlin.math.abs
 class BusRolesSpec : FunSpec({
     val times = timesFor(60)
 
-    /** Sides of a robot that drives to and fro, and turns now and then. */
+    /** Sides of a robot that drives back and forth, and sometimes turns. */
     fun side(sign: Int) = times.of { 50 * swing(it) + sign * 8 * swing(it, 7.0) }
     val roller = times.of { if (it % 9 < 4) 80.0 else 0.0 }
 
     fun roles(speeds: List<DoubleArray>, encoded: List<Int> = emptyList()) = BusRoles(speeds, speeds.map { DoubleArray(0) }, speeds.indices.map { it in encoded })
 
-    test("motors that turn in one ratio are on one shaft, of which the first stands for all") {
+    test("motors that turn in one ratio are on one shaft, and the first stands for all") {
         val follower = DoubleArray(times.size) { -2 * side(1)[it] }
         roles(listOf(side(1), follower, roller)).leaders shouldContainExactly listOf(0, 2)
     }
@@ -26,12 +26,12 @@ class BusRolesSpec : FunSpec({
         found.mechanisms shouldContainExactly listOf(4)
     }
 
-    test("sides that hardly turn against each other are those of a drive if they go to and fro") {
+    test("sides that hardly turn against each other are a drive if they go back and forth") {
         fun rare(sign: Int) = times.of { 50 * swing(it) + sign * if (it in 20.0..20.1) 60.0 else 0.0 }
         roles(listOf(rare(1), rare(1), rare(-1), rare(-1), roller)).drive shouldContainExactly listOf(0, 2)
     }
 
-    test("rollers that run alike are not a drive, and without a drive nothing is known of mechanisms") {
+    test("rollers that run alike are not a drive, and without a drive no mechanisms are known") {
         val other = times.of { if (it % 9 < 4) 82 + swing(it) else 0.0 }
         val found = roles(listOf(roller, roller, other, other))
         found.drive.shouldBeEmpty()

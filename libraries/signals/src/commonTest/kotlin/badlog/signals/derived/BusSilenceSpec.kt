@@ -22,7 +22,7 @@ class BusSilenceSpec : FunSpec({
         silence(other) shouldBe 0.0
     }
 
-    test("a log that stands still says nothing of a device, nor does a robot that is disabled") {
+    test("a log that stands still, or a disabled robot, shows nothing about a device") {
         silence(without(10.0, 12.0), listOf(without(10.0, 12.0), without(10.0, 12.0))) shouldBe 0.0
         silence(without(10.0, 12.0), isEnabled = { false }) shouldBe 0.0
     }

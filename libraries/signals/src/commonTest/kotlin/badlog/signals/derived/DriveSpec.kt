@@ -94,30 +94,6 @@ class DriveSpec : FunSpec({
         sideFriction(times, Side(speed, times.of { 0.0 }), side(0.1)) shouldBe null
     }
 
-    test("wheels that gain speed faster than an accelerometer feels slip; wheels that brake do not count") {
-        val still = times.of { 0.0 }
-        val speed = times.of { if (it % 4 < 1) 3 * (it % 4) else maxOf(0.0, 4 - it % 4) }
-        fun slip(felt: Double) = wheelSlip(times, speed, still, still, times.of { if (it % 4 < 1) felt else -1.0 }).most()
-        slip(3.0) shouldBeLessThan 1.0
-        slip(0.5) shouldBe (2.5 plusOrMinus 0.3)
-    }
-
-    test("speeds that come seldom show nothing of slip") {
-        val speed = times.of { (it % 4).let { at -> if (at < 1) 3 * (at * 10).toInt() / 10.0 else maxOf(0.0, 4 - at) } }
-        val still = times.of { 0.0 }
-        wheelSlip(times.filterIndexed { i, _ -> i % 5 == 0 }.toDoubleArray(), DoubleArray(600) { speed[it * 5] }, still, still, still).size shouldBe 0
-    }
-
-    test("the slip of two sides is in m/s², whatever the unit of their speeds, and also if one is mounted the other way round") {
-        val speed = times.of { 2 * swing(it) + if (it % 8 < 0.3) 5 * (it % 8) else 0.0 }
-        val felt = times.of { 2 * 2 * PI / 4 * swing(it + 1) }
-        val meters = slipOfSides(times, listOf(speed, speed), felt, isInMeters = true).most()
-        meters shouldBe (5.0 plusOrMinus 0.5)
-        val turns = listOf(20.0, -20.0).map { DoubleArray(times.size) { i -> it * speed[i] } }
-        slipOfSides(times, turns, felt, isInMeters = false).most() shouldBe (meters plusOrMinus 0.5)
-        slipOfSides(times, List(2) { times.of { 0.0 } }, felt, isInMeters = false).size shouldBe 0
-    }
-
     test("a voltage that its current explains is not lost; a dip without current is") {
         val amperes = times.series { abs(60 * swing(it)) + if ((it * 50).toInt() % 2 == 0) 0.5 else 0.0 }
         fun lost(dip: Double): Double {

@@ -14,28 +14,28 @@ class FollowingSpec : FunSpec({
 
     fun following(measured: (Double) -> Double, wanted: DoubleArray = target) = Following(times, wanted, times.of(measured), times.always())
 
-    /** What follows the target within half a second. */
+    /** A measurement that follows the target within half a second. */
     fun followed(time: Double): Double {
         val since = time % 8
         val now = (time / 8).toInt() % 2.0
         return if (time < 8 || since > 0.5) now else 1 - now + (2 * now - 1) * since / 0.5
     }
 
-    test("what follows its target misses nothing, and what stays away is off by a share of the range") {
+    test("a measurement that follows its target misses nothing, and one that stays away is off by a share of the range") {
         following(::followed).missed().most() shouldBeLessThan 5.0
         following({ if (it < 20) followed(it) else 0.7 * followed(it) }).missed().most(from = 25.0, to = 31.9) shouldBe (30.0 plusOrMinus 0.1)
     }
 
-    test("what never comes to its targets measures something else: an angle of a drum, in radians, is not the height of its elevator, in m") {
+    test("a measurement that never reaches its targets is of something else: a drum's angle is not the elevator's height") {
         following({ 4.5 * followed(it) }).run { listOf(missed(), overshoot(), shortfall()) }.forEach { it.size shouldBe 0 }
     }
 
-    test("a target that is missing for a time is not one that is missed") {
+    test("a target without values for a time is not missed during it") {
         val gaps = DoubleArray(times.size) { if (times[it] in 10.0..12.0) Double.NaN else target[it] }
         following(::followed, gaps).missed().most() shouldBeLessThan 5.0
     }
 
-    test("a target that is always 0 or always missing is followed by nothing") {
+    test("nothing follows a target that is always 0 or has no values") {
         for (wanted in listOf(0.0, Double.NaN)) following(::followed, times.of { wanted }).missed().size shouldBe 0
     }
 

@@ -12,14 +12,14 @@ class FrictionRiseSpec : FunSpec({
     val times = timesFor(90)
     val place = times.of { swing(it) }
 
-    /** What moves it: what its speed takes, its acceleration, its weight, and its friction. */
+    /** The effort that moves it: for its speed, its acceleration, its weight, and its friction. */
     fun effort(weight: (Double) -> Double = { 3.0 }, friction: (Double) -> Double) = times.of {
         5 * swing(it + 1) - 2 * swing(it) + weight(it) + friction(it) * sign(swing(it + 1))
     }
 
     fun rise(effort: DoubleArray) = frictionRise(times, place, effort, times.always())
 
-    test("what a mechanism needs more in both directions is friction, as a share of what it needed at first beside its speed") {
+    test("more effort in both directions is friction, as a share of the effort at first beside its speed") {
         checkNotNull(rise(effort { if (it < 30) 1.0 else 4.0 })) shouldBe (0.5 plusOrMinus 0.15)
         abs(checkNotNull(rise(effort { 1.0 }))) shouldBeLessThan 0.02
     }
@@ -34,7 +34,7 @@ class FrictionRiseSpec : FunSpec({
         frictionRise(times, place, effort { 1.0 }, BooleanArray(times.size) { times[it] < 20 }) shouldBe null
     }
 
-    test("a current whose sign says where a motor pushes has a direction, a size has none") {
+    test("a current with a sign has a direction, a size has none") {
         hasDirection(effort { 1.0 }) shouldBe true
         hasDirection(DoubleArray(times.size) { abs(effort { 1.0 }[it]) }) shouldBe false
     }

@@ -14,7 +14,7 @@ class HeldSpeedsSpec : FunSpec({
         held[750] shouldBe (80.0 plusOrMinus 1.0)
     }
 
-    test("a speed that follows its output, or comes of a constant one, is held by nobody") {
+    test("a speed that follows its output, or has a constant output, is not held") {
         val speed = times.of { 40 + swing(it, 0.7) }
         heldSpeeds(times, speed, times.of { 0.5 + 0.1 * swing(it, 0.7) }).max() shouldBe 0.0
         heldSpeeds(times, speed, times.of { 0.5 }).max() shouldBe 0.0

@@ -77,6 +77,28 @@ class MechanismSensorsSpec : FunSpec({
         stall(times, times.of { 0.0 }, driven, 12.0).most() shouldBe 0.0
     }
 
+    test("a current that stays exactly as it was while the motor still turned is left over from a motor that lost its power") {
+        val speeds = times.of { if (it < 20) 100.0 else 0.0 }
+        stall(times, speeds, times.of { if (it < 19) 10.0 else 40.0 }, 12.0).most() shouldBe 0.0
+        stall(
+            times,
+            speeds,
+            times.of {
+                if (it < 19) {
+                    10.0
+                } else if (it < 21) {
+                    40.0
+                } else {
+                    41.0
+                }
+            },
+            12.0,
+        ).run {
+            most(to = 20.9) shouldBe 0.0
+            most(from = 21.0) shouldBe 1.0
+        }
+    }
+
     test("a motor is blocked whose output breaks down as it stops; one that holds with a constant output is not, nor is one that hardly pushes") {
         val speed = times.of { if (it in 20.0..22.0) 0.0 else 100.0 }
         fun stalled(output: (Double) -> Double) = limitedStall(times, speed, times.of { if (it in 20.0..22.0) output(it) else 0.75 }, 1.0)

@@ -8,7 +8,7 @@ import kotlin.math.abs
 class MissedPullsSpec : FunSpec({
     val times = timesFor(90)
 
-    /** What both sides of a drive take, which pull for some seconds at a time. */
+    /** The currents of both sides of a drive, which pull for some seconds at a time. */
     fun drive(time: Double) = 30 * abs(swing(time))
 
     fun most(own: (Double) -> Double, other: (Double) -> Double, isEnabled: BooleanArray = times.always()): Double {

@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldBe
 class PartTopicSpec : FunSpec({
     fun part(name: String, unit: String = "", kind: SignalKind = SignalKind.NUMBER) = partTopicsOf(listOf(Signal(name, kind, unit)), SignalVocabulary.NONE).single()
 
-    test("a switch is one, whether its log has truth values or numbers for them; how often it was pressed, and a limit, are none") {
+    test("a switch is recognized in truth values and in numbers; a count of its presses and a limit are not switches") {
         for (kind in listOf(SignalKind.CONDITION, SignalKind.NUMBER)) {
             for (name in listOf("Elevator/Bottom Switch", "Elevator/Bottom Limit Switch", "Elevator/Lower Limit Switch Pressed")) {
                 part(name, kind = kind).run {

@@ -17,7 +17,7 @@ class SightErrorSpec : FunSpec({
         return sightError(x to y, times.series { 2 + wrong(it) } to times.series { 3.0 })
     }
 
-    test("a picture that no other agrees with is as far off as it says") {
+    test("a picture that no other agrees with is off by its whole distance") {
         error({ 0.0 }) { if (it == 100) 4.0 else 2.0 }.most() shouldBe (2.0 plusOrMinus 0.02)
     }
 
@@ -28,7 +28,7 @@ class SightErrorSpec : FunSpec({
         }
     }
 
-    test("nothing is logged between pictures, which is not a picture that agrees") {
+    test("a time between pictures is not a picture that agrees") {
         error({ 0.0 }) {
             if (it % 2 == 1) {
                 Double.NaN

@@ -9,7 +9,7 @@ import io.kotest.property.checkAll
 import kotlin.math.sign
 
 class NaturalOrderSpec : FunSpec({
-    test("it is an order") {
+    test("comparisons are consistent with each other") {
         val texts = Arb.string(0..6)
         checkAll(texts, texts, texts) { a, b, c ->
             NaturalOrder.compare(a, b).sign shouldBe -NaturalOrder.compare(b, a).sign
@@ -18,7 +18,7 @@ class NaturalOrderSpec : FunSpec({
         }
     }
 
-    test("numbers stand by their value, letters regardless of case") {
+    test("numbers are ordered by their value, letters regardless of case") {
         listOf("m10", "M9", "m09", "m", "").sortedWith(NaturalOrder) shouldContainExactly listOf("", "m", "M9", "m09", "m10")
     }
 })

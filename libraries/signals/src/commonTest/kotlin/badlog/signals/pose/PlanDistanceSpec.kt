@@ -13,7 +13,7 @@ class PlanDistanceSpec : FunSpec({
     fun distances(driven: Trail, planned: Trail, vararg spans: Span) = planDistance(driven, planned, spans.toList()).y.toList()
     val all = Span(0.0, 100.0)
 
-    test("the distance is that of the same moment, in whole centimeters") {
+    test("the distance is taken at the same moment, in whole centimeters") {
         val plan = path(10) { it / 10.0 }
         distances(path(10, y = { it * 0.0304 }) { it / 10.0 }, plan, all) shouldBe List(10) { i -> kotlin.math.round(i * 3.04) / 100 }
     }
@@ -38,12 +38,12 @@ class PlanDistanceSpec : FunSpec({
         found.indices.filter { !found[it].isNaN() } shouldBe (0..9).toList()
     }
 
-    test("gaps of either are gaps") {
+    test("gaps of either trail are gaps of the distance") {
         val found = distances(path(4) { if (it == 1) Double.NaN else 0.0 }, path(4) { if (it == 2) Double.NaN else it / 10.0 }, all)
         found.map { it.isNaN() } shouldBe listOf(false, true, true, false)
     }
 
-    test("the path of a log is the pair of poses that share most folders, and then that in the fewest") {
+    test("the path of a log is the pair of poses that shares most folders, and then the one in the fewest") {
         fun pathOf(vararg names: String) = PlannedPath.of(posesOf(names.flatMap { poseTopics(it) }))?.run { driven.name to planned.name }
         pathOf("Auto/Goal", "Vendor/Drive/Deep/Pose", "Drive/Pose", "Drive/Target Pose") shouldBe ("Drive/Pose" to "Drive/Target Pose")
         pathOf("A/B/Pose", "Pose", "Plan") shouldBe ("Pose" to "Plan")

@@ -43,7 +43,7 @@ class PoseSearchSpec : FunSpec({
         plan.role shouldBe PoseRole.PLANNED
     }
 
-    test("the name says what was driven, planned and seen") {
+    test("the name shows whether a pose was driven, planned or seen") {
         fun role(name: String) = posesOf(poseTopics(name)).single().role
         listOf("Drive/Pose", "Odometry/Robot", "PoseEstimator/EstimatedPose", "PathPlanner/currentPose").map(::role).distinct() shouldBe listOf(PoseRole.DRIVEN)
         listOf("Drive/TargetPose", "Odometry/TrajectorySetpoint", "PathPlanner/targetPose", "Auto/Desired", "Plan").map(::role).distinct() shouldBe
@@ -51,7 +51,7 @@ class PoseSearchSpec : FunSpec({
         listOf("Vision/Estimate", "Camera0/Pose", "TagPoses").map(::role).distinct() shouldBe listOf(PoseRole.SEEN)
     }
 
-    test("the elements of an array know it") {
+    test("the elements of an array name their array") {
         val poses = posesOf(poseTopics("Trajectory[0]") + poseTopics("Trajectory[1]"))
         poses.map { it.list to it.role } shouldBe List(2) { "Trajectory" to PoseRole.PLANNED }
     }

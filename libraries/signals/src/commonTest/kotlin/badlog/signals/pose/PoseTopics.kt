@@ -4,7 +4,7 @@ import badlog.core.recording.CellCounts
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 
-/** A topic called [name] of a [unit] and a [type], whose [samples] are times and numbers. */
+/** A topic called [name] with a [unit] and a [type]; its [samples] are times and numbers. */
 internal fun poseTopic(
     name: String,
     unit: String = "",

@@ -27,7 +27,7 @@ class TrailSpec : FunSpec({
             listOf(Triple(1.0, 1.0, 5.0), Triple(2.0, 2.0, 6.0), Triple(4.0, 3.0, 6.0))
     }
 
-    test("a time before the first sample has none") {
+    test("a time before the first sample has no sample") {
         val trail = trail(listOf(1.0 to 1.0, 2.0 to 2.0), listOf(1.0 to 1.0, 2.0 to 2.0))
         listOf(0.5, 1.0, 1.5, 9.0, Double.NaN).map(trail::indexAt) shouldBe listOf(-1, 0, 0, 1, -1)
         (trail.startOf(Span(1.5, 3.0)) to trail.endOf(Span(1.5, 3.0))) shouldBe (1 to 2)

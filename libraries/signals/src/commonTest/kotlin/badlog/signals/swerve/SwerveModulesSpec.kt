@@ -3,6 +3,8 @@ package badlog.signals.swerve
 import badlog.core.recording.Topic
 import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
+import badlog.signals.derived.PartTopic
+import badlog.signals.derived.Quantity
 import badlog.signals.pose.poseTopic
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.doubles.plusOrMinus
@@ -29,6 +31,22 @@ class SwerveModulesSpec : FunSpec({
             modules.map { it.angle } shouldBe drive.measured.angles
             modules.map { it.targetAngle } shouldBe drive.target.angles
         }
+    }
+
+    test("rules know modules with names of their own for drive motors") {
+        fun part(words: String, name: String, quantity: Quantity, isTarget: Boolean = false) = PartTopic(Signal(name, SignalKind.NUMBER), words.split(' '), quantity, "", isTarget, isAbsolute = false, isMotor = false)
+        val parts = listOf("front left", "front right", "back left", "back right").flatMap { corner ->
+            listOf(
+                part("drive $corner drive", "$corner drive velocity", Quantity.VELOCITY),
+                part("drive $corner drive", "$corner drive position", Quantity.POSITION),
+                part("drive $corner turn", "$corner turn velocity", Quantity.VELOCITY),
+                part("drive $corner", "$corner speed setpoint", Quantity.VELOCITY, isTarget = true),
+                part("drive $corner", "$corner angle", Quantity.POSITION),
+                part("drive $corner", "$corner angle setpoint", Quantity.POSITION, isTarget = true),
+            )
+        }
+        moduleTopicsOf(emptyList(), parts).last().run { listOf(label, speed, angle, targetSpeed, targetAngle) } shouldBe
+            listOf("Back Right", "back right drive velocity", "back right angle", "back right speed setpoint", "back right angle setpoint")
     }
 
     test("two modules, seven, and an array without its first element are no drive for either") {

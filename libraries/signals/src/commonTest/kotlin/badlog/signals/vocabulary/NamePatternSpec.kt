@@ -18,7 +18,7 @@ class NamePatternSpec : FunSpec({
         NamePattern("Arm/Angle").matches("Big Arm/Angle") shouldBe false
     }
 
-    test("what comes before the end of the last star is the device") {
+    test("the part of a name up to the end of the last star is the device") {
         NamePattern("*velocity").deviceIn("Drivetrain/Left Velocity") shouldBe "Drivetrain/Left"
         NamePattern("*/applied volts").deviceIn("Drive/Module0/Applied_Volts") shouldBe "Drive/Module0"
         NamePattern("*TalonFX*/Duty Cycle").deviceIn("Phoenix6/TalonFX-1/DutyCycle") shouldBe "Phoenix6/TalonFX-1"

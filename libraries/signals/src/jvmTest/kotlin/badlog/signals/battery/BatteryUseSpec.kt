@@ -54,7 +54,7 @@ class BatteryUseSpec : FunSpec({
             use.restBefore.shouldNotBeNull() shouldBe (12.76 plusOrMinus 0.001)
             use.restAfter.shouldNotBeNull() shouldBe (12.26 plusOrMinus 0.001)
             use.resistance.shouldNotBeNull().milliohms shouldBe (20.0 plusOrMinus 0.1)
-            // 150 s of 60 A on average at 11.1 V less the losses of what swings, and a little while it is disabled.
+            // 150 s of 60 A on average at 11.1 V, less the oscillation's losses, and a little while disabled.
             use.energy.shouldNotBeNull() shouldBe (150 * (60 * 11.1 - 0.02 * 1250) / 3600 + 50 * 2 * 12.5 / 3600 plusOrMinus 0.3)
         }
     }
@@ -65,7 +65,7 @@ class BatteryUseSpec : FunSpec({
         use.restAfter.shouldBeNull()
     }
 
-    test("energy that is not known for a tenth of the time is not stated") {
+    test("energy that is unknown for more than a tenth of the time is not stated") {
         logOf { if (it < 160) "60" else "" }?.energy.shouldNotBeNull()
         logOf { if (it < 140) "60" else "" }?.energy.shouldBeNull()
     }
@@ -74,13 +74,13 @@ class BatteryUseSpec : FunSpec({
         for (name in listOf("Battery", "BatteryName", "battery_id", "Robot/Battery Number")) logOf(values = mapOf(name to " A1 "))?.name shouldBe "A1"
     }
 
-    test("the battery's name is the last that a topic says") {
+    test("the battery's name is the last meaningful text of its topic") {
         logOf(texts = "Battery Name" to listOf("unknown", "A1", "B2", ""))?.name shouldBe "B2"
         logOf(texts = "/RealMetadata/BatteryName" to listOf("BAT-001"))?.name shouldBe "BAT-001"
         logOf(texts = "Battery Number" to listOf("7"))?.name shouldBe "7"
     }
 
-    test("a voltage, or what says nothing, is not a name") {
+    test("a voltage, or a text without meaning, is not a name") {
         for (text in listOf("12.4", "12.4 V", "12.4 volts", "unknown", "", "0")) logOf(values = mapOf("Battery" to text))?.name.shouldBeNull()
         logOf(values = mapOf("Battery Name" to "none"))?.name.shouldBeNull()
     }

@@ -9,16 +9,16 @@ import io.kotest.property.PropertyTesting
 import kotlin.math.abs
 import kotlin.random.Random
 
-/** A match of the day: when it began, in s since 1970, and what the log of either side is called. */
+/** A match of the day: its start, in s since 1970, and the names of both sides' logs. */
 private class Played(val number: Int, val begin: Double, val robot: ClockedLog, val station: ClockedLog)
 
-/** Twelve matches, some of them replayed, with two laptops of which one is an hour ahead. All have the same periods, as on every field. */
+/** Twelve matches, some of them replayed, with two laptops; one of them is an hour ahead. All have the same periods, as on every field. */
 private fun day(random: Random, hasNumbers: Boolean): List<Played> {
     val numbers = (1..12).flatMap { if (random.nextInt(6) == 0) listOf(it, it) else listOf(it) }
     val begins = ArrayList<Double>()
     return numbers.mapIndexed { index, number ->
         var now = (begins.lastOrNull() ?: 1_772_895_845.0) + random.nextInt(420, 700)
-        // Without numbers, nobody could tell two matches apart that are exactly as far from each other as the laptops' clocks.
+        // Without numbers, two matches could not be distinguished that are exactly as far from each other as the laptops' clocks.
         while (begins.any { abs(now - it - 3600) < 20 }) now += 45
         begins += now
         val jitter = List(4) { random.nextDouble(-0.02, 0.02) }

@@ -13,7 +13,7 @@ import io.kotest.matchers.shouldBe
 class MotorFitSpec : FunSpec({
     val signals = RuleSet.BUILT_IN.signals
 
-    /** A motor that is driven in each of [spans], sampled every 20 ms for 30 s, by a clock that began [later]. */
+    /** A motor driven in each of [spans], sampled every 20 ms for 30 s, by a clock that began [later]. */
     fun output(name: String, spans: List<ClosedRange<Double>>, later: Double = 0.0, level: Double = 0.5): Topic = numbers(name, List(1500) { it / 50.0 }.map { time -> time - later to if (spans.any { time in it }) level else 0.0 })
 
     fun view(vararg topics: Topic): LogView = LogView.of(logOf(topics.toList())).withSignals(signals, "log")
@@ -29,7 +29,7 @@ class MotorFitSpec : FunSpec({
         fit.error shouldBe (0.0 plusOrMinus 1e-6)
     }
 
-    test("volts that the robot logged work as well, and reversing is not an end") {
+    test("volts in the robot's log work as well, and reversing is not an end") {
         val turning = listOf(3.0..4.0, 4.1..5.0, 7.0..8.5, 12.0..20.0)
         val revlog = view(output("REV/Spark-7/APPLIED_OUTPUT", turning, -0.4))
         val fit = checkNotNull(motorFit(revlog, view(output("Arm/Applied Volts", arm, level = 6.0)), signals))

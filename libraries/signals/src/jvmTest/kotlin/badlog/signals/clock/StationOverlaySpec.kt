@@ -44,7 +44,7 @@ class StationOverlaySpec : FunSpec({
         beside(robot, station, -40.0).both.topic("Driver Station/Trip Time").times?.toList() shouldBe List(41) { (it - 10) * 1000.0 }
     }
 
-    test("rules get what the robot's log lacks, over its own time; what the log itself has takes precedence") {
+    test("rules get the signals that the robot's log lacks, over its own time; its own signals take precedence") {
         val robot = logOf(listOf(numbers("Battery Voltage", listOf(0.0 to 12.5, 20.0 to 12.0), "V")))
         val forRules = beside(robot, station, -40.0).forRules
         signalTopicsOf(forRules, signals).of("battery").map { it.topic } shouldBe listOf("Battery Voltage")

@@ -45,7 +45,7 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, null), practice, stations[0])?.station?.name shouldBe "a"
     }
 
-    test("a log of another match is never taken, whatever its clock says, and an hour of daylight saving is none") {
+    test("a log of another match is never used, whatever its clock shows, and an hour of daylight saving does not matter") {
         val robot = log(3.0, "2026-03-07 15:04:08 UTC", number("17"))
         val wrong = log(0.0, "2026-03-07 15:04:05 UTC", number("11"), "wrong")
         val right = log(0.0, "2026-03-07 16:04:05 UTC", number("17"), "right")
@@ -59,7 +59,7 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, "2026-03-07 15:04:08 UTC", listOf(Value("Match Type", "Practice"))), log(0.0, "2026-03-07 15:04:05 UTC", listOf(Value("Match Type", "Qualification")))).shouldBeNull()
     }
 
-    test("without numbers, the log whose moments of enabling agree with its clock is taken, then one whose clock is an hour off") {
+    test("without numbers, a log with moments of enabling that agree with its clock is used, then one an hour off") {
         val robot = log(3.0, "2026-03-07 15:04:08 UTC")
         // At its own time of day it covers the robot's log, but was enabled at other moments by that clock.
         val wrong = log(0.0, "2026-03-07 15:02:05 UTC", name = "wrong")
@@ -69,7 +69,7 @@ class StationSearchSpec : FunSpec({
         found(robot, wrong, other).shouldBeNull()
     }
 
-    test("two laptops at one match are told apart by their clocks, and either fits") {
+    test("two laptops at one match are distinguished by their clocks, and either fits") {
         val robot = log(3.0, "2026-03-07 15:04:08 UTC", number("17"))
         val first = log(0.0, "2026-03-07 15:04:05 UTC", number("17"), "first")
         val second = log(0.0, "2026-03-07 14:04:05 UTC", number("17"), "second")
@@ -82,7 +82,7 @@ class StationSearchSpec : FunSpec({
         found(log(3.0, null, name = "Q42.wpilog"), *stations)?.station?.name shouldBe "b"
     }
 
-    test("of many logs, only those are read that may be of the same time of day") {
+    test("of many logs, only the ones that may be of the same time of day are read") {
         val read = ArrayList<Int>()
         fun search(robot: ClockedLog) = StationSearch(robot, { hour: Int -> hour * 3600.0 }, { hour ->
             read += hour

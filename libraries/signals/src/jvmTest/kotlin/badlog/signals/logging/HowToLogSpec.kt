@@ -41,7 +41,7 @@ class HowToLogSpec : FunSpec({
         howToLog("no such signal", LoggingLibrary.BADLOG) shouldBe null
     }
 
-    test("what only the Driver Station knows is a signal, and has no line") {
+    test("a value that only the Driver Station knows is a signal, and has no line") {
         for (signal in listOf("packet loss", "trip time")) {
             signals.find(signal)?.name shouldBe signal
             isOfDriverStation(signal) shouldBe true

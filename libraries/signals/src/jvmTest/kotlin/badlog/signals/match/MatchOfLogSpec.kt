@@ -39,12 +39,12 @@ class MatchOfLogSpec : FunSpec({
         match("double") shouldBe MatchOfLog(number = "8")
     }
 
-    test("what the driver station gives without a field means nothing") {
+    test("the driver station's values without a field are ignored") {
         val values = listOf(Value("Event Name", " "), Value("Match Type", "None"), Value("Match Number", "0"))
         of(values, "practice.bag") shouldBe MatchOfLog()
     }
 
-    test("a type in the name is not put to a number of the values") {
+    test("a type in the name is not combined with a number in the values") {
         of(listOf(Value("Match Number", "5")), "q7.bag") shouldBe MatchOfLog(number = "5")
     }
 
@@ -53,7 +53,7 @@ class MatchOfLogSpec : FunSpec({
         of(listOf(Value("Event Name", "OHCL")), "Q42.wpilog") shouldBe MatchOfLog("OHCL", "Qualification", "42")
     }
 
-    test("the kind of run follows from the type, whatever it is called") {
+    test("the kind of run follows from the type, under any of its names") {
         val types = mapOf(
             MatchKind.MATCH to listOf("Qualification", "quals", "QUAL", "Quarterfinal", "Semifinal", "Elimination", "Elims", "playoff", "Final"),
             MatchKind.PRACTICE to listOf("Practice", "practice match", "Test"),

@@ -44,7 +44,7 @@ class WrittenDateSpec : FunSpec({
         }
     }
 
-    test("a time without an offset is that of a clock on the wall") {
+    test("a time without an offset is a time on a clock on the wall") {
         checkAll(seconds) { second ->
             val time = ZonedDateTime.ofInstant(Instant.ofEpochSecond(second), ZoneId.of("UTC")).toLocalDateTime()
             val patterns = listOf("MMM d, yyyy, h:mm:ss a", "M/d/yyyy h:mm:ss a", "MM/dd/yyyy HH:mm:ss", "EEE MMM d HH:mm:ss yyyy", "d MMM yyyy HH:mm:ss")
@@ -73,7 +73,7 @@ class WrittenDateSpec : FunSpec({
         }
     }
 
-    test("a date in CST, a zone of America and of Asia, is that of a clock on the wall") {
+    test("a date in CST, a zone of America and of Asia, is a time on a clock on the wall") {
         for (zone in listOf("America/Chicago", "Asia/Shanghai", "Asia/Taipei")) {
             val time = ZonedDateTime.ofInstant(Instant.ofEpochSecond(1_516_000_000L), ZoneId.of(zone))
             val text = javaDate(time.toEpochSecond(), time.zone)

@@ -6,39 +6,38 @@ import badlog.core.analysis.knowsEnabled
 import badlog.core.recording.Topic
 
 /**
- * Whether there is anything to see in a file.
+ * Whether a file has anything to see, or the reason why not.
  *
- * @property saying the text beside a gray log; empty for others.
+ * @property saying the text beside a gray log; empty if the log is not gray, or not listed.
  */
 enum class Content(val saying: String) {
-    /** There is. */
+    /** The file has something to see. */
     SOMETHING(""),
 
-    /** It has none. */
+    /** The log has no samples. */
     NO_SAMPLES("no samples"),
 
     /** No number changes, and no event is logged. */
     NOTHING_CHANGES("idle log"),
 
-    /** It is over before anything can have happened. */
+    /** The log is too short for anything to happen. */
     TOO_SHORT("shorter than a second"),
 
-    /** The robot was never enabled, and it was not a match: in a match, that would be worth seeing. */
+    /** The robot was never enabled, and the log has no title of a match; a match without enabling would be worth seeing. */
     NEVER_ENABLED("never enabled"),
 
-    /** It cannot be read, although its name is that of a log. */
+    /** The file cannot be read, although its name belongs to a log. */
     UNREADABLE("cannot be read"),
 
-    /** Something else that only has the same ending as logs, such as a spreadsheet of texts; it is not listed. */
+    /** The file is something else with the ending of a log, such as a spreadsheet of texts; it is not listed. */
     NO_LOG(""),
 }
 
 /**
- * Returns whether there is anything to see in [view]. In doubt, there is: a change of a single number, or a single event,
- * is enough.
+ * Returns whether [view] has anything to see. In doubt it has: a change of a single number, or a single event, is enough.
  *
  * @param time the topic that only has the x of each row, or null.
- * @param seconds its length, or null if unknown.
+ * @param seconds the length of the log, or null if unknown.
  */
 fun contentOf(view: LogView, topics: List<TopicSummary>, time: Topic?, seconds: Double?): Content = when {
     view.recording.sampleCount == 0L -> Content.NO_SAMPLES

@@ -7,14 +7,17 @@ import badlog.signals.match.dateInText
 import badlog.signals.match.localSecondOf
 
 /**
- * When a recording began.
+ * The time when a recording began.
  *
- * @property second the time on a clock on the wall where it was made, in s since 1970 on that clock.
- * @property source its source.
+ * @property second the local time of the wall clock at the place of recording, in s since 1970 on that clock.
+ * @property source the source of the time.
  */
 data class LogDate(val second: Long, val source: DateSource) {
     companion object {
-        /** Returns when the recording with [values] began, whose file is called [name] and was last written at [modified], in ms since 1970. */
+        /**
+         * Returns the time when a recording began. It has [values]; its file has the [name] and was last written at [modified], in ms
+         * since 1970.
+         */
         fun of(values: List<Value>, name: String, modified: Long): LogDate {
             val logged = values.meant("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)
             if (logged != null) return LogDate(logged, DateSource.VALUES)
@@ -30,7 +33,7 @@ data class LogDate(val second: Long, val source: DateSource) {
 /**
  * The source of a log's date.
  *
- * @property saying its text for people.
+ * @property saying the displayed text.
  */
 enum class DateSource(val saying: String) {
     VALUES("from the log’s metadata"),

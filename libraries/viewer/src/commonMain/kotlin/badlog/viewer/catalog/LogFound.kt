@@ -13,17 +13,17 @@ import badlog.viewer.text.withUnit
 import kotlin.math.floor
 
 /**
- * What the rules found in a log of the folder.
+ * The findings of the rules in a log of the folder.
  *
- * @property key identifies the rules that were run; with other rules, they are run again.
- * @property rules those that found something, each once, the worst first; null if they could not be run.
- * @property verdict what to say of the log first; null if there is nothing worse than a note.
+ * @property key identifies the rules that were run; other rules are run again.
+ * @property rules the rules that found something, each once, the worst first; null if they could not be run.
+ * @property verdict the summary to show first; null if nothing is worse than a note.
  */
 data class LogFound(val key: Int, val rules: List<FoundRule>?, val verdict: Verdict? = null) {
     /** The worst severity; null if nothing was found. */
     val worst: Severity? get() = rules?.maxOfOrNull { it.severity }
 
-    /** Returns how many rules found something of [severity]. */
+    /** Returns the number of rules that found something of [severity]. */
     fun count(severity: Severity): Int = rules.orEmpty().count { it.severity == severity }
 }
 
@@ -31,12 +31,12 @@ data class LogFound(val key: Int, val rules: List<FoundRule>?, val verdict: Verd
 data class FoundRule(val name: String, val severity: Severity)
 
 /**
- * What rules say of a log first, for those who have only a moment.
+ * The rules' summary of a log, for a reader who has only a moment.
  *
- * @property severity how serious it is.
- * @property headline what happened and when, without a full stop: `Browned out at 1:33`.
- * @property sentences what led to it and what followed, in order; at least one.
- * @property next what to look at next, as a sentence; empty if not known.
+ * @property severity the severity of its main finding.
+ * @property headline the event and its time, without a full stop: `Browned out at 1:33`.
+ * @property sentences the causes and consequences, in order; at least one sentence.
+ * @property next the next thing to look at, as a sentence; empty if unknown.
  * @property errors the number of findings that are errors.
  * @property warnings the number of findings that are warnings.
  */
@@ -49,7 +49,7 @@ data class Verdict(
     val warnings: Int = 0,
 )
 
-/** Returns what lists show of [findings], which these rules have found in a log; [key] identifies the rules. */
+/** Returns the summary of [findings] for lists of logs; these rules have found them, and [key] identifies the rules. */
 fun RuleSet.foundIn(findings: List<Finding>, key: Int): LogFound {
     val first = firstToSee(findings, incidentsIn(findings)) ?: return LogFound(key, emptyList())
     val listed = (listOf(first.finding) + findings).map { FoundRule(it.rule, it.severity) }
@@ -69,6 +69,6 @@ private fun verdictOf(first: FirstToSee, findings: List<Finding>): Verdict? {
     )
 }
 
-// As a clock shows it: it is 1:33 until it is 1:34.
+// Rounds down, as a clock does: it shows 1:33 until 1:34.
 private fun timeText(finding: Finding) = secondsOf(finding.time, finding.timeUnit)?.let { minutesText(floor(it), decimals = 0) }
     ?: withUnit(numberText(finding.time), finding.timeUnit)

@@ -19,18 +19,18 @@ import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * What is known of a log without reading it again.
+ * The facts of a log that are known without reading it again.
  *
- * @property match its match.
- * @property date when it began.
- * @property duration its length on x; null if x is only the number of the row.
+ * @property match the match of the log.
+ * @property date the time when the log began.
+ * @property duration the length of the log on x; null if x is only the number of the row.
  * @property xUnit the unit of [duration].
- * @property samples the number of samples of all its topics together.
- * @property problems the number of its problems.
- * @property content whether there is anything to see.
- * @property trouble why it cannot be read, as a sentence; null if it can.
- * @property battery what it says of the robot's battery; null for nothing.
- * @property topics its topics with numbers, in the order of the file.
+ * @property samples the number of samples of all topics together.
+ * @property problems the number of problems of each severity.
+ * @property content whether the log has anything to see.
+ * @property trouble the reason why the log cannot be read, as a sentence; null if it can.
+ * @property battery the use of the robot's battery; null if the log does not show it.
+ * @property topics the topics with numbers, in the order of the file.
  */
 data class LogSummary(
     val match: MatchOfLog = MatchOfLog(),
@@ -47,25 +47,28 @@ data class LogSummary(
     /** The lowest voltage of the robot's battery, in volts; null if no topic shows it. */
     val batteryMinimum: Double? get() = battery?.lowest
 
-    /** The name of the topic with the battery's voltage; null for none. */
+    /** The name of the topic with the battery's voltage; null if there is none. */
     val batteryTopic: String? get() = battery?.topic
 
-    /** Returns the summary of the topic called [name], or null when the log has none. */
+    /** Returns the summary of the topic called [name]; null if the log does not have it. */
     fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
 
     companion object {
-        /** Returns what the [name] of a file shows, which was last written at [modified], in ms since 1970, and has not been read. */
+        /** Returns the facts that only the [name] of a file shows. The file was last written at [modified], in ms since 1970. */
         fun named(name: String, modified: Long): LogSummary =
             LogSummary(matchInName(name), LogDate.of(emptyList(), name, modified), content = Content.SOMETHING)
 
-        /** Returns what the name of a file shows, which was last written at [modified], in ms since 1970, and cannot be read because of [trouble]. */
+        /**
+         * Returns the facts that only the [name] of an unreadable file shows. The file was last written at [modified], in ms since 1970,
+         * and cannot be read because of [trouble].
+         */
         fun unreadable(name: String, modified: Long, trouble: String, content: Content = Content.UNREADABLE): LogSummary =
             LogSummary(matchInName(name), LogDate.of(emptyList(), name, modified), trouble = trouble, content = content)
 
         /**
-         * Returns the summary of [view], whose topics are named by [vocabulary].
+         * Returns the summary of [view]; [vocabulary] names its topics.
          *
-         * @param name the name of its file, which was last written at [modified], in ms since 1970.
+         * @param name the name of the log's file, which was last written at [modified], in ms since 1970.
          * @param isOnlyOfLogs whether only logs have such names.
          */
         fun of(view: LogView, vocabulary: SignalVocabulary, name: String, modified: Long, isOnlyOfLogs: Boolean): LogSummary {
@@ -97,7 +100,7 @@ data class LogSummary(
     }
 }
 
-/** The number of kinds of problems of each severity in a recording. */
+/** The number of problems of each severity in a recording, each kind counted once. */
 data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, val notes: Int = 0) {
     /** Returns the number for [severity]. */
     fun of(severity: Severity): Int = when (severity) {
@@ -108,12 +111,12 @@ data class ProblemCounts(val errors: Int = 0, val warnings: Int = 0, val notes: 
 }
 
 /**
- * What is stored about a topic with numbers, without its samples.
+ * The stored facts of a topic with numbers, without its samples.
  *
  * @property name the full name.
- * @property unit the unit, `ul` for none.
- * @property statistics over all of the recording.
- * @property preview its course.
+ * @property unit the unit; `ul` if there is none.
+ * @property statistics the statistics over the whole recording.
+ * @property preview the shape of the series.
  */
 data class TopicSummary(
     val name: String,
@@ -136,21 +139,24 @@ private fun summaryOf(topic: Topic, view: LogView): TopicSummary {
     )
 }
 
-/** Returns whether [recording] is a table of logs, as the window and the program may save them among the logs: each row is about a file. */
+/**
+ * Returns whether [recording] is a table of logs, saved among the logs by the window or the program. Each row of such a table is about a
+ * file.
+ */
 private fun isTable(recording: Recording): Boolean = recording.format == RecordingFormat.CSV &&
     recording.topics.take(3).map { it.name }.let { it == listOf("Log", "Date", "File") || it.take(2) == listOf("Match", "File") }
 
 /** Returns whether [topic] is a logger's own data, such as the time of day. */
 private fun isPlumbing(topic: Topic) = topic.times != null && "hide" in topic.attributes
 
-/** Returns the time column: a plain CSV file has no x axis, but usually a time column. */
+/** Returns the time column. A plain CSV file has no x axis, but usually a time column. */
 private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNull {
     it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
 }
 
-/** Returns [duration] in [unit] as seconds; null if the unit is not one of time. */
+/** Returns [duration] in [unit] as seconds, also if it has no unit; null if the unit is not a unit of time. */
 fun secondsOf(duration: Double, unit: String): Double? {
-    // A log without units is a plain CSV file, whose time is nearly always in seconds.
+    // A log without units is a plain CSV file, nearly always with a time in seconds.
     val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)
     return seconds?.let { duration * it }
 }

@@ -5,10 +5,10 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * The shape of a series in [COLUMNS] columns of equal width in x, each with its smallest and its largest value.
+ * The shape of a series in [COLUMNS] columns of equal width in x, each with its extremes.
  *
- * @property bytes two for each column, the smallest and the largest value, scaled from 0 for the series' minimum to 255 for
- *   its maximum. The smallest is above the largest if the column has no value.
+ * @property bytes two bytes for each column, its smallest and its largest value, scaled from 0 for the series' minimum to 255 for its
+ *   maximum. The smallest is above the largest if the column has no value.
  */
 class PreviewLine(val bytes: ByteArray) {
     init {
@@ -21,7 +21,7 @@ class PreviewLine(val bytes: ByteArray) {
     /** Returns the smallest value of [column], from 0 for the minimum to 1 for the maximum. */
     fun low(column: Int): Float = bytes[2 * column].toUByte().toInt() / 255f
 
-    /** Returns the largest value likewise. */
+    /** Returns the largest value of [column], from 0 for the minimum to 1 for the maximum. */
     fun high(column: Int): Float = bytes[2 * column + 1].toUByte().toInt() / 255f
 
     override fun equals(other: Any?): Boolean = other is PreviewLine && bytes.contentEquals(other.bytes)
@@ -31,22 +31,22 @@ class PreviewLine(val bytes: ByteArray) {
     companion object {
         const val COLUMNS = 48
 
-        /** The preview of nothing: no column has a value. */
+        /** A preview without values in any column. */
         val NONE: PreviewLine by lazy { PreviewLine(ByteArray(BYTES) { if (it % 2 == 0) 1 else 0 }) }
 
         const val BYTES = 2 * COLUMNS
 
         /**
-         * Returns the shape of [series], whose finite values go from [min] to [max]; NaN if it has none.
+         * Returns the shape of [series]. Its finite values are between [min] and [max]; both are NaN if it has none.
          *
-         * @param held all of x, if each value holds until the next one; otherwise null.
+         * @param held the whole range of x, if each value holds until the next one; otherwise null.
          */
         fun of(series: Series, min: Double, max: Double, held: ClosedFloatingPointRange<Double>? = null): PreviewLine {
             val bytes = ByteArray(BYTES) { if (it % 2 == 0) -1 else 0 }
             val x = series.x
             val y = series.y
             if (x.isEmpty() || min.isNaN()) return PreviewLine(bytes)
-            // If x is not ordered, the order of the rows is more useful.
+            // Without ordered x, the order of the rows is more useful.
             val isOrdered = series.isOrdered
             val from = held?.start ?: if (isOrdered) x.first() else 0.0
             val width = if (isOrdered) (held?.endInclusive ?: x.last()) - from else x.size - 1.0

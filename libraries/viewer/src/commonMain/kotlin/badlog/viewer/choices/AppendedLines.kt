@@ -3,8 +3,9 @@ package badlog.viewer.choices
 /**
  * The content of a file to which lines are appended, one per change.
  *
- * @property changes its changes, in the order of its lines.
- * @property unreadable the numbers of the lines that are damaged, or that only a newer badlog understands, from 1 on. They stay in the file.
+ * @property changes the changes, in the order of the lines.
+ * @property unreadable the numbers, from 1 on, of the lines that are damaged, or that only a newer badlog understands. They stay in the
+ *   file.
  */
 class AppendedLines<out C : Any>(val changes: List<C>, val unreadable: List<Int>) {
     /** Returns the [unreadable] lines of the file [name] as a sentence; null if there are none. */
@@ -20,8 +21,8 @@ class AppendedLines<out C : Any>(val changes: List<C>, val unreadable: List<Int>
 
     companion object {
         /**
-         * Returns the content of [text], whose lines [changeOf] reads. Empty lines are ignored, and so is a last one that is not ended: a folder
-         * that is being synced may have only the beginning of it.
+         * Returns the content of [text]; [changeOf] reads a line, and returns null for an unreadable one. Empty lines are ignored. So is
+         * an unreadable last line without a line break: a folder that is being synced may have only its beginning.
          */
         fun <C : Any> of(text: String, changeOf: (String) -> C?): AppendedLines<C> {
             val changes = ArrayList<C>()

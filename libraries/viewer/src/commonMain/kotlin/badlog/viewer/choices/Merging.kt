@@ -1,14 +1,14 @@
 package badlog.viewer.choices
 
 /**
- * Returns this list, which several tabs or windows change and remember in one place, with what the others have changed meanwhile: an
- * element that this one has not changed since it last [read] the list is as it is [stored] now, and one that only this one has changed,
- * added or removed stays so. Where both changed the same one, the later write counts, which is this one's. Without changes of others, it is
- * the same list.
+ * Returns this list merged with the changes that others made to the [stored] list since this one [read] it. Several tabs or windows
+ * change such a list, and remember it in one place. An element that this one has not changed is as [stored]; one that only this one has
+ * changed, added or removed stays so. Of two changes of one element, the later write counts, which is this one's. Without changes of
+ * others, the list is the same.
  *
- * @param prefersStored whether that which both changed is as it is stored, so that a step back takes back nothing of others.
- * @param key returns what makes an element the same as another.
- * @param join returns an element that is in all three lists, or in this one and the stored one, as merged.
+ * @param prefersStored whether an element that both changed is as [stored], so that a step back undoes nothing of others.
+ * @param key returns the identity of an element.
+ * @param join returns an element of all three lists, or of this one and the stored one, as merged.
  */
 fun <T : Any> List<T>.mergedWith(
     stored: List<T>,
@@ -32,7 +32,7 @@ fun <T : Any> List<T>.mergedWith(
         }
     }
 
-    // Each new element follows the one that it followed where it was added.
+    // Each new element is placed after the one that it followed where it was added.
     val isMoved = mine.keys.filter { it in before } != before.keys.filter { it in mine }
     val (first, second) = if (isMoved) mine to theirs else theirs to mine
     val places = ArrayList(first.keys)
@@ -44,6 +44,6 @@ fun <T : Any> List<T>.mergedWith(
     return places.mapNotNull(::mergedAt)
 }
 
-/** Returns what only one side has changed since [before]; of what both changed, [theirs] if [prefersTheirs], otherwise [mine]. */
+/** Returns the value that only one side has changed since [before]; if both did, [theirs] if [prefersTheirs], otherwise [mine]. */
 internal fun <T> merged(mine: T, before: T?, theirs: T, prefersTheirs: Boolean): T =
     if (mine == before || (prefersTheirs && theirs != before)) theirs else mine

@@ -1,14 +1,14 @@
 package badlog.viewer.input
 
-/** What a drag over a graph does. */
+/** The effect of a drag over a graph. */
 enum class DragKind {
-    /** Zooms to what it covers. */
+    /** Zooms to the dragged range of x. */
     ZOOM,
 
-    /** Zooms to what it covers of y, only in its graph. */
+    /** Zooms to the dragged range of y, only in its graph. */
     ZOOM_Y,
 
-    /** Selects what it covers. */
+    /** Selects the dragged range. */
     SELECT,
 
     /** Moves the graphs. */
@@ -16,7 +16,7 @@ enum class DragKind {
     ;
 
     companion object {
-        /** Returns what a drag with the primary button does while these keys are held. */
+        /** Returns the effect of a drag with the primary button while these keys are held. */
         fun of(shift: Boolean, alt: Boolean): DragKind = when {
             shift -> PAN
             alt -> ZOOM_Y

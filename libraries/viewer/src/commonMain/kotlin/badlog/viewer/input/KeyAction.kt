@@ -1,26 +1,26 @@
 package badlog.viewer.input
 
 /**
- * What a key does, on the page and in the window.
+ * The effect of a key, on the page and in the window.
  *
- * @property group its heading in the help.
- * @property meaning what it does, for the help.
- * @property keys the keys; each does the same.
+ * @property group the heading in the help.
+ * @property meaning the effect, for the help.
+ * @property keys the keys, each with the same effect.
  */
 enum class KeyAction(val group: String, val meaning: String, vararg val keys: KeyStroke) {
-    /** The cursor goes to the previous sample. */
+    /** Moves the cursor to the previous sample. */
     PREVIOUS_SAMPLE("Graphs", "Cursor to the previous sample", KeyStroke("←")),
 
-    /** The cursor goes to the next sample. */
+    /** Moves the cursor to the next sample. */
     NEXT_SAMPLE("Graphs", "Cursor to the next sample", KeyStroke("→")),
 
-    /** The cursor goes back ten samples. */
+    /** Moves the cursor back ten samples. */
     TEN_SAMPLES_BACK("Graphs", "Cursor ten samples back", KeyStroke("←", shift = true)),
 
-    /** The cursor goes forward ten samples. */
+    /** Moves the cursor forward ten samples. */
     TEN_SAMPLES_ON("Graphs", "Cursor ten samples forward", KeyStroke("→", shift = true)),
 
-    /** A second cursor is put where the first one is, and keys then move it; or it is removed. */
+    /** Puts a second cursor at the first one, for the arrow keys to move; or removes it. */
     SECOND_CURSOR("Graphs", "Second cursor, moved by the arrow keys; again: remove it", KeyStroke("B")),
 
     /** Zooms in on x, around the cursor if it is visible. */
@@ -80,13 +80,13 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
     /** Shows the graphs of the previous kept layout. */
     PREVIOUS_LAYOUT("Board", "Previous kept layout", KeyStroke("G", shift = true)),
 
-    /** Opens the dialog for a formula. */
+    /** Opens the dialog for a new formula. */
     NEW_FORMULA("Formulas", "New formula", KeyStroke("F")),
 
     /** Begins a note at the cursor, or in the middle of the visible range. */
     NEW_NOTE("Notes", "Write a note at the cursor", KeyStroke("M")),
 
-    /** Adds a note without asking for its text, at the newest moment of a log that grows, or else where [NEW_NOTE] begins one. */
+    /** Adds a note without asking for its text: at the newest moment of a growing log, otherwise where [NEW_NOTE] begins one. */
     MARK(
         "Notes",
         "Mark the moment of the cursor, or the newest one of a log that grows: a note without typing",
@@ -109,7 +109,7 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
     /** The first of [keys], for the tooltip of a button: `Shift+N`. */
     val shortcut: String get() = keys[0].text
 
-    /** Its line in the help. */
+    /** The key's line in the help. */
     val help: HelpLine get() = HelpLine(group, keys.joinToString("  ") { it.text }, meaning)
 
     companion object {
@@ -120,7 +120,8 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
         const val PAN_SHARE: Double = 0.25
 
         /**
-         * Returns what [key], written as in [keys], does with these modifiers, where [ctrl] is the command key on a Mac; null for nothing.
+         * Returns the action of [key], written as in [keys], with these modifiers; [ctrl] is the command key on a Mac. Null if there is
+         * none.
          */
         fun of(key: String, shift: Boolean, ctrl: Boolean = false, alt: Boolean = false): KeyAction? = entries.firstOrNull { action ->
             action.keys.any { it.key == key && it.ctrl == ctrl && it.alt == alt && (it.shift == shift || it.isSign) }
@@ -134,10 +135,10 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
  * @property key its label.
  */
 class KeyStroke(val key: String, val shift: Boolean = false, val ctrl: Boolean = false, val alt: Boolean = false) {
-    /** Whether it is a character other than a letter, for which some keyboards need Shift and others do not. */
+    /** Whether [key] is a character other than a letter. Some keyboards need Shift for it, and others do not. */
     val isSign: Boolean get() = key.length == 1 && key[0] < 'A'
 
-    /** Its text in the help: `Ctrl+Shift+Z`. */
+    /** The text in the help: `Ctrl+Shift+Z`. */
     val text: String
         get() = listOfNotNull("Ctrl".takeIf { ctrl }, "Alt".takeIf { alt }, "Shift".takeIf { shift }, key).joinToString("+")
 }
@@ -145,13 +146,13 @@ class KeyStroke(val key: String, val shift: Boolean = false, val ctrl: Boolean =
 /**
  * A line of the help.
  *
- * @property group its heading.
- * @property how what to press, or what to do with the pointer.
+ * @property group the heading.
+ * @property how the key to press, or the gesture of the pointer.
  * @property meaning the effect.
  */
 data class HelpLine(val group: String, val how: String, val meaning: String)
 
-/** What the pointer does over graphs, on the page and in the window. */
+/** The effects of the pointer over graphs, on the page and in the window. */
 val GRAPH_GESTURES: List<HelpLine> = listOf(
     HelpLine("On the graphs", "Wheel", "Scrolls."),
     HelpLine("On the graphs", "Ctrl+wheel, pinch", "Zooms around the pointer."),

@@ -2,27 +2,27 @@ package badlog.viewer.input
 
 import badlog.viewer.choices.range.Viewport
 
-/** What a drag on the overview grabs. */
+/** The part of the overview that a drag grabs. */
 enum class OverviewGrip {
-    /** The left edge of what is visible. */
+    /** The left edge of the visible range. */
     LEFT,
 
-    /** Its right edge. */
+    /** The right edge of the visible range. */
     RIGHT,
 
-    /** All of it. */
+    /** The whole visible range. */
     WINDOW,
 
-    /** Nothing: a new part is selected. */
+    /** None of them: the drag selects a new range. */
     NEW,
     ;
 
     companion object {
-        /** Returns what is at [x] on the overview of [viewport], whose pixels are [pixel] wide in x. */
+        /** Returns the part at [x] on the overview of [viewport]; one pixel is [pixel] wide in x. */
         fun at(x: Double, viewport: Viewport, pixel: Double): OverviewGrip {
             val visible = viewport.visible
             val reach = EDGE * pixel
-            // The middle of a narrow visible range can still be grabbed.
+            // A quarter at most, so that the middle of a narrow visible range can still be grabbed.
             val inside = minOf(reach, visible.width / 4)
             return when {
                 !viewport.isZoomed -> NEW

@@ -1,15 +1,15 @@
 package badlog.viewer.input
 
-/** Which button of a mouse is pressed. */
+/** A pressed button of a mouse. */
 enum class PointerButton { LEFT, MIDDLE, RIGHT }
 
 /**
- * A pointer on the frame of a plot, or beside it, as a front end reports it. Lengths are CSS pixels or dp.
+ * A pointer on the frame of a plot, or beside it, as a front end reports it. Lengths are in CSS pixels or dp.
  *
- * @property x its distance from the frame's left edge.
- * @property y its distance from the frame's top.
+ * @property x the distance from the frame's left edge.
+ * @property y the distance from the frame's top.
  * @property width the width of the frame.
- * @property height its height.
+ * @property height the height of the frame.
  * @property millis the time of any clock, in ms.
  * @property ctrl whether Ctrl is held, or the command key on a Mac.
  * @property button the pressed button of a mouse.
@@ -27,9 +27,9 @@ class PlotPointer(
     val button: PointerButton = PointerButton.LEFT,
     val finger: Int? = null,
 ) {
-    /** The fraction of the width at which it is, from the left. */
+    /** The x of the pointer as a fraction of the width, from the left. */
     val shareX: Double get() = x / width
 
-    /** The fraction of the height at which it is, from the top. */
+    /** The y of the pointer as a fraction of the height, from the top. */
     val shareY: Double get() = y / height
 }

@@ -4,15 +4,15 @@ import badlog.viewer.choices.range.Viewport
 import kotlin.math.abs
 import kotlin.math.exp
 
-/** What the wheel does over graphs: with Ctrl, or as a pinch on a touch pad, it zooms; sideways or with Shift, it pans. */
+/** The wheel over graphs. With Ctrl, or as a pinch on a touch pad, it zooms; sideways or with Shift, it pans. */
 class Wheel {
     private var last = Double.NEGATIVE_INFINITY
 
     /**
-     * Returns [viewport] after a turn of the wheel; null if that scrolls the page instead.
+     * Returns [viewport] after a turn of the wheel; null if the turn scrolls the page instead.
      *
-     * @param right how far it turned sideways, in CSS pixels or dp.
-     * @param down how far it turned towards the person.
+     * @param right the sideways turn, in CSS pixels or dp.
+     * @param down the turn towards the person, in the same pixels.
      * @param x the x under the pointer.
      * @param width the width of the graphs, in the same pixels.
      * @param now the time of any clock, in ms; turns in quick succession are one step of the history.
@@ -40,10 +40,10 @@ class Wheel {
     }
 
     companion object {
-        /** The CSS pixels or dp of one notch, for a wheel that counts notches. */
+        /** The length of one notch in CSS pixels or dp, for a wheel that counts notches. */
         const val NOTCH: Double = 40.0
 
-        /** Returns the factor by which the visible range grows for a turn [down] with Ctrl. */
+        /** Returns the factor by which a turn [down] with Ctrl widens the visible range. */
         fun factorOf(down: Double): Double = exp(down.coerceIn(-MAX_TURN, MAX_TURN) * SPEED)
 
         private const val PAUSE = 500.0

@@ -11,19 +11,19 @@ import badlog.viewer.draw.path.xyLabelOf
 import badlog.viewer.state.GraphChange
 
 /**
- * Something that the menu of a graph offers.
+ * A command in the menu of a graph.
  *
- * @property label what the menu says.
- * @property isOn whether it is in effect; null if it is done once.
- * @property change what it does.
+ * @property label the text in the menu.
+ * @property isOn whether the setting is in effect; null for a command that is done once.
+ * @property change the effect of the command.
  */
 class GraphOffer(val label: String, val isOn: Boolean? = null, val change: GraphChange)
 
-/** What the menu of [graph] offers, one of those of [board]; the log has [poses]. Each front end arranges it in its own menu. */
+/** The commands in the menu of [graph], which is on [board]; the log has [poses]. Each front end arranges them in its own menu. */
 class GraphOffers(private val board: Board, private val graph: BoardGraph, private val poses: List<Pose>) {
     private val id = graph.id
 
-    /** The other places on the board, as far as it is not there. */
+    /** The moves to other places on the board; a place where the graph already is has no command. */
     val moves: List<GraphOffer>
         get() {
             val place = board.graphs.indexOfFirst { it.id == id }
@@ -34,7 +34,7 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
             )
         }
 
-    /** The named heights; of a graph without a height of its own, the [usual] one is in effect, null for none. */
+    /** Returns the named heights. For a graph without a height of its own, the [usual] one is in effect, or none if that is null. */
     fun heights(usual: GraphHeight?): List<GraphOffer> {
         val now = graph.height?.let { GraphHeight.of(it) } ?: usual
         return GraphHeight.entries.map { height ->
@@ -42,14 +42,14 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
         }
     }
 
-    /** How its lines can be drawn over each other; nothing for a single line. */
+    /** The ways to draw the graph's lines over each other; empty for a single line. */
     val planes: List<GraphOffer>
         get() = listOfNotNull(
             GraphOffer(xyLabelOf(graph.lines, poses), graph.isXy, GraphChange.DrawXy(id, !graph.isXy)).takeIf { graph.lines.size > 1 },
             GraphOffer("Swap axes", change = GraphChange.SwapAxes(id)).takeIf { graph.canSwapAxes(poses) },
         )
 
-    /** The origins of its poses; nothing if it draws no path. */
+    /** The origins of the graph's poses; empty if it does not draw a path. */
     val origins: List<GraphOffer>
         get() = if (graph.isXy && poses.any { it.x in graph.lines && it.y in graph.lines }) {
             FieldOrigin.entries.map { origin -> GraphOffer(origin.label, graph.origin == origin, GraphChange.MeasureFrom(id, origin)) }
@@ -57,7 +57,7 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
             emptyList()
         }
 
-    /** What can be done with its y limits, of which it has [shown] now, those of the left axis first; nothing for a plane. */
+    /** Returns the commands for the y limits; none for a plane. [shown] are the current limits, first of the left axis. */
     fun limits(shown: List<Span>): List<GraphOffer> = if (graph.isXy) {
         emptyList()
     } else {
@@ -68,14 +68,17 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
         )
     }
 
-    /** A graph for each of its lines; null for a single line. */
+    /** The command for a graph for each line; null for a single line. */
     val separation: GraphOffer?
         get() = GraphOffer("A graph for each line", change = GraphChange.Separate(id)).takeIf { graph.lines.size > 1 }
 
-    /** The other graphs that can have its lines, too; [titles] are those of all graphs of the board. */
+    /**
+     * Returns a command for each other graph that can also have this graph's lines. [titles] belong to all graphs of the board, in their
+     * order.
+     */
     fun additions(titles: List<String>): List<GraphOffer> = board.graphs.zip(titles).filter { (other, _) -> other.id != id }
         .map { (other, title) -> GraphOffer("Add to “$title”", change = GraphChange.Join(other.id, id)) }
 
-    /** Takes it off the board. */
+    /** The command that removes the graph from the board. */
     val removal: GraphOffer get() = GraphOffer("Remove this graph", change = GraphChange.Remove(id))
 }

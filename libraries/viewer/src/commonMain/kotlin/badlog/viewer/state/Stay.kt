@@ -3,29 +3,29 @@ package badlog.viewer.state
 import badlog.core.analysis.Span
 
 /**
- * Whether a person stays at the end of a log that grows. They do from when they asked for that until they go elsewhere: hovering over
- * graphs, and zooming and panning with the end in sight, do not. Immutable; each transition returns a new one.
+ * The wish of a person to stay at the end of a log that grows. It lasts until the person goes elsewhere; hovering over graphs, and
+ * zooming and panning with the end in sight, do not end it. Immutable; each transition returns a new one.
  *
- * @property place where a person who wants to stay at the end was put last; null for one who does not.
- * @property held the visible range that a person wants to keep, though it ends where the log ended; null for none.
+ * @property place the last place at the end that this state moved the person to; null for a person who does not want to stay there.
+ * @property held the visible range that a person wants to keep, though it ends where the log ended; null if there is none.
  */
 data class Stay(val place: Place? = null, val held: Span? = null) {
-    /** Returns whether a person who is at [now] is at the end, and has not gone elsewhere. */
+    /** Returns whether a person at [now] is at the end, and has not gone elsewhere. */
     fun isAt(now: Place): Boolean {
         if (place == null || !now.range.isAtEnd || now.range.full != place.range.full) return false
         return now.cursors.pinned == place.cursors.pinned && now.cursors.second == place.cursors.second
     }
 
-    /** Returns whether such a person has also looked at nothing since: at no part of it, and at no selected range. */
+    /** Returns whether a person at [now] is at the end, and has not zoomed, panned or selected since. */
     fun isUntouched(now: Place): Boolean = isAt(now) && place?.range?.visible == now.range.visible && now.selection == null
 
-    /** The person is at [end], the end of the log, and wants to stay at its end. */
+    /** Returns the state of a person at [end], the end of the log, who wants to stay there. */
     fun begun(end: Place): Stay = Stay(place = end)
 
-    /** The person wants to stay at [now], though the log grows. */
+    /** Returns the state of a person who wants to stay at [now], though the log grows. */
     internal fun paused(now: Place): Stay = Stay(held = now.range.visible.takeIf { now.range.isZoomed })
 
-    /** Handles that the log has grown, and is shown at [shown] to a person who was at [before]. */
+    /** Returns the state after the log has grown, and is shown at [shown] to a person who was at [before]. */
     internal fun grown(before: Place, shown: Place): Stayed {
         if (isAt(before)) return shown.movedToEnd().let { Stayed(begun(it), it) }
         val kept = held?.takeIf { it == before.range.visible && before.range.full.from == shown.range.full.from }
@@ -35,8 +35,8 @@ data class Stay(val place: Place? = null, val held: Span? = null) {
 }
 
 /**
- * What follows for a person from the growth of a log.
+ * The effect of the log's growth on a person.
  *
- * @property place where they are in it now.
+ * @property place the person's place in the log now.
  */
 internal class Stayed(val stay: Stay, val place: Place)

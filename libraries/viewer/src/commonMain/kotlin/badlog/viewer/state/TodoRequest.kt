@@ -4,14 +4,14 @@ import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.TodoTask
 
-/** What only a shell can do with a team's list. */
+/** A change of the team's list that only a shell can make. */
 sealed interface TodoRequest : Request {
-    /** Writes that [deed] was done to [task]. */
+    /** Writes [deed], a change of [task]. */
     data class Write(val task: TodoTask, val deed: TodoDeed) : TodoRequest
 
-    /** Asks how [item] was done. */
+    /** Asks the person how [item] was done. */
     data class AskDone(val item: TodoItem) : TodoRequest
 
-    /** Asks who takes [item] on. */
+    /** Asks who takes on [item]. */
     data class AskPerson(val item: TodoItem) : TodoRequest
 }

@@ -1,8 +1,8 @@
 package badlog.viewer.text
 
 /**
- * Returns [name] in characters that are never changed in an address, and are not separators in one: letters and digits, `-_./`, `+` for a
- * space, and `~` with four hexadecimal digits for any other character.
+ * Returns [name] in characters that an address never changes or uses as separators: letters and digits, `-_./`, `+` for a space, and `~`
+ * with four hexadecimal digits for any other character.
  */
 fun addressText(name: String): String = buildString {
     for (char in name) {
@@ -14,7 +14,7 @@ fun addressText(name: String): String = buildString {
     }
 }
 
-/** Returns the name that [addressText] wrote as [text]; null if a `~` does not begin a character. */
+/** Returns the name that [addressText] wrote as [text]; null if a `~` is not followed by four hexadecimal digits. */
 fun nameOfAddress(text: String): String? {
     val name = StringBuilder()
     var at = 0

@@ -2,7 +2,7 @@ package badlog.viewer.text
 
 import kotlin.math.floor
 
-/** Returns a count with separators between thousands. */
+/** Returns [count] with separators between thousands, from five digits on. */
 fun countText(count: Int): String {
     val digits = count.toString()
     if (digits.length <= GROUP + 1) return digits
@@ -17,10 +17,10 @@ fun countText(count: Int): String {
 /** Returns a count with its noun: `1 graph`, `7 graphs`. */
 fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
 
-/** Returns how many of [all] are [shown], with their noun: `3 of 12 events`, or `12 events` if all are. */
+/** Returns the number of [shown] out of [all], with the noun [one]: `3 of 12 events`, or `12 events` if all are shown. */
 fun countOf(shown: Int, all: Int, one: String): String = (if (shown == all) "" else "${countText(shown)} of ") + countText(all, one)
 
-/** Returns a number of bytes for people. */
+/** Returns a number of bytes with its unit, such as `2.4 MB`. */
 fun bytesText(bytes: Double): String = when {
     bytes < 1000 -> "${bytes.toInt()} bytes"
     bytes < 999_950 -> "${fixedText(bytes / 1e3, 1)} kB"
@@ -28,7 +28,7 @@ fun bytesText(bytes: Double): String = when {
     else -> "${fixedText(bytes / 1e9, 2)} GB"
 }
 
-/** Returns a duration in seconds for people: `2 min 30 s`. */
+/** Returns a duration in seconds with units, such as `2 min 30 s`. */
 fun durationText(seconds: Double): String {
     if (seconds < SECONDS_OF_MINUTE) return "${exactText(floor(seconds * 100 + 0.5) / 100)} s"
     val whole = floor(seconds + 0.5).toInt()

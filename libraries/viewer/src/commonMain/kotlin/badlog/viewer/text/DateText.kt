@@ -1,12 +1,12 @@
 package badlog.viewer.text
 
-/** Returns [second] of a clock on the wall, in s since 1970 on that clock, as `16 Mar 2024, 10:41`. */
+/** Returns [second] as `16 Mar 2024, 10:41`; it is in s since 1970 on a local wall clock. */
 fun dateText(second: Long): String {
     val date = CivilDate.of(second.floorDiv(DAY))
     return "${date.day} ${MONTHS[date.month - 1]} ${date.year}, ${timeOfDay(second)}"
 }
 
-/** Returns the same as in ISO 8601, `2024-03-16T10:41`, which people search for. */
+/** Returns [second] of the same clock in ISO 8601, `2024-03-16T10:41`, which people search for. */
 fun isoText(second: Long): String {
     val date = CivilDate.of(second.floorDiv(DAY))
     return "${date.year}-${twoDigits(date.month)}-${twoDigits(date.day)}T${timeOfDay(second)}"
@@ -20,7 +20,7 @@ private fun timeOfDay(second: Long): String {
 /** A day of the Gregorian calendar. */
 private class CivilDate(val year: Int, val month: Int, val day: Int) {
     companion object {
-        /** Returns the date [days] after 1 January 1970, counted in years that begin in March, so that the leap day is at their end. */
+        /** Returns the date [days] after 1 January 1970. Years are counted from March, so that the leap day is at their end. */
         fun of(days: Long): CivilDate {
             val since = days + DAYS_TO_1970
             val era = since.floorDiv(DAYS_OF_ERA)
@@ -43,5 +43,5 @@ private const val MINUTE = 60
 private const val DAY = 86400L
 private const val DAYS_OF_ERA = 146097L
 
-/** From the first of March of the year 0. */
+/** The days from 1 March of the year 0 to 1 January 1970. */
 private const val DAYS_TO_1970 = 719468L

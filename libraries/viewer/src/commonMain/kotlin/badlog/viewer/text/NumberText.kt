@@ -7,8 +7,8 @@ import kotlin.math.floor
 import kotlin.math.log10
 
 /**
- * Returns a sample exactly, with the fewest digits that distinguish it from every other double, the same on every platform; `–`
- * for none. Whole numbers below 1e15 are written in full; others below 1e-4 or from 1e15 on have an exponent.
+ * Returns [value] exactly, with the fewest digits that distinguish it from every other double; `–` for NaN. The text is the same on every
+ * platform. Whole numbers below 1e15 are written in full; others below 1e-4 or from 1e15 on have an exponent.
  */
 fun exactText(value: Double): String = when {
     value.isNaN() -> NO_NUMBER
@@ -30,8 +30,8 @@ fun exactText(value: Double): String = when {
 }
 
 /**
- * Returns [value] as people read it, sample or calculated: a whole number in full, any other with six significant digits, but without zeros
- * in place of digits before the point. Files, copies and tooltips have the [exactText].
+ * Returns [value] for reading: whole numbers in full, others with six significant digits, but without zeros in place of digits before the
+ * point. Files, copies and tooltips have the [exactText].
  */
 fun numberText(value: Double): String = when {
     abs(value) < MAX_PLAIN && (value == floor(value) || abs(value) >= MILLION) -> fixedDigits(value, 0)
@@ -39,14 +39,14 @@ fun numberText(value: Double): String = when {
     else -> exactText(value)
 }
 
-/** Returns [value] with [decimals] decimals; in the form of [exactText] if it is not finite, or 1e15 or more. */
+/** Returns [value] with [decimals] decimals, or its [exactText] if it is not finite, or 1e15 or more. */
 fun fixedText(value: Double, decimals: Int): String =
     if (value.isFinite() && abs(value) < MAX_PLAIN) fixedDigits(value, decimals) else exactText(value)
 
-/** Returns how many decimals distinguish places on an axis when a screen shows [span] of it. */
+/** Returns the number of decimals that distinguish places on an axis with [span] visible. */
 fun decimalsFor(span: Double): Int = if (span > 0) ceil(DECADES_SEEN - log10(span)).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
 
-/** Returns the displayed text of a unit: empty for none. */
+/** Returns the displayed text of a unit; empty if there is none. */
 fun unitText(unit: String): String = if (Units.isNone(unit)) "" else unit
 
 /** Returns [number] with its [unit], if it has one. */
@@ -55,7 +55,7 @@ fun withUnit(number: String, unit: String): String = if (Units.isNone(unit) || n
 /** The text for a missing number. */
 const val NO_NUMBER: String = "–"
 
-/** Returns [digits], in powers of ten, without unnecessary zeros, and without an exponent if that is not longer. */
+/** Returns [digits], which are in powers of ten, without unnecessary zeros, and without an exponent if that is not longer. */
 private fun shortened(digits: String): String {
     val e = digits.indexOf('e')
     val exponent = digits.substring(e + 1).toInt()
@@ -75,8 +75,8 @@ private const val MILLION = 1e6
 private const val MIN_EXPONENT = -4
 private const val MAX_EXPONENT = 15
 
-// With this many decimals, and one digit before them, all decimal numbers differ as doubles; with two more decimals, all doubles can be
-// distinguished.
+// The largest number of decimals, after one digit before the point, with which all decimal numbers differ as doubles. Two more
+// distinguish all doubles.
 private const val MIN_EXACT_DIGITS = 14
 private const val MAX_EXACT_DIGITS = 16
 private const val ROUNDED = 5

@@ -4,7 +4,7 @@ import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Severity
 
-/** What front ends call how serious it is. */
+/** The displayed word for the severity of a problem. */
 val Problem.word: String
     get() = when (severity) {
         Severity.ERROR -> "lost"
@@ -13,8 +13,8 @@ val Problem.word: String
     }
 
 /**
- * Returns what [problems] mean for someone who relies on the file, such as `Data is missing in 2 places, 1 warning.`, or why it is not a
- * log at all. A front end may have [others] to warn of, besides what is wrong in the file.
+ * Returns the effect of [problems] on a reader of the file, such as `Data is missing in 2 places, 1 warning.`. For a file that is not a
+ * log, it is the reason. A front end may add the number of [others], its own warnings.
  */
 fun problemSummary(problems: List<Problem>, others: Int = 0): String {
     val unreadable = problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING || it.kind == ProblemKind.EMPTY_FILE }
@@ -30,7 +30,7 @@ fun problemSummary(problems: List<Problem>, others: Int = 0): String {
     ).joinToString(postfix = ".")
 }
 
-/** Returns where [problem] occurred, and how often if its message does not say it: `line 12 · Arm/Angle · 3 times`. */
+/** Returns the place of [problem], and its count if the message does not contain it: `line 12 · Arm/Angle · 3 times`. */
 fun placeTextOf(problem: Problem): String = listOfNotNull(
     problem.line?.let { "line ${countText(it)}" },
     problem.topic,

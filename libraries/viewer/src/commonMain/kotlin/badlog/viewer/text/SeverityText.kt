@@ -2,5 +2,5 @@ package badlog.viewer.text
 
 import badlog.core.recording.Severity
 
-/** What front ends call it. */
+/** The displayed word for a severity. */
 val Severity.word: String get() = name.lowercase()

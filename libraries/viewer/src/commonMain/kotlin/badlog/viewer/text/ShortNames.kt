@@ -1,12 +1,12 @@
 package badlog.viewer.text
 
 /**
- * Returns the legend names for the topics [names], in order: the shortest end of each path that distinguishes it from the others, so
- * that `Left/speed` and `Right/speed` are not both `speed`. Equal names get equal results.
+ * Returns the legend names of the topics [names], in order. Each is the shortest end of its path that distinguishes it from the others,
+ * so that `Left/speed` and `Right/speed` are not both `speed`. Equal names get equal results.
  */
 fun shortNames(names: List<String>): List<String> {
     val paths = names.distinct().associateWith { it.trim('/').split('/') }
-    // Counts each end of a path once, because a legend of sixty lines is needed in each frame of a zoom.
+    // Counts each end of a path once: each frame of a zoom may need a legend of sixty lines.
     val ends = HashMap<String, Int>()
     for (path in paths.values) for (parts in 1..path.size) ends[endOf(path, parts)] = (ends[endOf(path, parts)] ?: 0) + 1
     val short = paths.mapValues { (name, path) ->

@@ -4,11 +4,14 @@ import badlog.core.analysis.Units
 import badlog.core.analysis.XAxis
 import kotlin.math.abs
 
-/** Returns [x] as a place on [axis], with the precision of a screen that shows [width] of it, without the unit. */
+/** Returns [x] as a place on [axis], without the unit. The precision fits a screen that shows [width] of the axis. */
 fun placeText(x: Double, axis: XAxis, width: Double): String = // There is nothing between two rows, so decimals would be meaningless.
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
-/** Returns the cursor's place: `93.740 s · Teleop 1:31`, where [clocks] is the time of other clocks; without those, also in minutes. */
+/**
+ * Returns the cursor's place: `93.740 s · Teleop 1:31`. [clocks] is the time of other clocks; if it is empty, the place is also in
+ * minutes, from one minute on.
+ */
 fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
     val place = withUnit(placeText(x, axis, width), axis.unit)
     val seconds = Units.secondsIn(axis.unit)
@@ -19,7 +22,7 @@ fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
     }
 }
 
-/** Returns a length on [axis] with its unit, and also in minutes if it is one or more. */
+/** Returns a length on [axis] with its unit, and also in minutes if it is a minute or more. */
 fun lengthText(length: Double, axis: XAxis): String {
     val number = exactText(fixedText(length, decimalsFor(length)).toDouble())
     val name = lengthOn(axis, number)
@@ -27,14 +30,14 @@ fun lengthText(length: Double, axis: XAxis): String {
     return if (seconds >= SECONDS) "$name · ${minutesText(seconds)}" else name
 }
 
-/** Returns the length [number] with the unit of [axis], which may be rows. */
+/** Returns [number], a length on [axis], with its unit, which may be rows. */
 internal fun lengthOn(axis: XAxis, number: String) = when {
     !axis.isIndex -> withUnit(number, axis.unit)
     number == "1" -> "1 row"
     else -> "$number rows"
 }
 
-/** Returns the difference between two places on [axis]: `Δ 1.5 s`, with a minus for a step back. */
+/** Returns the difference between two places on [axis]: `Δ 1.5 s`, with a minus sign for a step back. */
 fun differenceText(from: Double, to: Double, axis: XAxis): String {
     val sign = if (to < from) "-" else ""
     return "Δ $sign${lengthText(abs(to - from), axis)}"

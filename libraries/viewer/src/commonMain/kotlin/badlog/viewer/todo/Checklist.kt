@@ -4,8 +4,8 @@ package badlog.viewer.todo
 const val CHECKLIST_FILE: String = "checklist.md"
 
 /**
- * Returns the lines of the checklist in [text], each once and at most [MAX_LINES]: every line of it, without the signs that make it a list, such
- * as `- [ ]`. Headings and empty lines are not part of it.
+ * Returns the lines of the checklist in [text], each once and at most [MAX_LINES], cut after [TodoChange.MAX_TEXT] characters. Signs of a
+ * list, such as `- [ ]`, are removed; headings and empty lines are skipped.
  */
 fun checklistOf(text: String): List<String> = text.lineSequence()
     .map { it.trim() }
@@ -17,7 +17,7 @@ fun checklistOf(text: String): List<String> = text.lineSequence()
     .take(MAX_LINES)
     .toList()
 
-/** More than a pit goes through between two matches. */
+/** More lines than a pit goes through between two matches. */
 private const val MAX_LINES = 100
 
 private val LIST_SIGN = Regex("^(?:[-*+]|[0-9]{1,3}[.)])?(?:\\s*\\[[ xX]?\\])?(?=\\s|$)")

@@ -7,8 +7,8 @@ import badlog.viewer.shown.folder.isOfSameMatch
 import kotlin.math.abs
 
 /**
- * Returns those of [logs] that began since the fourth last match, as far as they have a date, see [TodoList.RECENT_RUNS]; where there are no matches, the last logs. Idle
- * logs between matches do not count.
+ * Returns the [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; without any match, the last four logs. Logs
+ * without a date belong to their matches. Idle logs should not be in [logs].
  */
 fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
     val known = logs.filter { it.isDated }.ifEmpty { logs }
@@ -16,12 +16,12 @@ fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
     val begins = if (matches.isEmpty()) known.map { it.second } else beginsOfRuns(matches)
     val begin = begins.sortedDescending().take(TodoList.RECENT_RUNS).lastOrNull() ?: return emptyList()
     val recent = known.filter { it.second >= begin }
-    // The matches of logs without a date show when these began.
+    // Logs without a date began with their matches.
     val others = (logs - known.toSet()).filter { log -> recent.any { isOfSameMatch(it.match, log.match) } }
     return recent + others
 }
 
-/** Returns when each run of a match in [logs] began: those of the robot and of the Driver Station are of one run. */
+/** Returns the start of each run of a match in [logs]. The logs of the robot and of the Driver Station belong to one run. */
 private fun beginsOfRuns(logs: List<FoundLog>): List<Long> {
     val runs = ArrayList<ArrayList<FoundLog>>()
     for (ofMatch in logs.groupBy { it.match.match }.values) {
@@ -38,7 +38,7 @@ private fun isOfSameRun(one: FoundLog, other: FoundLog) =
     isOfSameMatch(one.match, other.match) && (abs(one.second - other.second) < LONGEST_RUN || !one.isDated || !other.isDated)
 
 /**
- * Returns the log of the match of [logs] that was played last; null if none is of a match. Logs without a date are known by the number of their
+ * Returns the log of the match that was played last; null if [logs] have no match. Logs without a date are ordered by the number of their
  * match.
  */
 internal fun lastMatchOf(logs: Collection<FoundLog>): FoundLog? {
@@ -47,7 +47,7 @@ internal fun lastMatchOf(logs: Collection<FoundLog>): FoundLog? {
     return (others.filter { last == null || isOfSameEvent(it.match, last.match) } + listOfNotNull(last)).maxWithOrNull(BY_NUMBER)
 }
 
-/** Returns whether the numbers of [one] and [other] count the matches of one event, as far as is known. */
+/** Returns whether the numbers of [one] and [other] count the matches of one event. An unknown event counts as the same. */
 private fun isOfSameEvent(one: MatchOfLog, other: MatchOfLog) =
     one.type == other.type && (one.event == null || other.event == null || one.event == other.event)
 

@@ -1,10 +1,10 @@
 package badlog.viewer.todo
 
 /**
- * Returns who ticked off which line of the checklist before the match [next].
+ * Returns the lines of the checklist that were ticked off before the match [next], with the person and the time.
  *
- * A tick is for one match: a robot that leaves the pit unchecked because of an earlier tick is worse than one that is checked twice. It is still
- * there if it was made before anybody said which match that is.
+ * A tick is for one match: leaving the pit unchecked because of an earlier tick is worse than checking the robot twice. A tick stays if
+ * it was made before the team named the next match.
  *
  * @param changes all changes, in their order.
  * @param logs the logs of the folder.
@@ -33,7 +33,7 @@ internal fun ticksOf(changes: List<TodoChange>, logs: Collection<FoundLog>, next
     return ticks
 }
 
-/** Returns whether this was made at the event of [newest], and in a practice after it. */
+/** Returns whether this change was made at the event of [newest], and also after it if [isPractice]. */
 private fun TodoChange.isOfDaysOf(newest: FoundLog, isPractice: Boolean): Boolean {
     if (event != null && newest.match.event != null && event != newest.match.event) return false
     if (seen == null) return true

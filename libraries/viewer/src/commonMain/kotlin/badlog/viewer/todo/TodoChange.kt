@@ -3,13 +3,13 @@ package badlog.viewer.todo
 /**
  * One change of a team's list: one line of a file that is only ever appended to.
  *
- * @property id identifies it among all laptops.
- * @property time when it was made, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
- * @property author who made it.
- * @property subject what it is about.
- * @property deed what changed.
- * @property seen when the last log began that was known then, in s since 1970 on the clock of the logs; null if there was none. What was
- * recorded later is decided by the logs' own clock, because that of a robot is often wrong, or in another time zone.
+ * @property id identifies the change among all laptops.
+ * @property time the time of the change, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
+ * @property author the person who made the change.
+ * @property subject the changed item.
+ * @property deed the change.
+ * @property seen the start of the last log that was known then, in s since 1970 on the clock of the logs; null if there was none. It
+ *   decides which logs were recorded later, because a robot's clock is often wrong, or in another time zone.
  * @property event the event of that log; null if unknown.
  */
 data class TodoChange(
@@ -27,25 +27,25 @@ data class TodoChange(
     }
 }
 
-/** What changed about the subject of a [TodoChange]. */
+/** The effect of a [TodoChange] on its subject. */
 sealed interface TodoDeed {
-    /** It is to be done: it is on the list from now on, or once more. */
+    /** The item is to be done: it is on the list from now on, or once more. */
     data object Open : TodoDeed
 
-    /** It is not to be done after all. */
+    /** The item is not to be done after all. */
     data object Remove : TodoDeed
 
     /**
-     * Somebody takes it on.
+     * A person takes on the item.
      *
-     * @property person who; empty for nobody.
+     * @property person the person; empty if the item is to be free again.
      */
     data class Assign(val person: String) : TodoDeed
 
     /**
-     * It is done.
+     * The item is done.
      *
-     * @property what what was done, such as `replaced main breaker`; may be empty.
+     * @property what the work that was done, such as `replaced main breaker`; may be empty.
      * @property before the match before which it was done; null if not given.
      */
     data class Done(val what: String = "", val before: String? = null) : TodoDeed

@@ -7,10 +7,10 @@ import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonObject
 import badlog.viewer.choices.AppendedLines
 
-/** Returns the content of [text], a to-do file, see [toLine]. */
+/** Returns the content of [text], a to-do file; [toLine] describes its lines. */
 fun todoChangesOf(text: String): AppendedLines<TodoChange> = AppendedLines.of(text, ::changeOf)
 
-/** Returns the change as a line of JSON without its line break. Keys may be added, never removed; `docs/todo.md` has them all. */
+/** Returns the change as a line of JSON without its line break. Keys may be added, never removed; `docs/todo.md` lists them. */
 fun TodoChange.toLine(): String {
     val (about, deed) = subject.members() to deed.members()
     val members = listOf("id" to id, "time" to time, "by" to author) + deed + about + listOf("event" to event)
@@ -34,7 +34,7 @@ private fun TodoDeed.members(): List<Pair<String, String?>> = when (this) {
     is TodoDeed.Done -> listOf("do" to "done", "what" to what, "before" to before)
 }
 
-/** Returns the change in [line]; null if it is not one. */
+/** Returns the change in [line]; null if the line is not a change. */
 private fun changeOf(line: String): TodoChange? = try {
     val fields = JsonFields(JsonReader.readObject(line))
     TodoChange(
@@ -64,7 +64,7 @@ private fun subjectOf(fields: JsonFields): TodoSubject {
     }
 }
 
-// Minus zero is another number than zero only for computers.
+// Zero and minus zero are the same moment.
 private fun xOf(fields: JsonFields): Double =
     fields.find("x")?.takeIf { it.text == null }?.json?.toDoubleOrNull()?.takeIf { it.isFinite() }?.let { it + 0.0 }
         ?: throw UnreadableJsonException()
@@ -77,7 +77,7 @@ private fun deedOf(fields: JsonFields): TodoDeed = when (fields.required("do")) 
     else -> throw UnreadableJsonException()
 }
 
-/** Returns the text [key]; null if there is none, or a blank one. */
+/** Returns the text of [key]; null if it is absent or blank. */
 private fun JsonFields.text(key: String): String? = optional(key)?.takeIf { it.isNotBlank() }?.take(TodoChange.MAX_TEXT)
 
 private fun JsonFields.required(key: String): String = text(key) ?: throw UnreadableJsonException()

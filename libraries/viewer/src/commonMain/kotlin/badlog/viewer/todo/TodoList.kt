@@ -5,12 +5,12 @@ import badlog.signals.match.MatchOfLog
 import badlog.signals.match.NaturalOrder
 
 /**
- * What a team has to do: the union of all lines that its laptops wrote, and what the rules found since. Immutable.
+ * A team's list of things to do: the union of all lines from its laptops, and the recent findings of the rules. Immutable.
  *
- * @property open what is still to be done: what came back first, then the most serious.
- * @property done what was done, the latest first.
- * @property next the match that the team plays next, such as `Qualification 61`, or `the match after Qualification 58` if nobody has said.
- * @property lastMatch the match that was played last, as far as logs know; null for none.
+ * @property open the open items: the ones that came back first, then the most serious.
+ * @property done the items that were done, the latest first.
+ * @property next the match that the team plays next, such as `Qualification 61`; if unknown, `the match after Qualification 58`.
+ * @property lastMatch the last played match in the logs; null if there is none.
  */
 class TodoList private constructor(
     val open: List<TodoItem>,
@@ -27,20 +27,20 @@ class TodoList private constructor(
     /** Returns [lines] as the checklist before the [next] match. */
     fun checklist(lines: List<String>): List<CheckedLine> = lines.map { CheckedLine(Check(it, next), ticks[it]) }
 
-    /** Returns what a menu offers for [task] if it is not on the list: an open item. */
+    /** Returns the item of [task], or a new open item for a menu if the list does not have it. */
     fun itemOrNew(task: TodoTask): TodoItem = items[task] ?: TodoItem(task, isOpen = true, found = (task as? FaultTask)?.let(found::get))
 
     companion object {
-        /** As many matches as are in sight in a pit: their errors are on the list without anybody putting them there. */
+        /** The number of last matches that matter in a pit: their errors are on the list by themselves. */
         const val RECENT_RUNS: Int = 4
 
         /**
-         * Returns the list that [changes] and [logs] make: the same in whatever order they are, and however often.
+         * Returns the list of [changes] and [logs]. Neither their order nor repetitions matter.
          *
-         * @param logs the logs of the folder in which there is something to see.
+         * @param logs the logs of the folder that have something to see.
          */
         fun of(changes: Collection<TodoChange>, logs: Collection<FoundLog>): TodoList {
-            // What is written twice with one id is damaged; the rest of the line decides, as the same on each laptop.
+            // Two lines with one id are damaged; the text of the line decides, so that all laptops agree.
             val ordered = changes.map { it to it.toLine() }
                 .sortedWith(compareBy({ it.first.time }, { it.first.id }, { it.second }))
                 .map { it.first }
@@ -69,7 +69,7 @@ class TodoList private constructor(
             )
         }
 
-        /** What came back first, then errors, what people wrote, and the rest of what rules find; of one kind the latest first. */
+        /** Items that came back are first, then errors, items of people, and the other findings; the latest first within each kind. */
         private val OPEN: Comparator<TodoItem> = compareBy<TodoItem> { if (it.isAgain) 0 else 1 }
             .thenBy { rankOf(it) }
             .thenByDescending { it.found?.log?.second ?: Long.MIN_VALUE }
@@ -83,7 +83,7 @@ class TodoList private constructor(
             Severity.NOTE -> 3
         }
 
-        /** The list of those who have not written anything, and have no logs. */
+        /** The list without changes and logs. */
         val EMPTY: TodoList = of(emptyList(), emptyList())
     }
 }
@@ -91,12 +91,12 @@ class TodoList private constructor(
 /**
  * A line of the checklist before the next match.
  *
- * @property check what it is about.
- * @property done who ticked it off; null if nobody did.
+ * @property check the line and its match.
+ * @property done the person and time of the tick; null if there is none.
  */
 data class CheckedLine(val check: Check, val done: DoneMark?)
 
-/** Returns where each fault of [logs], the latest first, was found last. */
+/** Returns the last place of each fault in [logs]; the latest log must be first. */
 private fun lastFound(logs: List<FoundLog>): Map<FaultTask, LastFound> {
     val runs = HashMap<FaultTask, HashSet<String>>()
     val last = HashMap<FaultTask, Pair<FoundLog, FoundFault>>()
@@ -109,14 +109,14 @@ private fun lastFound(logs: List<FoundLog>): Map<FaultTask, LastFound> {
     return last.mapValues { (task, where) -> LastFound(where.first, where.second, runs.getValue(task).size) }
 }
 
-/** Returns the item of [task], which [changes] are about; null if it is not on the list. */
+/** Returns the item of [task] with [changes] applied; null if it is not on the list. */
 private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTask, LastFound>, logs: List<FoundLog>): TodoItem? {
     val fault = (task as? FaultTask)?.let(found::get)
     val last = changes.lastOrNull { it.deed !is TodoDeed.Assign }
     val person = changes.mapNotNull { (it.deed as? TodoDeed.Assign)?.person }.lastOrNull().orEmpty()
     val done = changes.mapNotNull { it.mark() }.lastOrNull()
     return when (last?.deed) {
-        // Whoever takes on what is not on the list puts it there.
+        // Assigning a removed item puts it on the list again.
         TodoDeed.Remove -> if (changes.last().deed is TodoDeed.Assign) TodoItem(task, true, person, done, found = fault) else null
 
         is TodoDeed.Done -> {
@@ -128,13 +128,15 @@ private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTa
     }
 }
 
-/** Returns [subject] as rules name it now: older lines have a topic for rules that are about the [whole] robot, too. */
+/** Returns [subject] as rules name it now. Older lines also have a topic for rules that are about the [whole] robot. */
 private fun nowNamed(subject: TodoSubject, whole: Set<TodoSubject>): TodoSubject =
     (subject as? FaultTask)?.copy(topic = null)?.takeIf { it in whole } ?: subject
 
 internal fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { DoneMark(this, it) }
 
-/** Returns the match that the team plays next, as of its last word in [changes], unless it is among [logs]; otherwise the one after [last]. */
+/**
+ * Returns the match that the team plays next: the last one named in [changes], unless [logs] have it; otherwise the match after [last].
+ */
 private fun nextOf(changes: List<TodoChange>, logs: List<FoundLog>, last: MatchOfLog?): String {
     val said = changes.lastOrNull { it.subject is NextMatch && it.deed != TodoDeed.Remove }
     val match = (said?.subject as? NextMatch)?.match

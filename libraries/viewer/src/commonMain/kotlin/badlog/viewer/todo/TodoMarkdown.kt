@@ -28,12 +28,12 @@ private fun itemText(item: TodoItem): String = buildString {
 
 private fun box(isTicked: Boolean) = if (isTicked) "[x]" else "[ ]"
 
-/** Returns [text] so that none of its characters is a sign of Markdown, and nobody is mentioned. */
+/** Returns [text] with all signs of Markdown escaped, including mentions of people. */
 private fun plain(text: String): String = text.replace(Regex("\\s+"), " ")
     .replace(SIGN) { "\\${it.value}" }
     .replace(SIGN_OF_LINE) { "${it.groupValues[1]}\\${it.groupValues[2]}" }
 
 private val SIGN = Regex("[\\\\`*_\\[\\]<>#|~&@]")
 
-/** What at the begin of a line makes a list or a heading. */
+/** The signs that make a list or a heading at the start of a line. */
 private val SIGN_OF_LINE = Regex("^ ?([0-9]*)([-+=.)])")

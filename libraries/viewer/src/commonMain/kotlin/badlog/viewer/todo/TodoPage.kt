@@ -4,10 +4,10 @@ import badlog.core.recording.Severity
 import badlog.viewer.text.word
 
 /**
- * Returns the list and the [checklist] before the next match as a page: one file of HTML without scripts, for a browser or for paper, light or
- * dark as the reader's system is.
+ * Returns the list and the [checklist] before the next match as a page. It is one file of HTML without scripts, for a browser or for
+ * paper, light or dark as the reader's system is.
  *
- * @param place what it is the list of, such as the name of a folder.
+ * @param place the owner of the list, such as the name of a folder.
  */
 fun TodoList.toPage(place: String, checklist: List<String> = emptyList()): String = buildString {
     val title = "To do: $place"
@@ -33,7 +33,7 @@ fun TodoList.toPage(place: String, checklist: List<String> = emptyList()): Strin
     append("</body>\n</html>\n")
 }
 
-/** Returns whether [begin], the first 1,000 characters of a file, are those of a page that [toPage] returned. */
+/** Returns whether [begin], the first 1,000 characters of a file, belongs to a page of [toPage]. */
 fun isTodoPage(begin: String): Boolean = GENERATOR in begin
 
 private const val GENERATOR = "<meta name=\"generator\" content=\"badlog todo\">"

@@ -1,16 +1,18 @@
 package badlog.viewer.todo
 
-/** What a line of a to-do file is about. Two laptops that write of the same thing mean the same item, since its content identifies it. */
+/**
+ * The subject of a line in a to-do file. Its content identifies it, so two laptops that write about the same thing mean the same item.
+ */
 sealed interface TodoSubject
 
-/** What somebody has to do; an item of the list. */
+/** A task; an item of the list. */
 sealed interface TodoTask : TodoSubject
 
 /**
- * What a rule finds, in whatever log.
+ * A fault that a rule finds, in any log.
  *
  * @property rule the name of the rule.
- * @property topic the one of many topics that the rule is about; null for a rule that is about none, or about the whole robot.
+ * @property topic the topic of this fault, for a rule that is about each of many topics; null for any other rule.
  */
 data class FaultTask(val rule: String, val topic: String?) : TodoTask
 
@@ -23,7 +25,7 @@ data class FaultTask(val rule: String, val topic: String?) : TodoTask
  */
 data class NoteTask(val log: String, val x: Double, val text: String) : TodoTask
 
-/** Anything else to do, in the words of the team. */
+/** Any other task, in the words of the team. */
 data class OwnTask(val text: String) : TodoTask
 
 /**
@@ -34,5 +36,5 @@ data class OwnTask(val text: String) : TodoTask
  */
 data class Check(val text: String, val match: String) : TodoSubject
 
-/** Which match the team plays next, such as `Qualification 61`: logs do not know the schedule. */
+/** The match that the team plays next, such as `Qualification 61`: logs do not know the schedule. */
 data class NextMatch(val match: String) : TodoSubject

@@ -12,13 +12,10 @@ val TodoItem.againText: String
 val DoneMark.text: String
     get() = "Done${before?.let { " ${momentText(it)}" }.orEmpty()} by $by${if (what.isEmpty()) "" else ": $what"}"
 
-/** Returns `before Qualification 58`, or `after Qualification 57` if nobody had said which match comes next. */
+/** Returns `before Qualification 58`, or `after Qualification 57` if the next match was not named. */
 private fun momentText(before: String) = if (before.startsWith(AFTER)) "after ${before.removePrefix(AFTER)}" else "before $before"
 
-/**
- * Returns what there is to know of the item besides its title, each as a line: that it came back, or how it was done, what was found and
- * where, and who takes it on.
- */
+/** The details of the item besides its title, each as a line: that it came back, the work done, the finding, and the origin. */
 val TodoItem.lines: List<String>
     get() = listOfNotNull(
         againText.ifEmpty { null },
@@ -27,7 +24,7 @@ val TodoItem.lines: List<String>
         placeText.ifEmpty { null },
     )
 
-/** Returns where it is from: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag.`; empty for what people wrote. */
+/** The origin of the item: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag.`; empty for an own task. */
 val TodoItem.placeText: String
     get() = when (val task = task) {
         is NoteTask -> "A note in ${task.log}."

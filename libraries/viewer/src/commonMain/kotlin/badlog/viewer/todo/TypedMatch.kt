@@ -6,16 +6,16 @@ import badlog.signals.match.dateInName
 import badlog.signals.match.matchInName
 import kotlin.math.abs
 
-/** The words before the last match, where the next one is not known. */
+/** The words before the last match, if the next one is unknown. */
 internal const val AFTER = "the match after "
 
 /** The words for the next match if no match was played yet. */
 const val SOME_MATCH: String = "the next match"
 
 /**
- * Returns what a person typed as a match, such as `q58` or `58`, as logs name it: `Qualification 58`; other texts stay as they are.
+ * Returns a [typed] match, such as `q58` or `58`, as logs name it: `Qualification 58`. Other texts stay as they are.
  *
- * @param last the match that was played last, whose type a number alone has; null if none is known.
+ * @param last the match that was played last, for the type of a number alone; null if unknown.
  */
 fun matchText(typed: String, last: MatchOfLog? = null): String {
     val text = typed.trim()
@@ -32,15 +32,15 @@ private val TYPED_MATCH = Regex("([A-Za-z]*)[-_. #]*0*([0-9]{1,3})(?:(?:-|-?[mM]
 /**
  * Returns whether [log] was recorded after this change.
  *
- * Of matches of the same type at the same event, the one with the higher number is later: what was done before Qualification 58 has not failed
- * in Qualification 57, although its log may come late. Everything else is as the logs' clocks say, if they can be compared.
+ * Of matches of the same type at the same event, the one with the higher number is later. A repair before Qualification 58 has not failed
+ * in Qualification 57, although that log may come late. Otherwise the logs' clocks decide, if they can be compared.
  *
  * @param before the match before which it was done; null if not given.
  */
 internal fun TodoChange.isBefore(log: FoundLog, before: String?): Boolean {
     val clock = seen ?: dateInName(time)?.second ?: return false
     val isSameEvent = event != null && event == log.match.event
-    // Without the name of an event, a log of days before may be of another one.
+    // Without the name of an event, a log from days before may belong to another event.
     val isNear = isSameEvent || !log.isDated || (abs(log.second - clock) <= LONGEST_EVENT && !(event == null && clock - log.second > DAY))
     val order = if (before == null || !isNear) null else orderOf(log, before)
     return order ?: (log.isDated && log.second > clock)
@@ -56,6 +56,6 @@ private fun TodoChange.orderOf(log: FoundLog, match: String): Boolean? {
     return if (name == match) order >= 0 else order > 0
 }
 
-/** In s. */
+/** The maximum length of an event, in s. */
 internal const val LONGEST_EVENT = 5 * 86_400L
 private const val DAY = 86_400L

@@ -11,7 +11,7 @@ import io.kotest.property.checkAll
 class MergingSpec : FunSpec({
     val items = Arb.set(Arb.int(0..9), 0..8)
 
-    test("what two windows added and removed is in the list of both, whichever stores it last") {
+    test("additions and removals of two windows are in the list of both, whichever stores it last") {
         checkAll(items, items, items) { read, mine, others ->
             val first = mine.toList().mergedWith(others.toList(), read.toList())
             val second = others.toList().mergedWith(mine.toList(), read.toList())
@@ -23,7 +23,7 @@ class MergingSpec : FunSpec({
         }
     }
 
-    test("a list that nobody else changed stays as it is, in its order") {
+    test("a list without changes by others stays the same, in its order") {
         checkAll(100, items, items) { read, mine ->
             val now = mine.toList().reversed()
             now.mergedWith(read.toList(), read.toList()) shouldBe now

@@ -17,7 +17,7 @@ class GestureSpec : FunSpec({
     val whole = Viewport(Span(0.0, 100.0))
     val zoomed = whole.showing(40.0, 60.0)
 
-    test("each key does one thing, whether or not a keyboard needs Shift for a character") {
+    test("each key has one effect, whether or not a keyboard needs Shift for its character") {
         KeyAction.entries.flatMap { it.keys.toList() }.shouldBeUnique()
         KeyAction.of("N", shift = false) shouldBe KeyAction.NEXT_FINDING
         KeyAction.of("N", shift = true) shouldBe KeyAction.PREVIOUS_FINDING
@@ -33,20 +33,20 @@ class GestureSpec : FunSpec({
         KeyAction.entries.map { it.meaning }.shouldBeUnique()
     }
 
-    test("a drag zooms, with Shift pans, with Alt zooms y") {
+    test("a drag zooms, pans with Shift, and zooms y with Alt") {
         DragKind.of(shift = false, alt = false) shouldBe DragKind.ZOOM
         DragKind.of(shift = true, alt = false) shouldBe DragKind.PAN
         DragKind.of(shift = false, alt = true) shouldBe DragKind.ZOOM_Y
     }
 
-    test("the wheel alone scrolls, sideways only if there is more to the side") {
+    test("the wheel alone scrolls, and pans sideways only in a zoomed graph") {
         Wheel().turned(zoomed, 0.0, 40.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
         Wheel().turned(whole, 40.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0).shouldBeNull()
         Wheel().turned(zoomed, 80.0, 0.0, ctrl = false, shift = false, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
         Wheel().turned(zoomed, 0.0, 80.0, ctrl = false, shift = true, 50.0, 800.0, 0.0)?.visible shouldBe Span(42.0, 62.0)
     }
 
-    test("the wheel with Ctrl zooms, and leaves what is below the pointer where it is") {
+    test("the wheel with Ctrl zooms, and keeps the point below the pointer in place") {
         checkAll(Arb.double(-200.0, 200.0).filter { it.isFinite() }, Arb.double(41.0, 59.0).filter { it.isFinite() }) { turn, x ->
             val after = Wheel().turned(zoomed, 0.0, turn, ctrl = true, shift = false, x, 800.0, 0.0).shouldNotBeNull().visible
             if (turn < 0) (after.width <= 20.0) shouldBe true
@@ -54,7 +54,7 @@ class GestureSpec : FunSpec({
         }
     }
 
-    test("turns of the wheel that follow one another closely are one step back") {
+    test("turns of the wheel in quick succession are one step back") {
         val wheel = Wheel()
         var seen = whole
         for (turn in 0..3) seen = wheel.turned(seen, 0.0, -40.0, ctrl = true, shift = false, 50.0, 800.0, turn * 100.0).shouldNotBeNull()
@@ -63,7 +63,7 @@ class GestureSpec : FunSpec({
         seen.back().isZoomed shouldBe true
     }
 
-    test("with Ctrl or Alt, a key means something else") {
+    test("a key has another meaning with Ctrl or Alt") {
         KeyAction.of("Z", shift = false, ctrl = true) shouldBe KeyAction.UNDO
         KeyAction.of("Z", shift = true, ctrl = true) shouldBe KeyAction.REDO
         KeyAction.of("Z", shift = false) shouldBe null
@@ -81,7 +81,7 @@ class GestureSpec : FunSpec({
         clicks.isSecond(100.0, 4000.0) shouldBe false
     }
 
-    test("in the overview, a drag can begin at the edges of the visible range, inside it, and beside it") {
+    test("a drag on the overview can begin at the edges of the visible range, inside it, and beside it") {
         OverviewGrip.at(40.5, zoomed, 0.2) shouldBe OverviewGrip.LEFT
         OverviewGrip.at(60.5, zoomed, 0.2) shouldBe OverviewGrip.RIGHT
         OverviewGrip.at(50.0, zoomed, 0.2) shouldBe OverviewGrip.WINDOW

@@ -22,21 +22,21 @@ class GraphOffersSpec : FunSpec({
 
     fun Board.lines() = graphs.map { it.lines.joinToString("+") }
 
-    test("a graph is offered only the places where it is not") {
+    test("a graph is offered only moves to other places") {
         offers(0).moves.labels() shouldContainExactly listOf("Move down")
         offers(1).moves.labels() shouldContainExactly listOf("Move up", "Move down")
         offers(2).moves.labels() shouldContainExactly listOf("Move to the top", "Move up")
         board.take(offers(2).moves[0]).lines() shouldContainExactly listOf("D", "A", "B+C")
     }
 
-    test("the height in effect is marked, also the usual one of a graph without its own") {
+    test("the current height is marked, also the usual one of a graph without its own") {
         fun marked(of: Board, usual: GraphHeight?) = offers(0, of).heights(usual).filter { it.isOn == true }.labels()
         marked(board, null).shouldBeEmpty()
         marked(board, GraphHeight.MEDIUM) shouldContainExactly listOf("Height: medium")
         marked(board.resized(1, GraphHeight.LARGE.pixels), GraphHeight.MEDIUM) shouldContainExactly listOf("Height: large")
     }
 
-    test("limits that are fixed on either axis are marked, and freed on both") {
+    test("fixed limits on either axis are marked, and released on both") {
         val limits = listOf(Span(0.0, 1.0), Span(2.0, 3.0))
         val fixed = board.take(offers(1).limits(limits)[0])
         fixed.graphs[1].run { listOf(yRange, rightYRange) } shouldContainExactly limits
@@ -48,7 +48,7 @@ class GraphOffersSpec : FunSpec({
         offers(1, board.withXy(2, true)).limits(limits).shouldBeEmpty()
     }
 
-    test("only several lines can be drawn over each other, or each in a graph of its own") {
+    test("only several lines can be drawn over each other, or each in its own graph") {
         offers(0).planes.shouldBeEmpty()
         offers(0).separation shouldBe null
         val xy = board.take(offers(1).planes.single())
@@ -63,7 +63,7 @@ class GraphOffersSpec : FunSpec({
         GraphOffers(path, path.graphs[0], emptyList()).origins.shouldBeEmpty()
     }
 
-    test("a graph is added to any other one, under the title that it has there, or removed") {
+    test("a graph is added to any other one, under that one's title, or removed") {
         val additions = offers(0).additions(listOf("a", "b", "d"))
         additions.labels() shouldContainExactly listOf("Add to “b”", "Add to “d”")
         board.take(additions[1]).lines() shouldContainExactly listOf("B+C", "D+A")

@@ -10,7 +10,7 @@ import io.kotest.property.arbitrary.double
 import io.kotest.property.checkAll
 
 class PlaceSpec : FunSpec({
-    test("a moment outside of the log becomes its nearer end, NaN and infinity change nothing, and a visible moment leaves the range as it is") {
+    test("a moment outside the log becomes its nearer end, NaN and infinity change nothing, and a visible moment keeps the range") {
         val place = Place(Viewport(Span(0.0, 10.0)))
         place.at(1e308).cursors.pinned shouldBe 10.0
         place.at(-5.0).cursors.pinned shouldBe 0.0
@@ -18,7 +18,7 @@ class PlaceSpec : FunSpec({
         for (x in listOf(1e308, -5.0, 3.0)) place.at(x).range shouldBe place.range
     }
 
-    test("whoever is at the end of a log that grows stays there, whatever the rounding of its times, and goes back to where they were") {
+    test("a person at the end of a growing log stays there despite rounding, and can go back") {
         checkAll(Arb.double(1.0, 1000.0, false), Arb.double(0.001, 0.9, false), Arb.double(0.01, 5.0, false)) { end, share, step ->
             var place = Place(Viewport(Span(0.0, end)).showing(end * share, end)).atEnd()
             repeat(20) {

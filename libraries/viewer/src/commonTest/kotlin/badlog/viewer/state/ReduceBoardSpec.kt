@@ -35,7 +35,7 @@ class ReduceBoardSpec : FunSpec({
     val undo = Action.Press(KeyAction.UNDO)
     val redo = Action.Press(KeyAction.REDO)
 
-    test("each change of graphs does what it says, and can be undone") {
+    test("each change of graphs has its effect, and can be undone") {
         val changes = mapOf(
             GraphChange.Add(listOf("D", "E"), before = 2) to listOf("A", "D+E", "B", "C"),
             GraphChange.AddEach(listOf("D", "E")) to listOf("A", "B", "C", "D", "E"),
@@ -69,7 +69,7 @@ class ReduceBoardSpec : FunSpec({
         beginning.after(GraphChange.Join(1, 3), GraphChange.Separate(1)).lines() shouldBe listOf("A", "C", "B")
     }
 
-    test("how a graph looks is changed for it alone") {
+    test("the look of a graph is changed for it alone") {
         val y = Span(1.0, 2.0)
         val looks = listOf(
             GraphChange.Resize(1, 380) to abc.graphs[0].copy(height = 380),
@@ -82,13 +82,13 @@ class ReduceBoardSpec : FunSpec({
         for ((change, graph) in looks) beginning.after(change).board.now.graphs shouldBe listOf(graph) + abc.graphs.drop(1)
     }
 
-    test("graphs that the log cannot draw stay where they are when others are changed") {
+    test("graphs that the log cannot draw stay in place when others are changed") {
         val all = beginning.after(BoardAction.Begin(abc.withGraph(listOf("?"), before = 1)))
         all.after(GraphChange.Remove(1)).lines() shouldBe listOf("?", "B", "C")
         all.after(GraphChange.ShowOnly(emptyList())).lines() shouldBe listOf("?")
     }
 
-    test("another log begins with its graphs, and without a history; what somebody has sent is undone to these") {
+    test("another log begins with its graphs and without a history, and a received board is undone to them") {
         val begun = beginning.after(GraphChange.Remove(1), BoardAction.Begin(abc))
         begun.board.canUndo shouldBe false
         val sent = begun.after(BoardAction.Begin(abc, visited = Board().withGraph(listOf("D"))))
@@ -99,25 +99,25 @@ class ReduceBoardSpec : FunSpec({
         visited.request shouldBe null
     }
 
-    test("what a formula is called changes also in what undoing restores, and a formula that is gone is nowhere") {
+    test("renaming a formula also changes undone boards, and a removed formula is gone from all") {
         val changed = beginning.after(GraphChange.Remove(1), BoardAction.Rename("A", "D"))
         changed.after(undo).lines() shouldBe listOf("D", "B", "C")
         val gone = beginning.after(GraphChange.Remove(2), BoardAction.Forget(setOf("A")))
         gone.lines() shouldBe listOf("C")
         gone.after(undo).lines() shouldBe listOf("B", "C")
         beginning.outcome(BoardAction.Forget(setOf("A"))).request shouldBe Request.Graphs(abc)
-        // Whoever removes a formula that is on no graph has not changed the board, which is then not remembered.
+        // Removing a formula that is on no graph does not change the board, which is then not remembered.
         beginning.outcome(BoardAction.Forget(setOf("D"))).request shouldBe null
     }
 
-    test("a change is taken back alone, and what others have changed is taken over") {
+    test("taking back a board keeps later changes, and changes of others are merged") {
         val start = beginning.after(BoardAction.ShowAll(Board().withGraph(listOf("D"))))
         val more = start.after(GraphChange.Add(listOf("E")))
         more.after(BoardAction.TakeBack(abc, start.board.now)).lines().toSet() shouldBe setOf("A", "B", "C", "E")
         beginning.after(GraphChange.Remove(1), BoardAction.Merge(abc.withGraph(listOf("D")), abc)).lines() shouldBe listOf("B", "C", "D")
     }
 
-    test("the graphs of a finding come first, replace those of the one before, and undoing brings these back") {
+    test("the graphs of a finding are first, replace the previous finding's, and undoing restores these") {
         fun show(line: String) = BoardAction.ShowEvidence(Board().withGraph(listOf(line)))
         val first = beginning.after(show("X"))
         val second = first.after(show("Y"))
@@ -132,7 +132,7 @@ class ReduceBoardSpec : FunSpec({
         changed.evidenceIn(changed.drawn()) shouldBe Board()
     }
 
-    test("other graphs to begin with stay below those of a finding; a finding of the beginning adds its own, unless somebody was quicker") {
+    test("other initial graphs stay below a finding's, and the first finding adds its own unless a person was quicker") {
         val shown = beginning.after(BoardAction.ShowEvidence(Board().withGraph(listOf("X"))))
         val below = shown.after(BoardAction.BeginBelowEvidence(Board().withGraph(listOf("D"))))
         below.lines() shouldBe listOf("X", "D")
@@ -145,7 +145,7 @@ class ReduceBoardSpec : FunSpec({
         quick.after(found) shouldBe quick
     }
 
-    test("whatever is done to graphs can be undone step by step to the first board, and done again") {
+    test("any changes of graphs can be undone step by step to the first board, and redone") {
         val deeds = Arb.element(
             GraphChange.Remove(1),
             GraphChange.Add(listOf("D")),

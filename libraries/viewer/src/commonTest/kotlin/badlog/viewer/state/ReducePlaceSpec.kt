@@ -36,7 +36,7 @@ class ReducePlaceSpec : FunSpec({
     val finding = Finding("Rule", Severity.ERROR, null, "Rule", 3.0, listOf(Span(3.0, 4.0)), 1, "s", false, emptyList(), "")
     val visited = FindingPlace(finding, Severity.ERROR, Span(3.0, 4.0))
 
-    test("another log begins without cursors, selection, finding and earlier ranges, and nobody stays at its end") {
+    test("another log begins without cursors, selection, finding and earlier ranges, and without staying at the end") {
         val left = beginning.after(
             PlaceAction.Show(10.0, 20.0),
             PlaceAction.GoTo(12.0),
@@ -48,7 +48,7 @@ class ReducePlaceSpec : FunSpec({
         left.after(PlaceAction.Open(Span(0.0, 5.0))) shouldBe ViewerState(Place(Viewport(Span(0.0, 5.0))), left.board)
     }
 
-    test("the end of a log that grows is stayed at, that of any other is gone to once") {
+    test("the end of a growing log is followed, and the end of any other is shown once") {
         val there = beginning.after(PlaceAction.Show(90.0, 100.0), PlaceAction.GoToEnd, log = Log(newest = 100.0))
         there.after(PlaceAction.Grow(Span(0.0, 110.0))).place.run {
             range.visible shouldBe Span(100.0, 110.0)
@@ -60,12 +60,12 @@ class ReducePlaceSpec : FunSpec({
         beginning.after(PlaceAction.Grow(Span(0.0, 110.0)), PlaceAction.FollowEnd).place.cursors.pinned shouldBe 110.0
     }
 
-    test("over another x axis, all of it is shown, and nothing of the one before is pinned or selected") {
+    test("another x axis is shown completely, without pins or selections of the previous one") {
         val there = beginning.after(PlaceAction.Show(90.0, 95.0), PlaceAction.GoTo(91.0))
         there.after(PlaceAction.Grow(Span(0.0, 5.0), isOtherAxis = true)).place shouldBe Place(Viewport(Span(0.0, 5.0)))
     }
 
-    test("a range that is shown is gone back from, many steps of a gesture are one, and a gesture can be taken back") {
+    test("a shown range can be left with back, the steps of a gesture are one, and a gesture can be undone") {
         val shown = beginning.after(PlaceAction.Show(20.0, 40.0))
         shown.after(previous).place.range.visible shouldBe Span(0.0, 100.0)
         val panned = shown.after(PlaceAction.Remember, PlaceAction.Shift(5.0), PlaceAction.Shift(5.0), PlaceAction.Scale(0.5, 40.0), PlaceAction.Move(50.0, 60.0))
@@ -81,7 +81,7 @@ class ReducePlaceSpec : FunSpec({
         selected.after(PlaceAction.Cancel).place.selection shouldBe null
     }
 
-    test("pointers stay within the log; a click pins the cursor, and with Shift places the second one") {
+    test("pointers stay within the log, a click pins the cursor, and a click with Shift places the second one") {
         beginning.after(PlaceAction.Hover(120.0)).place.cursors shouldBe Cursors(hover = 100.0)
         val clicked = beginning.after(PlaceAction.Hover(5.0), PlaceAction.Click(-3.0, 1.0, isShifted = false))
         clicked.place.cursors shouldBe Cursors(pinned = 0.0, hover = 5.0)
@@ -90,7 +90,7 @@ class ReducePlaceSpec : FunSpec({
         clicked.after(PlaceAction.Point(Cursors(hover = 5.0))).place.cursors shouldBe Cursors(hover = 5.0)
     }
 
-    test("a cursor that something else moves stays pinned if it was; going somewhere pins it") {
+    test("a cursor that something else moves stays pinned if it was, and going to a place pins it") {
         beginning.after(PlaceAction.MoveCursor(3.0)).place.cursors shouldBe Cursors(hover = 3.0)
         val pinned = beginning.after(PlaceAction.Show(20.0, 40.0), PlaceAction.GoTo(80.0))
         pinned.place.cursors shouldBe Cursors(pinned = 80.0)
@@ -99,21 +99,21 @@ class ReducePlaceSpec : FunSpec({
         beginning.after(PlaceAction.GoTo(50.0, isWithSurroundings = true)).place.range.isZoomed shouldBe true
     }
 
-    test("a click in the overview shows its place as wide as what is visible, unless it is visible") {
+    test("a click on the overview shows its place with the same width, unless it is visible") {
         val there = beginning.after(PlaceAction.Show(20.0, 40.0))
         there.after(PlaceAction.Pick(30.0)).place shouldBe there.place.copy(cursors = Cursors(pinned = 30.0))
         there.after(PlaceAction.Pick(80.0)).place.range.visible shouldBe Span(70.0, 90.0)
         there.after(PlaceAction.Pick(80.0), previous).place.range.visible shouldBe Span(20.0, 40.0)
     }
 
-    test("a finding is selected where the person is, and deselected") {
+    test("a finding is selected at the person's place, and deselected") {
         val there = beginning.after(PlaceAction.GoTo(50.0), PlaceAction.Visit(visited))
         there.place.cursors.pinned shouldBe 50.0
         there.place.visited shouldBe visited
         there.after(PlaceAction.Visit(null)).place.visited shouldBe null
     }
 
-    test("wherever actions lead, what is visible is a part of the log, and the board stays") {
+    test("after any actions, the visible range is within the log, and the board stays") {
         val numbers = Arb.double(-50.0, 150.0, false)
         val actions = Arb.bind(Arb.element((0..9).toList()), numbers, numbers) { kind, x, y ->
             when (kind) {

@@ -49,7 +49,7 @@ class ReduceSpec : FunSpec({
     fun ViewerState.then(vararg keys: KeyAction) = keys.fold(this) { state, key -> after(state, Log(state.board.now), key).state }
     fun ViewerState.names() = this.board.now.graphs.map { it.lines.single() }
 
-    test("the cursor of keys begins at the sample in the middle, goes on by samples, and is shown when it leaves what is visible") {
+    test("the cursor of keys begins at the middle sample, moves by samples, and is revealed when it leaves the visible range") {
         beginning.then(KeyAction.NEXT_SAMPLE).place.cursors.pinned shouldBe 50.0
         beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE, KeyAction.TEN_SAMPLES_BACK).place.cursors.pinned shouldBe 41.0
         val far = beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.ZOOM_IN, KeyAction.ZOOM_IN, KeyAction.ZOOM_IN, KeyAction.ZOOM_IN, KeyAction.TEN_SAMPLES_ON)
@@ -58,13 +58,13 @@ class ReduceSpec : FunSpec({
         after(beginning, log, KeyAction.NEXT_SAMPLE).request shouldBe Request.Cursor
     }
 
-    test("a mark goes to the cursor, or else to the middle of what is visible; in a log that grows, to the newest moment") {
+    test("a mark is at the cursor, otherwise in the middle of the visible range, and in a growing log at the newest moment") {
         after(beginning, log, KeyAction.MARK).request shouldBe Request.Mark(50.0)
         after(beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE), log, KeyAction.MARK).request shouldBe Request.Mark(51.0)
         after(beginning.then(KeyAction.NEXT_SAMPLE), Log(board, newest = 100.0), KeyAction.MARK).request shouldBe Request.Mark(100.0)
     }
 
-    test("a log without samples has nothing to step to") {
+    test("a log without samples has no steps") {
         val outcome = after(beginning, Log(board, samples = CursorSteps(emptyList())), KeyAction.NEXT_SAMPLE)
         outcome.state shouldBe beginning
         outcome.request shouldBe null
@@ -75,7 +75,7 @@ class ReduceSpec : FunSpec({
         beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.SECOND_CURSOR, KeyAction.SECOND_CURSOR).place.cursors.second shouldBe null
     }
 
-    test("the next finding takes range and cursor with it, asks for its evidence, and a key brings the range back") {
+    test("the next finding moves range and cursor, requests its evidence, and a key restores the range") {
         val outcome = after(beginning, log, KeyAction.NEXT_FINDING)
         val place = outcome.state.place
         place.visited?.finding shouldBe early
@@ -86,13 +86,13 @@ class ReduceSpec : FunSpec({
         outcome.state.then(KeyAction.PREVIOUS_VIEW).place.range.visible shouldBe Span(0.0, 100.0)
     }
 
-    test("before the rules have run, the key for the next finding goes nowhere, and says so") {
+    test("before the rules have run, the key for the next finding moves nothing, and says so") {
         val outcome = after(beginning, Log(board, found = null), KeyAction.NEXT_FINDING)
         outcome.state shouldBe beginning
         outcome.request shouldBe FindingRequest.SayNone
     }
 
-    test("a finding about the whole log is selected where the person is") {
+    test("a finding about the whole log is selected at the person's place") {
         val whole = found("Whole", Severity.ERROR)
         val timeline = FindingTimeline(listOf(whole), { it.severity }, { it.places })
         timeline.places shouldBe emptyList()
@@ -105,7 +105,7 @@ class ReduceSpec : FunSpec({
 
     fun ViewerState.after(action: Action, found: FoundInLog = FoundInLog(listOf(early, late))) = reduce(this, Log(board, found = found), action)
 
-    test("going to a finding asks for its evidence, and more findings are listed on request") {
+    test("going to a finding requests its evidence, and more findings are listed on request") {
         val outcome = beginning.after(FindingAction.GoTo(late.firstPlace, null))
         outcome.state.place.visited?.finding shouldBe late
         outcome.request shouldBe FindingRequest.Show(outcome.state.place.visited!!, null, isWhole = false)
@@ -114,7 +114,7 @@ class ReduceSpec : FunSpec({
         beginning.after(FindingAction.ListMore).state.after(FindingAction.ListFew).state.findings.listed shouldBe null
     }
 
-    test("steps within a finding stop at its last place, and go nowhere before a finding was gone to") {
+    test("steps within a finding stop at its last place, and do nothing without a visited finding") {
         val often = found("Often", Severity.ERROR, Span(10.0, 10.0), Span(30.0, 30.0))
         val log = FoundInLog(listOf(often))
         val first = beginning.after(FindingAction.GoTo(often.firstPlace, null), log).state
@@ -125,7 +125,7 @@ class ReduceSpec : FunSpec({
         beginning.after(FindingAction.StepWithin(1), log).state shouldBe beginning
     }
 
-    test("a new search lists the first few again, and what is folded or refused is part of the state") {
+    test("a new search lists the first few again, and folded and refused parts are in the state") {
         val searched = beginning.after(FindingAction.ListMore).state.after(FindingAction.Search("late")).state
         searched.findings shouldBe FindingsState(query = "late")
         beginning.after(FindingAction.ToggleSkipped).state.findings.isSkippedOpen shouldBe true
@@ -135,7 +135,7 @@ class ReduceSpec : FunSpec({
         beginning.after(Action.Ask(FindingRequest.RunRules)).request shouldBe FindingRequest.RunRules
     }
 
-    test("without an open log, keys do nothing, but open and close the panel of values") {
+    test("without an open log, keys only open and close the panel of values") {
         val closed = object : Shown by log {
             override val isOpen = false
         }
@@ -144,7 +144,7 @@ class ReduceSpec : FunSpec({
         after(beginning, closed, KeyAction.CURSOR_VALUES).request shouldBe Request.Values
     }
 
-    test("a store lets actions change the state, and passes on what only the shell can do") {
+    test("a store applies actions to the state, and forwards requests that only the shell can handle") {
         val cell = object : StateCell {
             override var state = beginning
         }
@@ -155,7 +155,7 @@ class ReduceSpec : FunSpec({
         asked.single().shouldBeInstanceOf<FindingRequest.Show>().spoken shouldBe "error: Early. Early"
     }
 
-    test("graphs are moved and resized, each of which can be undone and done again") {
+    test("graphs are moved and resized, and each change can be undone and redone") {
         beginning.then(KeyAction.MOVE_UP).names() shouldBe listOf("B", "A", "C")
         beginning.then(KeyAction.MOVE_DOWN).names() shouldBe listOf("A", "C", "B")
         beginning.then(KeyAction.MOVE_DOWN, KeyAction.MOVE_TO_TOP).names() shouldBe listOf("B", "A", "C")
@@ -167,7 +167,7 @@ class ReduceSpec : FunSpec({
         beginning.then(KeyAction.NEXT_HEIGHT).board.now.graphs[1].height shouldBe 380
     }
 
-    test("without a graph that keys apply to, the board stays") {
+    test("without a graph for keys, the board stays") {
         val nowhere = Log(board, graph = null)
         for (action in listOf(KeyAction.MOVE_UP, KeyAction.MOVE_DOWN, KeyAction.MOVE_TO_TOP, KeyAction.NEXT_HEIGHT)) {
             after(beginning, nowhere, action).state shouldBe beginning
@@ -175,12 +175,12 @@ class ReduceSpec : FunSpec({
         }
     }
 
-    test("a note is asked for at the cursor, or else in the middle of what is visible") {
+    test("a note is requested at the cursor, otherwise in the middle of the visible range") {
         after(beginning, log, KeyAction.NEW_NOTE).request shouldBe Request.Note(50.0)
         after(beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE), log, KeyAction.NEW_NOTE).request shouldBe Request.Note(51.0)
     }
 
-    test("whatever keys are pressed, what is visible stays within the log, and place and board are changed by no request alone") {
+    test("after any keys, the visible range is within the log, and requests alone change neither place nor board") {
         checkAll(Arb.list(Arb.enum<KeyAction>(), 0..60)) { actions ->
             var state = beginning
             for (action in actions) {
@@ -196,7 +196,7 @@ class ReduceSpec : FunSpec({
         }
     }
 
-    test("what is cancelled goes one at a time: selection, second cursor, first cursor, pointer") {
+    test("Escape cancels one at a time: selection, second cursor, first cursor, pointer") {
         var place = Place(Viewport(Span(0.0, 100.0)), Cursors(1.0, 2.0, 3.0), Span(4.0, 5.0))
         place = place.cancelled()
         place shouldBe Place(Viewport(Span(0.0, 100.0)), Cursors(1.0, 2.0, 3.0))

@@ -9,10 +9,10 @@ class StaySpec : FunSpec({
     val end = Place(Viewport(Span(0.0, 10.0)).showing(5.0, 10.0)).atEnd()
     val stay = Stay().begun(end)
 
-    /** [place] when the log has grown to [to], before anybody moves it. */
+    /** [place] when the log has grown to [to], before any move. */
     fun grown(place: Place, to: Double) = place.copy(range = place.range.grown(Span(0.0, to)))
 
-    test("hovering, and zooming with the end in sight, stay at the end; the next growth goes to the new one, as far in as before") {
+    test("hovering and zooming with the end in sight stay at the end, and the next growth moves there with the same zoom") {
         val hovered = end.copy(cursors = end.cursors.hovering(7.0), range = end.range.scaled(0.5, 10.0))
         stay.isAt(hovered) shouldBe true
         stay.isUntouched(hovered) shouldBe false
@@ -22,7 +22,7 @@ class StaySpec : FunSpec({
         next.stay.isAt(next.place) shouldBe true
     }
 
-    test("panning and zooming away, moving the cursor and a second cursor go elsewhere, and the log grows without them") {
+    test("panning and zooming away, and moving or adding a cursor, leave the end, and the log grows without the person") {
         val places = listOf(
             end.copy(range = end.range.panned(-0.25)),
             end.copy(range = end.range.showing(1.0, 3.0)),
@@ -39,7 +39,7 @@ class StaySpec : FunSpec({
         }
     }
 
-    test("whoever pauses keeps the range, though it ended where the log did, until they look at another one") {
+    test("pausing keeps the range, though it ended where the log did, until another one is shown") {
         val paused = stay.paused(end)
         paused.isAt(end) shouldBe false
         val next = paused.grown(end, grown(end, 12.0))
@@ -49,7 +49,7 @@ class StaySpec : FunSpec({
         next.stay.grown(elsewhere, grown(elsewhere, 14.0)).place.range.visible shouldBe Span(9.0, 14.0)
     }
 
-    test("a log that begins elsewhere after it has grown is another one, whose range is not kept") {
+    test("a log that begins elsewhere after it has grown is another one, and its range is not kept") {
         val paused = stay.paused(end)
         val other = Place(Viewport(Span(100.0, 120.0)))
         paused.grown(end, other).run {
@@ -58,7 +58,7 @@ class StaySpec : FunSpec({
         }
     }
 
-    test("nobody stays who has not asked for it, or whose log has grown without being shown") {
+    test("a person who did not ask to stay, or was not shown the growth, is not at the end") {
         Stay().isAt(end) shouldBe false
         stay.isAt(grown(end, 12.0)) shouldBe false
     }

@@ -4,7 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class AmountTextSpec : FunSpec({
-    test("counts, sizes and durations are written for people") {
+    test("counts, sizes and durations are readable") {
         countText(1, "graph") shouldBe "1 graph"
         countText(7500) shouldBe "7500"
         countText(1_000_000) shouldBe "1 000 000"

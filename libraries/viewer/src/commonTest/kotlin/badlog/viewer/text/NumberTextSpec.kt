@@ -13,7 +13,7 @@ import io.kotest.property.checkAll
 import kotlin.math.abs
 
 class NumberTextSpec : FunSpec({
-    test("a sample is written so that it can be read back, whatever it is") {
+    test("any written sample is read back the same") {
         checkAll(Arb.long()) { bits ->
             val value = Double.fromBits(bits)
             if (value.isFinite()) exactText(value).toDouble() shouldBe value + 0.0
@@ -21,7 +21,7 @@ class NumberTextSpec : FunSpec({
         checkAll(Arb.double(-1e6, 1e6).filter { it.isFinite() }) { value -> exactText(value).toDouble() shouldBe value + 0.0 }
     }
 
-    test("a sample that was logged with few decimals is written as it was logged") {
+    test("a sample that was logged with few decimals is written as logged") {
         checkAll(Arb.int(-1_000_000_000..1_000_000_000), Arb.int(0..9)) { number, decimals ->
             val logged = "${number}e-$decimals".toDouble()
             exactText(logged).substringBefore('e').filter { it.isDigit() }.trim('0').length shouldBeLessThanOrEqual number.toString().length
@@ -43,7 +43,7 @@ class NumberTextSpec : FunSpec({
         exactText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
     }
 
-    test("people read whole numbers in full, and six digits of all others, but never a zero in place of a digit before the point") {
+    test("displayed whole numbers are complete, others have six digits, and none a zero in place of a digit before the point") {
         numberText(1 / 3.0) shouldBe "0.333333"
         numberText(0.1 + 0.2) shouldBe "0.3"
         numberText(11.599600000000002) shouldBe "11.5996"
@@ -64,7 +64,7 @@ class NumberTextSpec : FunSpec({
         }
     }
 
-    test("a number with a given number of decimals is the nearest of those, and never minus zero") {
+    test("a number with a given number of decimals is the nearest one, and never minus zero") {
         fixedText(-0.001, 2) shouldBe "0.00"
         fixedText(2.5, 0) shouldBe "3"
         fixedText(-2.5, 0) shouldBe "-3"

@@ -7,7 +7,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
 class ProblemTextSpec : FunSpec({
-    test("a sentence says whether something is lost, and counts what else is wrong") {
+    test("a summary says whether data is lost, and counts the other problems") {
         val hint = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
         val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.")
         val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.")
@@ -19,14 +19,14 @@ class ProblemTextSpec : FunSpec({
         listOf(cut, warning, hint).map { it.word } shouldContainExactly listOf("lost", "warning", "hint")
     }
 
-    test("a problem says where and how often it occurred") {
+    test("a problem has its place and its count") {
         val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.", line = 12, count = 3)
         placeTextOf(cut) shouldBe "line 12 · 3 times"
         placeTextOf(cut.copy(topic = "Arm/Angle", count = 1)) shouldBe "line 12 · Arm/Angle"
         placeTextOf(Problem(ProblemKind.BLANK_LINE, "A line is blank.")) shouldBe ""
     }
 
-    test("a number with which a problem begins is not repeated") {
+    test("a number in a problem's message is not repeated") {
         placeTextOf(Problem(ProblemKind.ROW_CUT, "27 records were dropped.", topic = "Mode", count = 27)) shouldBe "Mode"
         placeTextOf(Problem(ProblemKind.EMPTY_CELLS, "“Mode” is empty in 27 of 400 cells.", count = 27)) shouldBe ""
         placeTextOf(Problem(ProblemKind.BAD_RECORD, "Records were dropped (27×).", count = 27)) shouldBe ""

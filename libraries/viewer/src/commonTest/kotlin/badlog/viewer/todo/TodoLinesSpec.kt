@@ -30,7 +30,7 @@ class TodoLinesSpec : FunSpec({
         TodoChange(texts.bind(), "2026-03-07T14:05:12.345Z", texts.bind(), subject, Arb.element(deeds).bind(), Arb.long().orNull().bind(), texts.orNull().bind())
     }
 
-    test("a change is one line, and is read as it was written") {
+    test("a change is one line, and is read back as written") {
         checkAll(changes) { change ->
             val line = change.toLine()
             line shouldNotContain "\n"
@@ -40,14 +40,14 @@ class TodoLinesSpec : FunSpec({
         }
     }
 
-    test("a line is what docs/todo.md says") {
+    test("a line is as docs/todo.md says") {
         val done = TodoDeed.Done("replaced main breaker", "Qualification 58")
         TodoChange("4f1c", "2026-03-07T14:05:12.345Z", "Ada", FaultTask("Browned out", "PDP/Voltage"), done, 1772891712, "Mill Creek").toLine() shouldBe
             """{"id":"4f1c","time":"2026-03-07T14:05:12.345Z","by":"Ada","do":"done","what":"replaced main breaker",""" +
             """"before":"Qualification 58","rule":"Browned out","topic":"PDP/Voltage","event":"Mill Creek","seen":1772891712}"""
     }
 
-    test("lines that are damaged, or of a newer badlog, are counted, and the others are read; unknown keys are ignored") {
+    test("damaged or newer lines are counted, the others are read, and unknown keys are ignored") {
         val good = TodoChange("1", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Radio"), TodoDeed.Open).toLine()
         val lines = listOf(
             good,
@@ -65,14 +65,14 @@ class TodoLinesSpec : FunSpec({
         read.unreadable shouldBe listOf(3, 4, 5, 6, 7, 8)
     }
 
-    test("a last line that is not ended may still arrive, and is not reported; one that is whole counts") {
+    test("a last line without an end may still arrive, and is not reported, but a complete one counts") {
         val good = TodoChange("1", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Radio"), TodoDeed.Open).toLine()
         todoChangesOf("$good\n${good.dropLast(3)}").let { it.changes.size to it.unreadable } shouldBe (1 to emptyList())
         todoChangesOf("${good.dropLast(3)}\n$good").let { it.changes.size to it.problemOf("a.jsonl") } shouldBe
             (1 to "Line 1 of a.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.")
     }
 
-    test("whatever is cut off, overwritten or put between, every other line is still read") {
+    test("after any cut, change or insertion, every other line is still read") {
         val lines = List(6) { TodoChange("$it", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Task $it"), TodoDeed.Done("x", "Playoff 1")).toLine() }
         checkAll(Arb.int(0..5), Arb.int(0..300), Arb.string(0..20)) { damaged, at, junk ->
             val text = lines.mapIndexed { i, line ->

@@ -28,7 +28,7 @@ class TodoListSpec : FunSpec({
     }
     beforeTest { count = 0 }
 
-    test("an error of one of the last four matches is on the list without anybody putting it there, a warning is not") {
+    test("an error of one of the last four matches is on the list by itself, and a warning is not") {
         val logs = listOf(log(1, error), log(2, slow), log(3), log(4))
         TodoList.of(emptyList(), logs).open.map { it.title } shouldBe listOf("Browned out")
         TodoList.of(emptyList(), logs + log(5)).open.shouldBeEmpty()
@@ -36,7 +36,7 @@ class TodoListSpec : FunSpec({
             listOf("Browned out" to "", "Slow loops" to "Ben")
     }
 
-    test("what was done comes back when it is found in a log recorded later, and says since when") {
+    test("a repaired fault comes back when it is found in a later log, and says since when") {
         val done = change(brownout, TodoDeed.Done("replaced main breaker", "Qualification 58"), seen = log(55).second)
         val before = TodoList.of(listOf(done), listOf(log(55, error)))
         before.open.shouldBeEmpty()
@@ -59,14 +59,14 @@ class TodoListSpec : FunSpec({
             "Again, after it was done by Ada."
     }
 
-    test("what was done before the match after another has not failed in that one") {
+    test("a repair after Qualification 58 has not failed in that match, but may fail in a later one") {
         change(brownout, TodoDeed.Done("x", "the match after Qualification 58")).mark()?.text shouldBe "Done after Qualification 58 by Ada: x"
         val done = change(brownout, TodoDeed.Done(before = "the match after Qualification 58"), seen = log(58).second)
         TodoList.of(listOf(done), listOf(log(58, error, second = log(58).second + 5))).open.shouldBeEmpty()
         TodoList.of(listOf(done), listOf(log(61, error))).open.single().isAgain shouldBe true
     }
 
-    test("a fault is one item in the logs of robot and Driver Station, and what was written of it when it still had a topic counts") {
+    test("a fault is one item in the logs of robot and Driver Station, and older changes with a topic count") {
         val whole = FaultTask("Browned out", null)
         val done = change(brownout, TodoDeed.Done("replaced main breaker"), seen = log(55).second)
         val logs = listOf(log(58, error.copy(task = whole)), log(58, error.copy(task = whole), second = log(58).second + 2).copy(name = "q58.dslog"))
@@ -97,13 +97,13 @@ class TodoListSpec : FunSpec({
         open() shouldBe listOf("Check the radio" to "Ada", "It smells." to "Cem")
     }
 
-    test("a fault that was removed stays away until somebody puts it back") {
+    test("a removed fault stays away until somebody opens it again") {
         val removed = change(brownout, TodoDeed.Remove, seen = log(50).second)
         TodoList.of(listOf(removed), listOf(log(60, error))).open.shouldBeEmpty()
         TodoList.of(listOf(removed, change(brownout, TodoDeed.Open)), listOf(log(60, error))).open.single().task shouldBe brownout
     }
 
-    test("a checklist begins with nothing ticked before each match") {
+    test("a checklist begins without ticks before each match") {
         val lines = listOf("Battery in", "Bumpers tight")
         val said = change(NextMatch("Qualification 61"), TodoDeed.Open, seen = log(58).second)
         val ticked = change(Check("Battery in", "Qualification 61"), TodoDeed.Done())
@@ -114,10 +114,10 @@ class TodoListSpec : FunSpec({
         TodoList.of(emptyList(), emptyList()).next shouldBe "the next match"
     }
 
-    test("numbers of one event are compared without a clock, and those of logs without a type, too") {
+    test("numbers of one event are compared without a clock, also in logs without a type") {
         fun done(before: String, seen: Long?, event: String?) = change(brownout, TodoDeed.Done(before = before), seen).copy(event = event)
         fun isAgain(done: TodoChange, log: FoundLog) = TodoList.of(listOf(done), listOf(log)).open.isNotEmpty()
-        // The clock of the robot was in 2031 when it was done.
+        // The robot's clock was in 2031 when the item was done.
         val wrong = done("Qualification 58", 1_900_000_000, "Mill Creek")
         listOf(57, 58).map { isAgain(wrong, log(it, error)) } shouldBe listOf(false, true)
         val ofOther = log(59, error).copy(match = MatchOfLog("Elm City", "Qualification", "59"))
@@ -125,13 +125,13 @@ class TodoListSpec : FunSpec({
         isAgain(done("Match 58", log(55).second, null), log(58, error).copy(match = MatchOfLog(number = "58"))) shouldBe true
     }
 
-    test("what only the file’s time dates, or a clock in the future, is compared by its number alone") {
+    test("a log dated only by its file’s time, or by a clock in the future, is compared by its number alone") {
         val now = log(58).second + 2_000_000_000
         fun date(second: Long, source: DateSource) = FoundLog.of("a", MatchOfLog(), LogDate(second, source), now).isDated
         date(now + 3600, DateSource.VALUES) shouldBe true
         date(now + 2 * 86_400, DateSource.VALUES) shouldBe false
         date(now - 3600, DateSource.FILE_TIME) shouldBe false
-        // A laptop in 1970 does not know what the future is.
+        // A laptop in 1970 cannot recognize a date in the future.
         FoundLog.of("a", MatchOfLog(), LogDate(now, DateSource.VALUES), 5).isDated shouldBe true
         val done = change(brownout, TodoDeed.Done(before = "Qualification 58"), seen = 5)
         fun undated(number: Int) = log(number, error, second = 1_900_000_000).copy(isDated = false)
@@ -144,7 +144,7 @@ class TodoListSpec : FunSpec({
         TodoList.of(listOf(said), listOf(log(58), undated(70))).next shouldBe "Qualification 61"
     }
 
-    test("the logs of one run are recent together, from the first of them on") {
+    test("the logs of one run are recent together, from the first one on") {
         val early = log(1, error).copy(name = "q1.dslog", second = log(1).second - 300)
         val robot = log(1)
         TodoList.of(emptyList(), listOf(early, robot, log(2), log(3), log(4))).open.size shouldBe 1
@@ -154,7 +154,7 @@ class TodoListSpec : FunSpec({
         TodoList.of(emptyList(), listOf(robot, log(2), log(3, error), log(4)) + other).open.size shouldBe 0
     }
 
-    test("a tick is for the match that comes next, also if that gets its name later, and for no other event or day") {
+    test("a tick is for the next match, even if that is named later, and not for another event or day") {
         val lines = listOf("Battery in")
         val unnamed = change(Check("Battery in", "the match after Qualification 58"), TodoDeed.Done(), seen = log(58).second)
         fun isTicked(changes: List<TodoChange>, vararg logs: FoundLog) = TodoList.of(changes, logs.toList()).checklist(lines).single().done != null
@@ -163,7 +163,7 @@ class TodoListSpec : FunSpec({
         val named = said(61)
         isTicked(listOf(unnamed, named), log(58)) shouldBe true
         isTicked(listOf(unnamed, named, change(Check("Battery in", "Qualification 61"), TodoDeed.Open)), log(58)) shouldBe false
-        // The next one after that, although no log came between.
+        // This is the next match after that, although no log came between.
         isTicked(listOf(unnamed, named, said(65)), log(58)) shouldBe false
         isTicked(listOf(unnamed, said(65)), log(58), log(60)) shouldBe false
         val ticked = change(Check("Battery in", "Qualification 12"), TodoDeed.Done(), seen = log(10).second).copy(event = "Mill Creek")
@@ -177,7 +177,7 @@ class TodoListSpec : FunSpec({
         isTicked(listOf(practice), practiced(5000), practiced(5600)) shouldBe false
     }
 
-    test("what people type as a match is named as logs name it, and a number has the type of the last match") {
+    test("a typed match is named as logs name it, and a number has the type of the last match") {
         listOf("q58", " Q58 ", "qual 58", "Q 58", "qualification 58", "Qualification 58", "58", "qm-058").map { matchText(it) }.toSet() shouldBe
             setOf("Qualification 58")
         listOf("sf2m1", "sf 2-1", "the final", "", "after lunch 3").map { matchText(it) } shouldBe
@@ -186,7 +186,7 @@ class TodoListSpec : FunSpec({
         matchText("3", MatchOfLog(number = "2")) shouldBe "Match 3"
     }
 
-    test("200 random histories on three laptops, merged in any order and with lines twice, give the same list") {
+    test("200 random histories on three laptops give the same list, merged in any order and with repetitions") {
         val subjects = listOf(brownout, slow.task, OwnTask("Radio"), NoteTask("q1.bag", 2.5, "Odd"), Check("Battery", "Qualification 3"))
         val histories = arbitrary { source: RandomSource -> source.random.nextInt() }
         checkAll(histories, Arb.int(0..40)) { seed, length ->
@@ -201,7 +201,7 @@ class TodoListSpec : FunSpec({
                         else -> TodoDeed.Done("deed $i", "Qualification ${random.nextInt(5)}")
                     }
                     val subject = if (random.nextInt(6) == 0) NextMatch("Qualification ${random.nextInt(5)}") else subjects.random(random)
-                    // The same id twice is what a damaged file, or a copied one, may hold.
+                    // A damaged file, or a copied one, may have the same id twice.
                     val id = if (random.nextInt(8) == 0) "id" else "$laptop-$i"
                     val time = "2026-03-07T14:0${random.nextInt(3)}:00.000Z"
                     TodoChange(id, time, "P$laptop", subject, deed, seen = random.nextLong(1_000_000, 1_003_000))

@@ -21,11 +21,11 @@ class TodoPageSpec : FunSpec({
     )
     val checklist = checklistOf("# Before the match\n\n- [ ] Battery in\n* Bumpers tight\n1. Radio on\nRadio on\n\n-5 V rail\n")
 
-    test("a checklist is each line of a file, without headings and the signs of a list") {
+    test("a checklist has each line of a file, without headings and the signs of a list") {
         checklist shouldBe listOf("Battery in", "Bumpers tight", "Radio on", "-5 V rail")
     }
 
-    test("the list is Markdown that shows every text as it is") {
+    test("the list is Markdown with every text unchanged") {
         list.toMarkdown(checklist) shouldBe """
             |# To do
             |
@@ -56,7 +56,7 @@ class TodoPageSpec : FunSpec({
         line("--- &amp; 2.5 V") shouldBe "- [ ] **\\--- \\&amp; 2.5 V**"
     }
 
-    test("the page has the same, no script, and no text that is markup") {
+    test("the page has the same content, no script, and no text that is markup") {
         val page = list.toPage("logs & more", checklist)
         page shouldContain "<h1>To do: logs &amp; more</h1>"
         page shouldContain "<b>Tighten &lt;b&gt;everything&lt;/b&gt; [*now*]</b> <span>Ben</span>"

@@ -9,8 +9,8 @@ import java.time.temporal.ChronoUnit
 /**
  * Returns the time of a change that is made now, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
  *
- * @param last the time of the newest known change of the same thing; null if there is none. Even if the clock of the laptop that made it is
- * ahead, what is changed later counts.
+ * @param last the time of the newest known change of the same thing; null if there is none. The result is later, even if that change was
+ *   made on a laptop with its clock ahead.
  */
 fun changeTime(last: String?): String {
     val now = Instant.now().truncatedTo(ChronoUnit.MILLIS)
@@ -26,5 +26,5 @@ private fun instantOf(text: String): Instant? = try {
 
 private val TIME: DateTimeFormatter = DateTimeFormatter.ofPattern("yyyy-MM-dd'T'HH:mm:ss.SSS'Z'").withZone(ZoneOffset.UTC)
 
-/** Years have four digits. */
+/** The last time with a year of four digits. */
 private val LAST: Instant = Instant.parse("9999-12-31T23:59:59.999Z")

@@ -58,7 +58,7 @@ class FindingsPanelSpec : FunSpec({
 
     fun many(count: Int) = FoundInLog(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
 
-    test("findings are listed with severity, time and text, the worst first; what has no time is about the whole log") {
+    test("findings have severity, time and text, the worst first, and ones without a time are about the whole log") {
         val parts = findingsPanel(shown())
         parts.filterIsInstance<Heading>().single().status shouldBe "1 error, 1 warning, 1 note"
         val rows = parts.rows()
@@ -69,13 +69,13 @@ class FindingsPanelSpec : FunSpec({
         (rows[0].open as FindingAction.GoTo).place.span shouldBe Span(10.0, 12.5)
     }
 
-    test("while rules run the panel says so, and before anything is known it is empty") {
+    test("the panel says that rules run, and is empty before anything is known") {
         findingsPanel(shown(found = null)).filterIsInstance<Heading>().single().status shouldBe "running the rules…"
         findingsPanel(shown(FoundInLog())).shouldBeEmpty()
         findingsPanel(shown(FoundInLog(ran = 4))).filterIsInstance<Heading>().single().status shouldBe "Nothing was found."
     }
 
-    test("rules that could not run, and rules that are wrong, are troubles with the place of the mistake") {
+    test("rules that could not run, and wrong rules, are troubles with the place of the mistake") {
         val wrong = SkippedRule("Half", 1, "Line 4: unknown\nmean(A, 5)\n^^^^", isMistake = true)
         val parts = findingsPanel(shown(FoundInLog(skipped = listOf(wrong), ran = 1, trouble = "badlog-rules.toml: bad")))
         parts.filterIsInstance<Trouble>().map { it.text } shouldBe listOf("badlog-rules.toml: bad", "The rule “Half” is wrong. Line 4: unknown")
@@ -83,7 +83,7 @@ class FindingsPanelSpec : FunSpec({
         parts.filterIsInstance<Heading>().single().status shouldBe ""
     }
 
-    test("incidents come first, their sentences stand nowhere else, and what they leave out is folded") {
+    test("incidents are first, their sentences are not repeated, and their other findings are folded") {
         fun of(rule: String, time: Double, severity: Severity) = Finding(rule, severity, "Arm/Output", "$rule.", time, listOf(Span(time, time + 1)), 1, "s")
         val all = listOf(of("Motor stalled", 20.0, Severity.ERROR), of("Low battery", 20.5, Severity.ERROR), of("Own rule", 90.0, Severity.WARNING))
         val incidents = RuleSet.BUILT_IN_PROVEN.incidentsIn(all)
@@ -97,7 +97,7 @@ class FindingsPanelSpec : FunSpec({
         parts.rows().map { it.title } shouldBe listOf("Own rule")
     }
 
-    test("above graphs a few are listed, two more if these are all, and the others when asked for") {
+    test("above graphs a few findings are listed, two more if these are all, and the others on request") {
         findingsPanel(shown(many(7), room = FindingsRoom.SHARED)).rows().size shouldBe 7
         val parts = findingsPanel(shown(many(8), room = FindingsRoom.SHARED))
         parts.rows().size shouldBe 5
@@ -119,7 +119,7 @@ class FindingsPanelSpec : FunSpec({
         findingsPanel(shown(many(400))).rows().size shouldBe 400
     }
 
-    test("below the finding that was gone to are its places, what to look at next, what would make it wrong, and other graphs") {
+    test("below the visited finding are its places, what to look at next, its caveats, and other graphs") {
         val places = arrayOf(Span(10.0, 11.0), Span(30.0, 31.0))
         val often = found("Often", Severity.ERROR, *places, next = "Look at the cable.", caveats = listOf("Sampled twice a second."))
         val offer = EvidenceOffer("Voltage", listOf("V"))
@@ -137,7 +137,7 @@ class FindingsPanelSpec : FunSpec({
         apart.tools.single().action shouldBe Action.Ask(FindingRequest.Pin(often, null))
     }
 
-    test("a search hides findings, says how many, and shows them again") {
+    test("a search hides findings, reports their number, and shows them again") {
         val parts = findingsPanel(shown(state = FindingsState(query = "early")))
         parts.rows().map { it.title } shouldBe listOf("Early")
         val hidden = parts.filterIsInstance<Paragraph>().single { it.key == "findings-hidden" }
@@ -149,7 +149,7 @@ class FindingsPanelSpec : FunSpec({
         findingsPanel(shown(room = FindingsRoom.SHARED)).filterIsInstance<Field>().shouldBeEmpty()
     }
 
-    test("what could not be looked at is folded, with a field for each of at most five signals that rules lack") {
+    test("skipped rules are folded, with a field for each of at most five missing signals") {
         val skipped = List(8) { SkippedRule("Rule $it", 1, "no signal", isMistake = false, lacking = "signal $it") }
         val fold = findingsPanel(shown(FoundInLog(skipped = skipped, ran = 2), FindingsState(isSkippedOpen = true))).fold("findings-skipped")
         fold.isOpen shouldBe true
@@ -161,7 +161,7 @@ class FindingsPanelSpec : FunSpec({
         findingsPanel(shown()).filterIsInstance<Fold>().shouldBeEmpty()
     }
 
-    test("for signals that a program can log there are the lines to write, with the library that a person chooses") {
+    test("signals that a program can log have the lines of code for them, with the selected library") {
         val skipped = listOf("battery", "packet loss", "no such").map { SkippedRule("Rule of $it", 1, "no signal", isMistake = false, lacking = it) }
         fun parts(state: FindingsState) = findingsPanel(shown(FoundInLog(skipped = skipped, ran = 2), state)).fold("findings-skipped").parts
         val first = parts(FindingsState(isSkippedOpen = true))
@@ -178,7 +178,7 @@ class FindingsPanelSpec : FunSpec({
         )
     }
 
-    test("a team says what becomes of a finding where it has a list, and what it said stands below the finding") {
+    test("with a team's list, a finding has the actions for its item in the menu and below it") {
         val list = TodoList.of(emptyList(), emptyList())
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = list, details = FindingDetails(false, emptyList())))
         val row = parts.rows().first()
@@ -188,7 +188,7 @@ class FindingsPanelSpec : FunSpec({
         findingsPanel(shown()).rows().first().menu.shouldBeEmpty()
     }
 
-    test("how the log differs from those before it stands above all findings, and is drawn over them on request") {
+    test("the differences to earlier logs are above all findings, and are drawn over them on request") {
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, differences = listOf(late)))
         val offers = parts.filterIsInstance<Offers>().single()
         offers.title shouldBe "Unlike the matches before"
@@ -196,7 +196,7 @@ class FindingsPanelSpec : FunSpec({
         (parts.indexOf(offers) < parts.indexOfFirst { it is Rows }) shouldBe true
     }
 
-    test("signals that a person assigned are listed, to be forgotten or saved") {
+    test("assigned signals are listed, to be forgotten or saved") {
         val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, assigned = mapOf("battery" to "Volts"), room = FindingsRoom.SHARED))
         parts.filterIsInstance<Paragraph>().single { it.key.startsWith("signals-chosen") }.run {
             text shouldBe "“battery” is “Volts” in this browser."
@@ -205,12 +205,12 @@ class FindingsPanelSpec : FunSpec({
         parts.buttons().last().action shouldBe Action.Ask(FindingRequest.SaveSignals)
     }
 
-    test("no two rows have the same key, even if a hook reports the same twice") {
+    test("all rows have different keys, even if a hook reports the same twice") {
         val twice = FoundInLog(listOf(early, found("Early", Severity.ERROR, Span(10.0, 12.5)), found("Early null 1", Severity.ERROR), late), ran = 1)
         findingsPanel(shown(twice)).rows().map { it.key }.shouldBeUnique()
     }
 
-    test("times are written from when the robot was enabled where that is known") {
+    test("times since the enabling of the robot are shown if known") {
         times.sinceEnabled(5.0).shouldBeNull()
         times.logged(Double.NaN) shouldBe "–"
     }

@@ -109,8 +109,8 @@ public class RecordCopy(
     }
 
     /**
-     * Returns the record of [entry] that holds at the start of [span], which is at record [begin] of the file, unless the entry has one at
-     * that moment.
+     * Returns the record of [entry] that holds at the start of [span]. Null if the entry has a record at that moment, or none before it. [begin] is
+     * the span's first record in the file.
      */
     private fun heldIn(entry: RecordEntry, span: Span, begin: Int): Held? {
         val micros = round(span.from * WpilogEntries.MICROS)

@@ -40,12 +40,10 @@ public class RecordLog internal constructor(
         private val keeper = RecordKeeper()
         private val splitter = RecordSplitter(keeper)
 
-        /**
-         * Accepts the bytes from [from] until [until] of [bytes], which follow those of previous calls. Keeps no reference to the array.
-         */
+        /** Accepts the next bytes, from [from] until [until] of [bytes]. Keeps no reference to the array. */
         public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size): Unit = splitter.accept(bytes, from, until)
 
-        /** Returns what was read. Call it once, last. */
+        /** Returns the records. Call it once, last. */
         public fun finish(): RecordLog {
             splitter.finish()
             return keeper.finish()

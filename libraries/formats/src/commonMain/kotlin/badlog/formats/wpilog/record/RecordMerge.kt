@@ -12,19 +12,17 @@ import badlog.formats.wpilog.metadataOf
 public class RecordPiece(public val entry: RecordEntry, public val offsetMicros: Double = 0.0)
 
 /**
- * An entry of a log that is merged from others: it is called [name], and has the records of [pieces], all of the
- * same type.
+ * An entry of a merged log: its [name], and the [pieces] with its records, all of the same type.
  *
  * @property described a topic with the entry's unit and attributes, if its old name implied them; otherwise null.
  */
 public class MergedEntry(public val name: String, public val pieces: List<RecordPiece>, public val described: Topic? = null)
 
 /**
- * Writes a WPILOG that has all records of [entries] in the order of time, with the payloads from their own logs; at equal times,
- * those of the earlier piece come first. A record that several pieces of an entry have, with the same time and payload, is written
- * once.
+ * Writes a WPILOG that has all records of [entries] in the order of time. Their payloads are copied unchanged; at equal times, the records of the
+ * earlier piece come first. A record that several pieces of an entry have, with the same time and payload, is written once.
  *
- * The first of its pieces defines an entry. If it is the only one, its metadata and its end are also written at their times.
+ * An entry is defined by its first piece. If it has no other, its metadata and its end are also written at their times.
  */
 public class RecordMerge(private val entries: List<MergedEntry>) {
     private val out = RecordBuffer()
@@ -85,7 +83,7 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
         out.start(id, merged.name, entry.type, metadata, maxOf(0.0, micros))
     }
 
-    /** Returns the last of the three texts, each of which is preceded by its length. */
+    /** Returns the last of the three texts in [payload], each after its length. */
     private fun startMetadata(payload: ByteArray): String {
         var at = 1 + Int.SIZE_BYTES
         repeat(2) { at += Int.SIZE_BYTES + intAt(payload, at) }
@@ -121,7 +119,7 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
             val isEnd = kind == ControlKind.FINISH && control == only.entry.controls.last()
             if (kind != ControlKind.SET_METADATA && !isEnd) continue
             add(index, 0, control)
-            // Nobody reads what comes after the end.
+            // Records after an entry's end are not read, so the end is not before the last record.
             kept[size++] = maxOf(only.entry.log.store.micros(control) + only.offsetMicros, if (isEnd) last else 0.0)
         }
         times += kept.copyOf(size)

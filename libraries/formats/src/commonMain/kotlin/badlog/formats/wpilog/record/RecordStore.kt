@@ -39,7 +39,7 @@ internal class RecordStore {
         return generateSequence(wanted) { it + 1 }.first { it !in taken }
     }
 
-    /** Adds the record from [from] until [end] of [bytes], whose payload begins at [payloadFrom]. */
+    /** Adds the record from [from] until [end] of [bytes]; its payload begins at [payloadFrom]. */
     fun add(bytes: ByteArray, from: Int, payloadFrom: Int, end: Int, micros: Double, session: Int, isControl: Boolean) {
         val length = end - from
         if (chunks.isEmpty() || chunks.last().size - used < length) {
@@ -60,7 +60,7 @@ internal class RecordStore {
     /** Returns whether record [index] begins, ends or describes an entry. */
     fun isControl(index: Int): Boolean = session[index] < 0
 
-    /** Returns the first byte of the payload of the control record [index]: what it does. */
+    /** Returns the first byte of the payload of the control record [index]: its kind. */
     fun controlKind(index: Int): Int = bytes(index)[payload[index]].toInt()
 
     /** Returns the time in record [index], in µs. */
@@ -69,10 +69,10 @@ internal class RecordStore {
     /** Returns the entry of record [index]. */
     fun entry(index: Int): Int = sessionEntry[sessionOf(index)]
 
-    /** Returns the id of its entry there. */
+    /** Returns the id of record [index]'s entry in its session. */
     fun id(index: Int): Int = sessionId[sessionOf(index)]
 
-    /** Returns the record at which that id no longer belongs to it. */
+    /** Returns the record from which that id no longer belongs to the entry. */
     fun sessionEnd(index: Int): Int = sessionEnd[sessionOf(index)]
 
     /** Marks record [index] as dropped. */
@@ -92,7 +92,7 @@ internal class RecordStore {
     /** Writes record [index] unchanged. */
     fun copy(index: Int, out: RecordBuffer) = out.copy(bytes(index), head[index], until[index])
 
-    /** Writes record [index] with another time, as a record of entry [id], or as a control record if that is 0. */
+    /** Writes record [index] with another time, as a record of entry [id]; 0 for a control record. */
     fun copy(index: Int, id: Int, micros: Double, out: RecordBuffer) = out.record(id, micros, bytes(index), payload[index], until[index])
 
     /** Returns whether record [index] has the same payload as record [otherIndex] of [other]. */

@@ -52,7 +52,7 @@ class RecordCopySpec : FunSpec({
         }
     }
 
-    test("a part has the records of its span unchanged, and what held at its start") {
+    test("a part has the records of its span unchanged, and the values that held at its start") {
         val log = typed().string(1, 1_000_000, "double x;double y").record(2, 1_000_000, doubles(1.0, 2.0)).record(3, 1_500_000, longs(BIG))
             .string(5, 1_700_000, "ready").record(4, 1_800_000, byteArrayOf(9, 8)).record(2, 3_000_000, doubles(3.0, 4.0))
             .string(5, 3_100_000, "go").record(3, 3_200_000, longs(BIG + 2)).record(2, 5_000_000, doubles(5.0, 6.0)).finish(2, 5_100_000)
@@ -64,7 +64,7 @@ class RecordCopySpec : FunSpec({
         parseLog(part).topics.first { it.name == "/Pose/x" }.samples.toList() shouldContainExactly listOf(1.0, 3.0)
     }
 
-    test("what held belongs to its own entry, even if another one has its number by then") {
+    test("a value that held belongs to its own entry, even if another one has its number by then") {
         val log = TestLog().start(1, "A", "double").double(1, 1_000_000, 1.0).finish(1, 1_100_000).start(1, "B", "double").double(1, 3_000_000, 2.0)
         val part = parseLog(copyOf(log.bytes) { spans(listOf(Span(2.0, 4.0)), { false }) })
         part.topics.map { topic -> topic.times?.toList().orEmpty().zip(topic.samples.toList()) } shouldContainExactly
@@ -80,12 +80,12 @@ class RecordCopySpec : FunSpec({
         part.values.map { "${it.name} ${it.text}" }.toSet() shouldBe setOf("Match Number 42", "Start Time 2023-11-14 22:14:20 UTC")
     }
 
-    test("at any time of a part, each entry holds what it holds in the whole") {
+    test("at any time of a part, each entry has the same value as in the whole log") {
         val random = Random(4)
         repeat(PropertyTesting.defaultIterationCount) {
             val log = TestLog()
             for (id in 1..3) log.start(id, "t$id", "int64")
-            // Times go back now and then, and some are from before the clock began.
+            // Times go back occasionally, and some are from before the clock began.
             repeat(20) { step ->
                 val micros = if (random.nextInt(12) == 0) -5L * step else step * 500_000L - random.nextInt(2) * 700_000L
                 log.record(1 + random.nextInt(3), micros, longs(step.toLong()))
@@ -108,7 +108,7 @@ class RecordCopySpec : FunSpec({
         }
     }
 
-    test("changes are the records that differ from those before them, and all events") {
+    test("changes are the records that differ from the previous one, and all events") {
         val log = typed().record(2, 1_000_000, doubles(1.0, 2.0)).string(5, 1_000_000, "ready").record(2, 2_000_000, doubles(1.0, 2.0))
             .string(5, 2_000_000, "ready").record(4, 2_000_000, byteArrayOf(1)).record(2, 3_000_000, doubles(1.0, 2.5)).record(2, 4_000_000, doubles(1.0, 2.0))
         val expected = typed().record(2, 1_000_000, doubles(1.0, 2.0)).string(5, 1_000_000, "ready").string(5, 2_000_000, "ready")
@@ -119,7 +119,7 @@ class RecordCopySpec : FunSpec({
         repeats shouldBe 1
     }
 
-    test("a merge has the payloads of all, in the order of time, and only once what several have") {
+    test("a merge has the payloads of all logs in the order of time, and shared ones only once") {
         val one = recordsOf(typed().record(2, 1_000_000, doubles(1.0, 2.0)).record(3, 2_000_000, longs(BIG)).record(4, 3_000_000, byteArrayOf(1)).bytes)
         val two = recordsOf(typed().record(3, 1_000_000, longs(BIG)).record(2, 1_500_000, doubles(3.0, 4.0)).record(3, 9_000_000, longs(7)).bytes)
         val lanes = one.entries.zip(two.entries).map { (a, b) -> MergedEntry(a.name, listOf(RecordPiece(a), RecordPiece(b, 1_000_000.0))) }

@@ -97,11 +97,11 @@ class WpilibReaderSpec : FunSpec({
         shouldBeRead(log) { checkNotNull(it.times) }
     }
 
-    test("WPILib's reader finds every value of a season's logs, where they are").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("WPILib's reader finds every value of a season's logs, if they are present").config(enabledOrReasonIf = PYTHON.isHere) {
         for (file in REAL_LOGS) shouldBeRead(parseLog(file.readBytes())) { checkNotNull(it.times) }
     }
 
-    test("WPILib's reader finds in a part the records of the whole, of whatever type").config(enabledOrReasonIf = PYTHON.isHere) {
+    test("WPILib's reader finds in a part the records of the whole log, of any type").config(enabledOrReasonIf = PYTHON.isHere) {
         val log = TestLog().start(1, "/Pose", "struct:Pose2d", "{}").start(2, "Ticks", "int64").start(3, "Photo", "raw").start(4, "Names", "string[]")
         for (at in 1L..5L) {
             log.record(1, at * 1_000_000, doubles(at / 2.0)).record(2, at * 1_000_000 + 1, longs(9_007_199_254_740_993 + at))

@@ -31,7 +31,7 @@ internal class Arguments private constructor(val named: List<String>, private va
         private const val MEGA = 20
         private const val MAX_MEGABYTES = 1L shl 40
 
-        /** Returns the arguments in [words] of a job with the options [known], each followed by a value. */
+        /** Returns the arguments of a job in [words]. Each of its options, [known], is followed by its value. */
         fun of(words: List<String>, known: Set<String>): Arguments {
             val named = ArrayList<String>()
             val options = HashMap<String, String>()

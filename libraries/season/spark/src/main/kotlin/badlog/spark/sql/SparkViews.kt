@@ -76,7 +76,7 @@ internal class SparkViews(private val spark: SparkSession, private val address: 
         }.reduce(Dataset<Row>::unionByName)
     }
 
-    /** Returns a column for each topic, with all of its statistics. */
+    /** Returns one column per topic, a struct of its statistics. */
     private fun matchStatistics(): Dataset<Row> {
         make(LakeLayout.MATCHES)
         make("statistics")

@@ -4,9 +4,9 @@ import badlog.core.analysis.Span
 import badlog.signals.pose.Pose
 
 /**
- * The graphs that a person put together, from top to bottom. Immutable; each change returns a new board.
+ * The graphs that a person put together. Immutable; each change returns a new board.
  *
- * @property graphs the graphs.
+ * @property graphs the graphs, from top to bottom.
  */
 data class Board(val graphs: List<BoardGraph> = emptyList()) {
     private val nextId: Int get() = (graphs.maxOfOrNull { it.id } ?: 0) + 1
@@ -30,7 +30,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
     /** Adds the signal [name] to graph [id], if it is not there yet. */
     fun withLine(id: Int, name: String): Board = change(id) { if (name in it.lines) it else it.copy(lines = it.lines + name) }
 
-    /** Adds those of the signals [names] to graph [id] that are not there yet. */
+    /** Adds to graph [id] each of the signals [names] that it lacks. */
     fun withLines(id: Int, names: List<String>): Board = names.fold(this) { board, name -> board.withLine(id, name) }
 
     /** Adds the signals [names] to the last graph, or to a new one if there is none. */
@@ -39,7 +39,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         return withLines(last.id, names)
     }
 
-    /** Adds a graph of the signal [name], drawn as [lines], or removes existing graphs of these lines or of the signal alone. */
+    /** Adds a graph of the signal [name], drawn as [lines]; or removes existing graphs of these lines or of the signal alone. */
     fun withOwnToggled(name: String, lines: List<String> = listOf(name)): Board {
         val own = graphs.filter { it.lines == listOf(name) || it.lines == lines }
         return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
@@ -48,7 +48,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
     /** Returns whether it has a graph that draws the same as [graph]. */
     fun has(graph: BoardGraph): Boolean = graphs.any { it.drawsAs(graph) }
 
-    /** Adds [graph] at the end, or removes existing graphs with the same lines. */
+    /** Adds [graph] at the end, or removes existing graphs that draw the same. */
     fun withToggled(graph: BoardGraph): Board =
         if (has(graph)) copy(graphs = graphs.filterNot { it.drawsAs(graph) }) else withGraphs(listOf(graph))
 
@@ -62,7 +62,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
     fun withoutSignal(name: String): Board =
         graphs.fold(this) { board, graph -> if (name in graph.lines) board.withoutLine(graph.id, name) else board }
 
-    /** Replaces the signal [before] by [name] in all graphs. */
+    /** Renames the signal [before] to [name] in all graphs. */
     fun renamed(before: String, name: String): Board = copy(
         graphs = graphs.map { graph ->
             fun nameNow(line: String) = if (line == before) name else line
@@ -84,7 +84,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         return copy(graphs = graphs.toMutableList().apply { add(to, removeAt(from)) })
     }
 
-    /** Moves graph [id] before the graph [other], or to the end for null. */
+    /** Moves graph [id] before the graph [other], or to the end if that is null. */
     fun movedBefore(id: Int, other: Int?): Board {
         val graph = graphs.find { it.id == id }
         if (graph == null || id == other) return this
@@ -102,7 +102,10 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         }
     }
 
-    /** Splits graph [id] into one graph for each line; the first one keeps all settings but y. */
+    /**
+     * Splits graph [id] into one graph over the common x for each line; the first one keeps the id. Ranges, hidden lines and the origin
+     * of poses are reset.
+     */
     fun separated(id: Int): Board {
         val first = nextId
         return copy(
@@ -125,7 +128,10 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         )
     }
 
-    /** With [isXy], draws the lines of graph [id] over its first one, or poses as paths; otherwise over the x axis again. */
+    /**
+     * Draws graph [id] as a graph of y over x if [isXy]: poses as paths, other lines over the first one. Otherwise draws its lines over
+     * the common x again.
+     */
     fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy, xRange = null, yRange = null) }
 
     /** Draws the first line of graph [id] over the second instead. */
@@ -135,17 +141,17 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         graph.copy(lines = listOf(y, x) + graph.lines.drop(2), xRange = graph.yRange, yRange = graph.xRange)
     }
 
-    /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
+    /** Shows only [x] and [y] of the graph [id] of y over x; null shows all of it. */
     fun withPlane(id: Int, x: Span?, y: Span?): Board = change(id) { it.copy(xRange = x, yRange = y) }
 
     /** Treats the poses of graph [id] as measured from [origin]. */
     fun withOrigin(id: Int, origin: FieldOrigin): Board = change(id) { it.copy(origin = origin) }
 
-    /** Shows only [range] of y in graph [id], and [right] on its right axis; null for all of it. A fixed range is not shared. */
+    /** Shows only [range] of y in graph [id], and [right] on its right axis; null shows all of y. A fixed range is not shared. */
     fun withYRange(id: Int, range: Span?, right: Span? = null): Board =
         change(id) { it.copy(yRange = range, rightYRange = right, sharesY = it.sharesY && range == null && right == null) }
 
-    /** Makes graph [id] share its y range with all other such graphs for lines of the same unit, or stops sharing. */
+    /** Makes graph [id] share its y range with all other such graphs, by unit, or stops sharing. */
     fun withSharedY(id: Int, shares: Boolean): Board = change(id) {
         if (shares) it.copy(sharesY = true, yRange = null, rightYRange = null) else it.copy(sharesY = false)
     }
@@ -164,31 +170,32 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         return places
     }
 
-    /** Returns the same board with ids from 1 on, like those of a board that was written and read again. */
+    /** Returns the same board with ids from 1 on, as a written and read board has them. */
     fun renumbered(): Board = Board(graphs.mapIndexed { i, graph -> graph.copy(id = i + 1) })
 
-    /** Returns whether it shows the same as [other], regardless of the ids. */
+    /** Returns whether this board shows the same as [other], regardless of the ids. */
     fun showsSame(other: Board): Boolean = renumbered() == other.renumbered()
 
     private fun change(id: Int, to: (BoardGraph) -> BoardGraph) = copy(graphs = graphs.map { if (it.id == id) to(it) else it })
 }
 
 /**
- * What one graph shows, by names only, so that the same graph fits every recording of a robot.
+ * The content of one graph, by names only, so that the same graph fits every recording of a robot.
  *
- * @property id identifies it on its board; has no other meaning, and is written only where several tabs or windows remember a board.
- * @property title the heading above it.
- * @property lines the names of the signals it draws, each once; those that a recording lacks are not shown for it.
+ * @property id identifies the graph on its board, without another meaning. It is written only where several tabs or windows remember a
+ *   board.
+ * @property title the heading above the graph.
+ * @property lines the names of the drawn signals, each once; a recording's missing ones are not drawn.
  * @property isFilled whether the area below the lines is filled.
  * @property includesZero whether y must include 0.
- * @property yRange the part of y that a person selected, finite and wider than 0, or null for as much as the visible samples need; on the
- *   left axis if there are two.
- * @property height its height in density-independent pixels, within [HEIGHTS]; null for the default. See [GraphHeight].
+ * @property yRange the part of y that a person selected, finite and wider than 0, on the left axis if there are two; null for as much as
+ *   the visible samples need.
+ * @property height the height in density-independent pixels, within [HEIGHTS]; null for the default. See [GraphHeight].
  * @property rightYRange the same as [yRange] for the right axis.
- * @property sharesY whether all graphs that share it show the same part of y for each unit; a fixed range is not shared.
- * @property hidden those of [lines] that are currently not drawn.
+ * @property sharesY whether all graphs that share y show the same part of it for each unit; a fixed range is not shared.
+ * @property hidden the [lines] that are currently not drawn.
  * @property isXy whether the lines are not drawn over the common x: poses are paths on a field, others are drawn over the first line.
- * @property xRange the part of x that a person selected of such a graph, with that of y in [yRange]; null for all of it.
+ * @property xRange the part of x that a person selected in such a graph, with [yRange] for y; null for all of it.
  * @property origin the origin of the poses in such a graph.
  */
 data class BoardGraph(
@@ -206,16 +213,16 @@ data class BoardGraph(
     val xRange: Span? = null,
     val origin: FieldOrigin = FieldOrigin.BLUE,
 ) {
-    /** The part of the plane that a person selected in a graph of y over x; null for all of it. */
+    /** The part of the plane that a person selected in a graph of y over x; null for the whole plane. */
     val plane: Plane? get() = if (isXy && xRange != null && yRange != null) Plane(xRange, yRange) else null
 
-    /** Whether a person selected the part of y on one of its axes. */
+    /** Whether a person selected a part of y on one of the axes. */
     val isYFixed: Boolean get() = yRange != null || rightYRange != null
 
     internal fun drawsAs(other: BoardGraph) = lines == other.lines && isXy == other.isXy
 
     companion object {
-        /** How high a graph of numbers can be. */
+        /** The possible heights of a graph of numbers, in density-independent pixels. */
         val HEIGHTS: IntRange = 60..600
     }
 }
@@ -223,5 +230,5 @@ data class BoardGraph(
 /** Says in a sentence why a text is not a board. */
 class BoardException(message: String) : IllegalArgumentException(message)
 
-/** Whether this graph draws one line over another, and not the paths of [poses]. */
+/** Whether this graph draws one line over another, rather than the paths of [poses]. */
 fun BoardGraph.canSwapAxes(poses: List<Pose>): Boolean = isXy && lines.size == 2 && poses.none { it.x in lines && it.y in lines }

@@ -3,28 +3,28 @@ package badlog.viewer.choices.board
 /**
  * A board with its undo and redo history. Immutable; each step returns a new one.
  *
- * @param at the place in [steps] of the board that is shown; those after it were undone.
- * @param newId returns an id that no graph of any tab or window has; null if nobody else changes this board.
+ * @param at the index in [steps] of the current board; later ones were undone.
+ * @param newId returns an id that no graph of any tab or window has; null if no other tab or window changes this board.
  */
 class BoardHistory private constructor(private val steps: List<Step>, private val at: Int, private val newId: (() -> Int)?) {
-    /** A board, and whether others do not know yet how it differs from the one before it. */
+    /** A board; [isNew] if others do not know its change yet. */
     private class Step(val board: Board, val isNew: Boolean)
 
     /** Creates a history that begins with [board]. */
     constructor(board: Board = Board(), newId: (() -> Int)? = null) : this(listOf(Step(board, isNew = false)), 0, newId)
 
-    /** The board that is shown. */
+    /** The current board. */
     val now: Board get() = steps[at].board
 
-    /** Whether there is something to undo. */
+    /** Whether a change can be undone. */
     val canUndo: Boolean get() = at > 0
 
-    /** Whether something undone can be done again. */
+    /** Whether an undone change can be redone. */
     val canRedo: Boolean get() = at < steps.lastIndex
 
     /**
-     * Shows [board], a change of [shown], which is the part of [now] that the open log can show: the rest stays. Nothing changes if it shows
-     * the same.
+     * Shows [board], a changed copy of [shown]. That is the part of [now] that the open log can show; the rest stays. Returns this
+     * history if [board] shows the same.
      */
     internal fun changed(board: Board, shown: Board = now): BoardHistory {
         val own = identified(board)
@@ -34,7 +34,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         return BoardHistory(all, all.lastIndex, newId)
     }
 
-    /** Begins with [board] instead. */
+    /** Returns a history that begins with [board]. */
     internal fun begunWith(board: Board): BoardHistory = BoardHistory(board, newId)
 
     /** Undoes the last change. */
@@ -43,13 +43,13 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
     /** Redoes what [undone] undid. */
     internal fun redone(): BoardHistory = if (canRedo) BoardHistory(steps, at + 1, newId) else this
 
-    /** Returns this history with each of its boards changed by [change], which can therefore not be undone. */
+    /** Returns this history with [change] applied to each board, so that it cannot be undone. */
     internal fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map { Step(it.board.change(), it.isNew) })
 
     /**
-     * Returns this history with what other tabs or windows have changed of the board that they remember in one place, since this one
-     * [read] it: in each of its boards, so that undoing does not undo what others did. [now] is then what to remember; what was changed
-     * here before that is no longer later than what others do.
+     * Returns this history with others' changes to the [stored] board since this one [read] it. They are in each of its boards, so that
+     * undoing does not undo them. Afterwards, [now] is the board to store, and earlier changes here no longer count as later than those
+     * from others.
      */
     internal fun mergedWith(stored: Board, read: Board): BoardHistory {
         if (stored == read) return BoardHistory(steps.map { Step(it.board, isNew = false) }, at, newId)
@@ -66,7 +66,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         return withSteps(merged)
     }
 
-    /** Returns a history of [changed], the steps of this one, without those that show the same as the one before. */
+    /** Returns a history of the [changed] steps of this one, without steps that show the same as the step before. */
     private fun withSteps(changed: List<Step>): BoardHistory {
         val all = ArrayList<Step>()
         var place = 0
@@ -82,7 +82,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         return BoardHistory(all, place, newId)
     }
 
-    /** Returns [board] with ids of their own for graphs that were never in this history: a board knows only which ids are free on it. */
+    /** Returns [board] with new ids for graphs that were never in this history: a board knows only which ids are free on it. */
     private fun identified(board: Board): Board {
         val id = newId ?: return board
         return Board(

@@ -6,13 +6,13 @@ import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 
 /**
- * Returns the board as a JSON object with the version of the format and the key `graphs`, as in layout files. Each graph has a `title` and the names of its `lines`, and,
- * if set, `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden` lines; `xy` if the lines
- * are not drawn over the common x, with the visible range `x` and the `origin` of poses, `red` or `auto`. An older badlog ignores what it
- * does not know.
+ * Returns the board as a JSON object with a version and the key `graphs`, as in layout files. Each graph has a `title` and the names of
+ * its `lines`, and, if set, `filled`, `zero`, `y` and `right` with `from` and `to`, `shared`, `height`, and the names of `hidden` lines.
+ * It has `xy` if the lines are not drawn over the common x, with the visible range `x` and the `origin` of poses: `red`, `auto` or
+ * `center`. An older badlog ignores unknown keys.
  *
- * @param haveIds whether each graph also has its `id`, by which tabs and windows that change the same board know it; without one, the id is
- * the graph's place from 1 on.
+ * @param haveIds whether each graph also has its `id`, by which tabs and windows that change the same board recognize it; without one,
+ *   the id is the graph's place from 1 on.
  */
 fun Board.toJson(haveIds: Boolean = false): String = graphs.indices.joinToString(",", "$VERSIONED,\"graphs\":[", "]}") { i ->
     val graph = graphs[i]
@@ -36,17 +36,20 @@ fun Board.toJson(haveIds: Boolean = false): String = graphs.indices.joinToString
     }
 }
 
-/** Appends [span] as a member [key] of the object that is being written, unless it is null or JSON cannot hold it. */
+/**
+ * Appends the member [key] with [span] to the object that is being written. Nothing is written if the span is null, or not finite and
+ * wider than 0.
+ */
 internal fun StringBuilder.appendSpan(key: String, span: Span?) {
     if (span == null || !isWritable(span)) return
     append(",\"").append(key).append("\":{\"from\":").append(span.from).append(",\"to\":").append(span.to).append('}')
 }
 
 /**
- * Returns the board in the JSON object [text], see [toJson]; other keys, such as those of a layout file, are ignored. Without a version, as
- * older pages remember boards, it is of version 1.
+ * Returns the board in the JSON object [text]; [toJson] describes it. Other keys, such as the further ones of a layout file, are ignored.
+ * Without a version, as older pages remember boards, it has version 1.
  *
- * @throws BoardException if it has none, the board is damaged, or its version is one of a newer badlog.
+ * @throws BoardException if the text has no board, the board is damaged, or its version is from a newer badlog.
  */
 fun boardOfJson(text: String): Board {
     val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
@@ -58,20 +61,20 @@ fun boardOfJson(text: String): Board {
 /**
  * Returns the board with the list [graphs].
  *
- * @param placeText returns where in the text a mistake begins, with a leading space.
+ * @param placeText returns the place of a mistake from its index in the text, with a leading space.
  */
 internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = try {
     val items = graphs?.items ?: throw Damage("“graphs” is not a list", graphs)
     val read = items.mapIndexed { i, graph -> graphOf(i + 1, graph) }
     val ids = items.mapIndexed { i, graph -> graph["id"]?.json?.toIntOrNull() ?: (i + 1) }
-    // A file that a person has put together may have one twice.
+    // A file that a person has put together may have an id twice.
     Board(if (ids.distinct().size == ids.size) read.mapIndexed { i, graph -> graph.copy(id = ids[i]) } else read)
 } catch (e: Damage) {
     val place = e.place?.let(placeText).orEmpty()
     throw BoardException("The graphs are damaged: ${e.what}$place; select a file that badlog has saved.")
 }
 
-/** How each object of JSON with graphs begins. */
+/** The start of each object of JSON with graphs. */
 internal const val VERSIONED = "{\"${BoardLayout.VERSION_KEY}\":${BoardLayout.VERSION}"
 
 private class Damage(val what: String, place: JsonValue?) : Exception() {
@@ -99,7 +102,7 @@ private fun graphOf(id: Int, graph: JsonValue): BoardGraph {
     )
 }
 
-/** Returns the member [key]; null if there is none. */
+/** Returns the member [key]; null if there is none, or if it is null. */
 private operator fun JsonValue.get(key: String): JsonValue? = members?.findLast { it.key == key }?.value?.takeIf { it.json != "null" }
 
 private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.json ?: "false") {
@@ -110,7 +113,7 @@ private fun JsonValue.isSet(key: String, graph: Int): Boolean = when (get(key)?.
 
 private fun JsonValue.number(key: String, graph: Int): Double {
     val value = get(key)
-    // A text is recognized by its quotes.
+    // The first character distinguishes a number from a text, which has quotes.
     return value?.json?.takeIf { it[0] == '-' || it[0] in '0'..'9' }?.toDoubleOrNull()
         ?: throw Damage("“$key” of graph $graph is not a number", value ?: this)
 }

@@ -5,11 +5,11 @@ import badlog.core.json.JsonReader
 import badlog.core.json.quotedJson
 
 /**
- * The part of a layout file that page and window share. Everything else in a file (the open recording, what it was compared with, the
- * selection, which parts of the window were open) belongs to the window: it is ignored when reading, and not written.
+ * The part of a layout file that page and window share. The rest of a file belongs to the window: the open recording, the compared logs,
+ * the selection, and the open parts of the window. It is ignored when reading, and not written.
  *
  * @property board the graphs; null for the default ones.
- * @property visible the visible range; null for all.
+ * @property visible the visible range; null for all of x.
  * @property formulas the definitions of topics that are calculated from others.
  */
 class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: List<String> = emptyList()) {
@@ -21,7 +21,7 @@ class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: Li
     }
 
     companion object {
-        /** The ending of layout files' names. */
+        /** The ending of a layout file's name. */
         const val ENDING: String = ".badlog-layout.json"
 
         /** The format version that this program writes; it cannot read newer ones. */
@@ -33,8 +33,8 @@ class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: Li
 }
 
 /**
- * Returns the name of the layout that keys go to from the one called [current], [steps] after it in [kept], the names in their order; round
- * and round. From none of them, it is the first, or the last for a negative number; null if none is kept.
+ * Returns the name of the layout [steps] after the [current] one in [kept], the names in their order; wraps around. From a layout that is
+ * not kept, it is the first, or the last for -1; null if none is kept.
  */
 fun keptLayoutAfter(kept: List<String>, current: String?, steps: Int): String? {
     if (kept.isEmpty()) return null
@@ -43,7 +43,7 @@ fun keptLayoutAfter(kept: List<String>, current: String?, steps: Int): String? {
     return kept[next.mod(kept.size)]
 }
 
-/** What to say where no layout is kept; [how] says how to keep one, as the rest of the sentence. */
+/** Returns the message that no layout is kept; [how] completes the sentence with the way to keep one. */
 fun noLayoutKept(how: String): String = "No layout is kept yet; $how, such as “Power” or “Drive”."
 
 /**
@@ -67,15 +67,15 @@ fun boardLayoutOf(name: String, text: String): BoardLayout {
 }
 
 /**
- * Returns a sentence that says why [text], the content of the file called [name], is not a layout, with the place where it stops being
- * JSON.
+ * Returns a sentence that says why [text] is not a layout, with the place where it stops being JSON. It is the content of the file called
+ * [name].
  */
 fun layoutMistake(name: String, text: String): String {
     val place = JsonReader.mistakeIn(text)?.let { " in ${lineAndColumn(text, it)}" }.orEmpty()
     return "$name is not a layout, or is damaged$place; select a file that badlog has saved."
 }
 
-/** Returns where [place], an index in [text], is: `line 3, column 14`. */
+/** Returns the line and column of [place], an index in [text]: `line 3, column 14`. */
 private fun lineAndColumn(text: String, place: Int): String {
     val before = text.take(place)
     return "line ${before.count { it == '\n' } + 1}, column ${place - before.lastIndexOf('\n')}"

@@ -7,10 +7,10 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
 /**
- * Finds the lines of a board by their names: those of topics, and of graphs that are derived from topics.
+ * Finds the lines of a board by their names. They are lines of topics, or of graphs that are derived from topics.
  *
- * @property view the log that they are of.
- * @param others graphs of other lines that can be drawn, such as those that a hook calculated.
+ * @property view the log with the lines.
+ * @param others graphs of other lines that can be drawn, such as those from a hook.
  */
 class BoardLines(val view: LogView, others: List<Graph> = emptyList()) {
     private val topics = view.recording.topics.associateBy { it.name }
@@ -20,7 +20,7 @@ class BoardLines(val view: LogView, others: List<Graph> = emptyList()) {
         .toMap()
     private val found = HashMap<String, GraphSeries?>()
 
-    /** The names of all lines that show something, the topics first. */
+    /** The names of all lines that can be drawn, the topics first. */
     val names: List<String> get() = topics.values.filter(::isDrawable).map { it.name } + derived.keys
 
     /** Returns the line called [name]; null if there is none. */
@@ -34,7 +34,7 @@ internal fun isDrawable(topic: Topic): Boolean =
 /** The board's names for the lines of this graph, in order. */
 val Graph.lineNames: List<String> get() = series.map { if (it.isDerived) name else it.topic.name }
 
-/** Returns this graph as one of a board, which assigns its id. [BoardLines] finds its lines again. */
+/** Returns this graph for a board, which assigns its id. [BoardLines] finds its lines again. */
 fun Graph.asBoardGraph(): BoardGraph = BoardGraph(
     id = 0,
     title = if (isVirtual) listOf(folder, title).filter { it.isNotEmpty() }.joinToString("/") else name,

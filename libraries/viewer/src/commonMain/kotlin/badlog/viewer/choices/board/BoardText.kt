@@ -4,11 +4,11 @@ import badlog.core.analysis.Span
 import badlog.viewer.text.addressText
 
 /**
- * Returns the board as the shortest text that is valid in any address: only letters, digits and `-_./:;,=+~`. Graphs are separated by `;`,
- * the lines of a graph by `,`. Then follow, each after a `,` and a letter with `=`, the title, unless it is the first line's name, and the
- * other settings: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, in which line 1, counted from 0, is hidden. `p=` makes a plot of y over x,
- * with `w=` for the visible x, and `o=red` or `o=auto` for the origin of poses. Lines are written by [lineTexts], a title by [addressText]; a
- * line without a name is just `~`.
+ * Returns the board as the shortest text that is valid in any address: only letters, digits and `-_./:;,=+~`. Graphs are separated by
+ * `;`, the lines of a graph by `,`. The title, unless it is the first line's name, and the other settings follow, each after a `,` and a
+ * letter with `=`: `Arm/Angle,Arm/Goal,t=Arm,f=,y=0:90,x=1;Mode`, which hides line 1, counted from 0. `p=` makes a plot of y over x, with
+ * `w=` for the visible x, and `o=red`, `o=auto` or `o=center` for the origin of poses. Lines are written by [lineTexts], a title by
+ * [addressText]; a line without a name is just `~`.
  */
 fun Board.toText(): String = graphs.joinToString(";") { graph ->
     buildString {
@@ -31,16 +31,16 @@ fun Board.toText(): String = graphs.joinToString(";") { graph ->
 }
 
 /**
- * Returns the board in [text], see [toText].
+ * Returns the board in [text]; [toText] describes it.
  *
- * @throws BoardException if it is not a board.
+ * @throws BoardException if the text is not a board.
  */
 fun boardOfText(text: String): Board {
     if (text.isEmpty()) return Board()
     return Board(text.split(';').mapIndexed { i, part -> graphOf(i + 1, part) })
 }
 
-/** More lines than anybody draws in a graph: a damaged address must not fill the memory. */
+/** The maximum number of lines in a graph, more than are ever drawn: a damaged address must not fill the memory. */
 private const val MAX_LINES = 10_000
 
 private fun graphOf(id: Int, text: String): BoardGraph {
@@ -98,5 +98,5 @@ private fun originOf(text: String): FieldOrigin =
 private fun heightOf(text: String): Int =
     text.toIntOrNull()?.coerceIn(BoardGraph.HEIGHTS) ?: throw BoardException("“$text” is not a height; copy the whole address again.")
 
-/** Returns whether [range] can be written: JSON has only finite numbers. */
+/** Returns whether [range] can be written. It must not be empty, and JSON has only finite numbers. */
 internal fun isWritable(range: Span): Boolean = range.from < range.to && range.from.isFinite() && range.to.isFinite()

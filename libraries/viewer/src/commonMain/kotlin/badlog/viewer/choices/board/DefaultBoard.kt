@@ -5,9 +5,9 @@ import badlog.core.analysis.LogView
 import badlog.viewer.shown.outline.everChanges
 
 /**
- * Returns the graphs according to the attributes of a recording's topics, in order. Neighboring states of a folder share a
- * graph with a lane for each, as many as fit on a screen. The x axis has no graph of its own. In a WPILOG, which has everything
- * that a dashboard shows, topics that never change remain in the list.
+ * Returns the graphs that the attributes of a recording's topics define, in order. Neighboring states of a folder share a graph with a
+ * lane for each, as many as fit on a screen. The x axis does not have a graph. Topics with their own times, as in a WPILOG with
+ * everything from a dashboard, are omitted if they never change, unless nothing changes.
  */
 fun defaultBoard(view: LogView): Board {
     val hasChanges = view.folders.any { folder -> folder.graphs.any(::changes) }

@@ -4,8 +4,8 @@ import badlog.viewer.text.addressText
 import badlog.viewer.text.nameOfAddress
 
 /**
- * Returns the texts of [lines] in an address, in their order. Elements of an array that follow each other are one text with a range between
- * colons: `Modules[0]/speed` to `Modules[3]/speed` are `Modules:0-3:/speed`, and `Currents[2]` alone is `Currents:2:`.
+ * Returns the texts of [lines] in an address, in their order. Consecutive elements of an array are one text with a range between colons:
+ * `Modules[0]/speed` to `Modules[3]/speed` are `Modules:0-3:/speed`, and `Currents[2]` alone is `Currents:2:`.
  */
 internal fun lineTexts(lines: List<String>): List<String> {
     val runs = ArrayList<ElementRun>()
@@ -22,9 +22,9 @@ internal fun lineTexts(lines: List<String>): List<String> {
 }
 
 /**
- * Returns the lines whose names [text] is, one of [lineTexts].
+ * Returns the names of the lines in [text], one of the [lineTexts].
  *
- * @throws BoardException if it is not a name, or a range that no array has.
+ * @throws BoardException if the text is neither a name nor a possible range of an array.
  */
 internal fun linesOfText(text: String): List<String> {
     if (text == NAMELESS) return listOf("")
@@ -39,11 +39,15 @@ internal fun linesOfText(text: String): List<String> {
     return (first..last).map { "$before[$it]$after" }
 }
 
-/** Returns the name that [addressText] wrote as [text]. */
+/**
+ * Returns the name that [addressText] wrote as [text].
+ *
+ * @throws BoardException if it is damaged.
+ */
 internal fun nameOf(text: String): String =
     nameOfAddress(text) ?: throw BoardException("“$text” has a “~” that is not a character; copy the whole address again.")
 
-/** The elements [first] to [last] of an array, whose names have [before] and [after] around the index; without an index, just a name. */
+/** The elements [first] to [last] of an array, with names of [before], the index and [after]; without an index, just a name. */
 private data class ElementRun(val before: String, val first: Int = NO_INDEX, val last: Int = first, val after: String = "") {
     fun isFollowedBy(next: ElementRun) = first != NO_INDEX && next.before == before && next.after == after && next.first == last + 1 &&
         next.first - first < MAX_ELEMENTS
@@ -56,13 +60,13 @@ private data class ElementRun(val before: String, val first: Int = NO_INDEX, val
     }
 }
 
-/** Returns what [name] says about an element: `Modules[0]/speed` is the first one of an array; null if it is none. */
+/** Returns the element that [name] describes, such as the first of an array for `Modules[0]/speed`; null if it is not an element. */
 private fun elementOf(name: String): ElementRun? {
     val open = name.lastIndexOf('[')
     val close = name.indexOf(']', open + 1)
     if (open < 0 || close < 0) return null
     val digits = name.substring(open + 1, close)
-    // An index as it is written: neither 07 nor +7.
+    // Only an index as it is written: neither 07 nor +7.
     val index = digits.toIntOrNull()?.takeIf { it >= 0 && "$it" == digits } ?: return null
     return ElementRun(name.substring(0, open), index, after = name.substring(close + 1))
 }
@@ -70,9 +74,9 @@ private fun elementOf(name: String): ElementRun? {
 private const val NO_INDEX = -1
 private const val NAMELESS = "~"
 
-// Names in an address have none.
+// A character that names in an address never have.
 private const val RANGE = ':'
 private const val PARTS = 3
 
-/** More elements than arrays have; also the limit of what a few characters of a damaged address ask for. */
+/** The maximum number of elements, more than arrays have; it limits the effect of a damaged address. */
 private const val MAX_ELEMENTS = 1_000

@@ -12,8 +12,8 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.text.shortNames
 
 /**
- * Returns the graphs that show the topics called [evidence] together, low enough for one screen: poses are paths on a field, other numbers
- * with the same unit share a graph, and the states share one. Names that [view] lacks, topics without samples, and events, which are marks
+ * Returns the graphs that show the topics called [evidence] together, low enough for one screen. Poses are paths on a field, other
+ * numbers with the same unit share a graph, and the states share one. Unknown names, topics without samples, and events, which are marks
  * in every graph, are omitted.
  *
  * @param vocabulary provides units for topics without one: volts and amperes in one graph would hide each other.

@@ -5,14 +5,14 @@ import badlog.signals.LogShape
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Graphs that somebody who investigates a finding may want beside its evidence.
+ * Graphs that may help, beside its evidence, to investigate a finding.
  *
- * @property label what they show, as in “+ Current”.
+ * @property label the content of the graphs, as in “+ Current”.
  * @property topics the full names of the topics.
  */
 class EvidenceOffer(val label: String, val topics: List<String>)
 
-/** Returns what [view] has, according to the signals of [vocabulary], that [board] does not show yet. */
+/** Returns the topics of [view] with well-known signals of [vocabulary] that [board] does not show yet. */
 fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Board): List<EvidenceOffer> {
     val topics = LogShape.of(view).topicsOf(vocabulary).all
     val shown = board.placesOfLines().keys

@@ -1,9 +1,9 @@
 package badlog.viewer.choices.board
 
 /**
- * The alliance wall from which the poses of a log are measured: the corner at its right end is (0, 0), unless the center of the field is.
+ * The origin from which a log's poses are measured: the corner at the right end of an alliance's wall, or the center of the field.
  *
- * @property label its name in a menu.
+ * @property label the name in a menu.
  */
 enum class FieldOrigin(val label: String) {
     /** The blue alliance's wall, as in WPILib. */
@@ -15,7 +15,7 @@ enum class FieldOrigin(val label: String) {
     /** The wall of the robot's own alliance in each match; the blue one if the log does not have the alliance. */
     AUTO("Auto origin"),
 
-    /** The center of the field as seen from the red alliance's wall: x points to the blue one. */
+    /** The center of the field as seen from the red alliance's wall: x points towards the blue wall. */
     CENTER("Center origin"),
     ;
 

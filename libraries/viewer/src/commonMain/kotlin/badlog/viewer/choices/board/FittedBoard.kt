@@ -3,12 +3,12 @@ package badlog.viewer.choices.board
 /**
  * A board as one recording can show it.
  *
- * @property board the graphs that have at least one line in the recording.
+ * @property board the graphs with at least one line in the recording.
  * @property missing the lines that the recording lacks, each once.
  * @property dropped the titles of the graphs without any line in the recording.
  */
 class FittedBoard(val board: Board, val missing: List<String>, val dropped: List<String>) {
-    /** A sentence that says what is hidden; null for nothing. */
+    /** A sentence about the hidden graphs and lines; null if nothing is hidden. */
     val sentence: String?
         get() {
             if (missing.isEmpty()) return null
@@ -28,9 +28,10 @@ class FittedBoard(val board: Board, val missing: List<String>, val dropped: List
 }
 
 /**
- * Fits this board to a recording; [isThere] says whether it has a line. A graph without any known line is dropped.
+ * Returns the part of this board that a recording can show. [isThere] says whether it has a line; a graph without any known line is
+ * dropped.
  *
- * @param excused names that do not count as missing, such as those of formulas, whose problems are reported elsewhere.
+ * @param excused names that do not count as missing, such as names of formulas, because their problems are reported elsewhere.
  */
 fun Board.fittedTo(excused: Set<String> = emptySet(), isThere: (String) -> Boolean): FittedBoard {
     val missing = LinkedHashSet<String>()
@@ -45,8 +46,8 @@ fun Board.fittedTo(excused: Set<String> = emptySet(), isThere: (String) -> Boole
 }
 
 /**
- * Returns this board, and the graphs of [start] below it where a recording can show none of this one; [isThere] says whether the recording
- * has a line.
+ * Returns this board, with the graphs of [start] below it if a recording has none of this board's lines. [isThere] says whether it has a
+ * line.
  */
 fun Board.orAlso(start: () -> Board, isThere: (String) -> Boolean): Board =
     if (graphs.any { it.lines.any(isThere) }) this else Board(graphs + start().graphs)

@@ -1,14 +1,14 @@
 package badlog.viewer.choices.board
 
 /**
- * Returns whether a graph dropped at the [share] of another one's height, from its top, is joined with that one, rather than placed above
- * or below it.
+ * Returns whether a graph that is dropped onto another one joins it, rather than being placed above or below. [share] is the height of
+ * the drop within the other graph, from 0 at its top to 1.
  */
 fun isDroppedInto(share: Double): Boolean = share in 0.2..0.8
 
 /**
- * Returns this board after graph [id] was dropped at the [share] of the height of graph [onto], from its top: joined with that one, see
- * [isDroppedInto], or moved above or below it. Dropped on itself, it stays where it is.
+ * Returns this board after graph [id] was dropped onto graph [onto], at the [share] of its height from its top. They are joined, see
+ * [isDroppedInto], or it is moved above or below. A graph dropped onto itself stays where it is.
  */
 fun Board.dropped(id: Int, onto: Int, share: Double): Board = when {
     id == onto -> this

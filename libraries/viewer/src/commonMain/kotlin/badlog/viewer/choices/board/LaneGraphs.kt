@@ -3,10 +3,10 @@ package badlog.viewer.choices.board
 import badlog.core.analysis.Graph
 
 /**
- * Returns [graphs] of a folder grouped by frame: each by itself, except that neighbors that show states are together, each with a lane,
+ * Returns the [graphs] of a folder grouped by frame. Each has its own, except that neighbors with states share one, with a lane for each,
  * as many as fit on a screen.
  *
- * @param isAlone whether a graph stays by itself although it shows states.
+ * @param isAlone whether a graph has its own frame although it shows states.
  */
 fun framesOf(graphs: List<Graph>, isAlone: (Graph) -> Boolean = { false }): List<List<Graph>> {
     val frames = ArrayList<MutableList<Graph>>()
@@ -21,7 +21,7 @@ fun framesOf(graphs: List<Graph>, isAlone: (Graph) -> Boolean = { false }): List
 /** Returns the title of a frame with the states of several graphs of [folder], including the folder. */
 fun statesTitle(folder: String): String = if (folder.isEmpty()) "States" else "$folder/States"
 
-/** Returns the graph of all lanes of [frame], one of those from [framesOf]. */
+/** Returns one graph with all lanes of [frame], a result of [framesOf]. */
 fun laneGraphOf(frame: List<Graph>): Graph {
     val first = frame.first()
     if (frame.size == 1) return first

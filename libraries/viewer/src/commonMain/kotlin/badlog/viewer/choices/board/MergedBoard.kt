@@ -4,17 +4,17 @@ import badlog.viewer.choices.merged
 import badlog.viewer.choices.mergedWith
 
 /**
- * Returns this board, which several tabs or windows change and remember in one place, with what the others have changed of it since this
- * one [read] it: graph by graph, and within a graph title by title, line by line and height by height. See
- * [mergedWith][badlog.viewer.choices.mergedWith].
+ * Returns this board merged with the changes that others made to the [stored] board since this one [read] it. Several tabs or windows
+ * change such a board, and remember it in one place. It is merged graph by graph, and within a graph title by title, line by line and
+ * height by height. See [mergedWith][badlog.viewer.choices.mergedWith].
  *
  * @param stored the board as it is remembered now.
- * @param prefersStored whether that which both changed is as it is stored; otherwise it is as here.
+ * @param prefersStored whether a property that both changed is as [stored], rather than as here.
  */
 fun Board.mergedWith(stored: Board, read: Board, prefersStored: Boolean = false): Board {
     val known = read.graphs.mapTo(HashSet()) { it.id }
     val own = graphs.filter { it.id !in known }.associateBy { it.id }
-    // Ids of new graphs may meet by chance.
+    // Ids of new graphs may be equal by chance.
     var free = (graphs + stored.graphs).maxOfOrNull { it.id } ?: 0
     val others = stored.graphs.map { graph ->
         val isFree = own[graph.id].let { it == null || it == graph || it.id == it.idOfLines || graph.id == graph.idOfLines }
@@ -33,7 +33,7 @@ private fun BoardGraph.mergedWith(stored: BoardGraph, read: BoardGraph, prefersS
 
     val lines = names { it.lines }
     val hidden = names { it.hidden }.filterTo(HashSet()) { it in lines }
-    // What is left depends on each other: a fixed part of y is not shared, for example.
+    // The other properties depend on each other: a fixed part of y is not shared, for example.
     val rest = of { it.copy(title = "", lines = emptyList(), height = null, hidden = emptySet()) }
     return rest.copy(title = of { it.title }, lines = lines, height = of { it.height }, hidden = hidden)
 }

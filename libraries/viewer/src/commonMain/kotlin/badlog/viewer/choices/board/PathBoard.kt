@@ -7,7 +7,7 @@ import badlog.signals.pose.posesOf
 import badlog.viewer.shown.outline.everChanges
 import badlog.viewer.shown.search.Query
 
-/** Returns the paths of [view] in one graph: driven, planned and seen ones, a few of each; no graph for a log without a driven path. */
+/** Returns the paths of [view] in one graph: driven, planned and seen ones, a few of each. Without a driven path, the board is empty. */
 fun pathBoard(view: LogView): Board {
     val changing = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
     val poses = posesOf(view.recording.topics).filter { it.x in changing || it.y in changing }
@@ -21,8 +21,8 @@ fun pathBoard(view: LogView): Board {
 }
 
 /**
- * Returns the graphs of paths that a search for [query] offers beside the topics: one for each of [poses], or for all elements of an array of
- * them; found by its name and by the word “path”. None without a query.
+ * Returns the graphs of paths that a search for [query] offers beside the topics; none without a query. There is one for each of [poses],
+ * or for all elements of an array of poses; it is found by its name and by the word “path”.
  */
 fun pathGraphs(poses: List<Pose>, query: Query): List<BoardGraph> {
     if (query.isEmpty) return emptyList()

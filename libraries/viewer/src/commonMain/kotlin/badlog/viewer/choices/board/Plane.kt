@@ -3,13 +3,13 @@ package badlog.viewer.choices.board
 import badlog.core.analysis.Span
 
 /**
- * The part of a plane that is shown.
+ * The visible part of a plane.
  *
- * @property x from left to right.
- * @property y from bottom to top.
+ * @property x the range from left to right.
+ * @property y the range from bottom to top.
  */
 data class Plane(val x: Span, val y: Span) {
-    /** Returns the same, extended so that x and y have the same scale on [width] by [height] pixels. */
+    /** Returns this plane, extended so that x and y have the same scale on [width] by [height] pixels. */
     fun fitted(width: Double, height: Double): Plane {
         val pixel = maxOf(x.width / width, y.width / height)
         return Plane(around(x, pixel * width), around(y, pixel * height))
@@ -21,7 +21,7 @@ data class Plane(val x: Span, val y: Span) {
     /** Returns the plane moved by [right] to the right and [up] upwards. */
     fun shifted(right: Double, up: Double): Plane = Plane(Span(x.from + right, x.to + right), Span(y.from + up, y.to + up))
 
-    /** Returns the part between two points, each given as fractions of the width from the left and of the height from the top. */
+    /** Returns the part between two points. Both are fractions of the width from the left and of the height from the top. */
     fun part(oneX: Double, oneY: Double, otherX: Double, otherY: Double): Plane =
         Plane(Span(xAt(minOf(oneX, otherX)), xAt(maxOf(oneX, otherX))), Span(yAt(maxOf(oneY, otherY)), yAt(minOf(oneY, otherY))))
 
@@ -31,7 +31,7 @@ data class Plane(val x: Span, val y: Span) {
     /** Returns the y at this [share] of the height, from the top. */
     fun yAt(share: Double): Double = y.to - share * y.width
 
-    /** Returns where [other] is on [width] by [height] pixels that show this plane: left, top, width and height. */
+    /** Returns the box of [other] on [width] by [height] pixels that show this plane: left, top, width and height. */
     fun boxOf(other: Plane, width: Double, height: Double): DoubleArray = doubleArrayOf(
         (other.x.from - x.from) / x.width * width,
         (y.to - other.y.to) / y.width * height,
@@ -39,7 +39,7 @@ data class Plane(val x: Span, val y: Span) {
         other.y.width / y.width * height,
     )
 
-    /** Whether doubles are precise enough to draw it. */
+    /** Whether doubles are precise enough to draw this plane. */
     val isDrawable: Boolean get() = isDrawable(x) && isDrawable(y)
 
     private fun around(span: Span, width: Double): Span {

@@ -9,8 +9,8 @@ import badlog.viewer.shown.outline.everChanges
 import badlog.viewer.shown.outline.outlineOf
 
 /**
- * Returns the initial graphs of a log if all of them are on the board: [boardAbove], then the rest of [defaultBoard]. For a log with more
- * graphs than a person looks through, only [boardAbove].
+ * Returns the initial graphs of a log if all of them are on the board: [boardAbove], then the rest of [defaultBoard]. A log with more
+ * graphs than a person looks through has only [boardAbove].
  *
  * @param pointed the evidence of the first finding; used only if not all graphs are on the board anyway.
  */
@@ -23,9 +23,9 @@ fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<Str
 }
 
 /**
- * Returns the initial graphs above all graphs of a log. For a log with more graphs than a person looks through: those of its signals, of
- * the topics [pointed], and of several topics together, at most 24. Otherwise [pathBoard] and, if the other graphs would be far apart,
- * small ones of the topics that explain most of a match, if they change: battery and current together, modes, loop time, and the topics
+ * Returns the initial graphs above all graphs of a log. A log with more graphs than a person looks through has at most 24: graphs of its
+ * signals, of the topics [pointed], and of several topics together. Any other log has [pathBoard] and, if its graphs would be far apart,
+ * small graphs of the topics that explain most of a match, if they change: battery and current together, modes, loop time, and the topics
  * [pointed].
  *
  * @param pointed the evidence of the first finding.
@@ -54,13 +54,13 @@ private fun evidenceBeside(graphs: List<BoardGraph>, view: LogView, pointed: Lis
 private fun changingIn(view: LogView) = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
 
 /**
- * Returns the initial graphs of a log that has more of them than a person looks through, or null for a smaller one: [pathBoard]; then those
- * of signals of [vocabulary] that change: battery and current, modes, loop time, loads, outputs, and the topics [pointed]; then the other
- * graphs that [outlineOf] draws, those of several topics first.
+ * Returns the initial graphs of a log with more of them than a person looks through; null for a smaller log. [pathBoard] is first, then
+ * graphs of changing signals of [vocabulary]: battery and current, modes, loop time, loads, outputs, and the topics [pointed]. The other
+ * graphs that [outlineOf] draws follow, the ones of several topics first.
  */
 private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board? {
     if (view.folders.sumOf { it.graphs.size } <= MANY) return null
-    // The x axis has no graph of its own.
+    // The x axis does not have a graph.
     val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }
         .filter { graph -> graph.series.any { it.topic !== view.xAxis.topic } }.map { it to it.asBoardGraph() }
     val together = outlined.filter { (graph, _) -> graph.series.size > 1 && !graph.showsStates }.map { it.second }
@@ -68,7 +68,7 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
     val changing = changingIn(view)
     val signals = STANDARD.flatMap { signals ->
         val names = signals.flatMap { namesOf(it, topics) }.filter { it in changing }
-        // Related topics stay together: a module's speed beside its target and those of the other modules.
+        // Related topics stay together: a module's speed beside its target and the speeds of the other modules.
         val joint = together.filter { graph -> graph.lines.any { it in names } }
         joint + graphsOf(view, names - joint.flatMap { it.lines }.toSet(), vocabulary)
     }.distinctBy { it.lines }
@@ -82,17 +82,17 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
 
 private fun namesOf(signal: String, topics: SignalTopics) = topics.of(signal).map { it.topic }
 
-// With the default height, since they need not fit on one screen.
+// The default height is possible, because these graphs need not fit on one screen.
 private fun graphsOf(view: LogView, names: List<String>, vocabulary: SignalVocabulary) =
     evidenceBoard(view, names, vocabulary).graphs.map { it.copy(height = null) }
 
 /** The maximum number of initial graphs of a large log. */
 private const val MOST = 24
 
-/** Up to this many graphs are close enough together. */
+/** The maximum number of graphs that are close enough together. */
 private const val FEW = 10
 
-/** The maximum number of graphs of a finding beside the others. */
+/** The maximum number of graphs from a finding beside the others. */
 private const val MOST_POINTED = 2
 
 private val POWER = listOf("battery", "total current")

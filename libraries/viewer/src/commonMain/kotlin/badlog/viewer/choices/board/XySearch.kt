@@ -3,10 +3,10 @@ package badlog.viewer.choices.board
 import badlog.viewer.shown.search.Query
 
 /**
- * Returns the XY plots that a search for [text] offers beside the topics. “voltage over current” offers each of [names] that “voltage” finds
- * over each that “current” finds, as many as anybody chooses from. None without the word “over” between two searches.
+ * Returns the XY plots that a search for [text] offers beside the topics. “voltage over current” offers each match of “voltage” in
+ * [names] over each match of “current”, as many as a person chooses from. None without the word “over” between two searches.
  *
- * @param names the topics whose samples are numbers, in the order of the list.
+ * @param names the topics with samples that are numbers, in the order of the list.
  */
 fun xyGraphs(names: List<String>, text: String): List<BoardGraph> {
     val sides = OVER.split(text)

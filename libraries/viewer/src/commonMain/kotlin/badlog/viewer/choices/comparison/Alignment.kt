@@ -1,11 +1,11 @@
 package badlog.viewer.choices.comparison
 
 /**
- * Which moment of compared logs is at the same x.
+ * The moment of compared logs that is at the same x.
  *
- * @property title its label.
- * @property hint what it does, as a sentence.
- * @property layoutName its name in layout files; must never change.
+ * @property title the label.
+ * @property hint the effect, as a sentence.
+ * @property layoutName the name in layout files; must never change.
  */
 enum class Alignment(val title: String, val hint: String, val layoutName: String) {
     /** The first x. */
@@ -18,10 +18,10 @@ enum class Alignment(val title: String, val hint: String, val layoutName: String
         "ENABLED",
     ),
 
-    /** The x that was logged. */
+    /** The logged x. */
     NONE("No alignment", "Every log keeps its own x.", "AS_LOGGED"),
 
-    /** The place to which a person moved it. */
+    /** The place to which a person moved the log. */
     MANUAL("Manual", "You move each log yourself.", "BY_HAND"),
 }
 
@@ -29,6 +29,6 @@ enum class Alignment(val title: String, val hint: String, val layoutName: String
  * The moments of a log by which it can be aligned, as x.
  *
  * @property first the smallest x.
- * @property enabled when the robot was first enabled; null if that is unknown.
+ * @property enabled the moment when the robot was first enabled; null if unknown.
  */
 class LogMoments(val first: Double, val enabled: Double?)

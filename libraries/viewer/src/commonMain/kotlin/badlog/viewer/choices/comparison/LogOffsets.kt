@@ -5,14 +5,14 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Where each compared log is on x. Immutable; each transition returns a new one.
+ * The offset of each compared log on x. Immutable; each transition returns a new one.
  *
- * @param K what tells logs apart.
- * @property alignment which moments are aligned.
- * @property byHand the manual offset of each log, in units of x; only differences between them matter, and a log that is not in it has 0.
+ * @param K the identity of a log.
+ * @property alignment the aligned moment.
+ * @property byHand the manual offset of each log, in units of x; only differences between them matter, and a missing log has 0.
  */
 data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand: Map<K, Double> = emptyMap()) {
-    /** Returns what to add to the x of [log] so that it is aligned with [open]; always finite. [moments] are those of both. */
+    /** Returns the number to add to the x of [log] so that it is aligned with [open]; always finite. [moments] has both logs. */
     fun of(log: K, open: K, moments: Map<K, LogMoments>): Double {
         if (log == open) return 0.0
         val isByHand = alignment == Alignment.MANUAL
@@ -20,15 +20,15 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
         return if (offset.isFinite()) offset else 0.0
     }
 
-    /** Aligns by [wanted]; for manual alignment, each of the logs with [moments] stays where it is beside [open]. */
+    /** Aligns by [wanted]. For manual alignment, each log in [moments] stays where it is beside [open]. */
     fun alignedBy(wanted: Alignment, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
         val isFirstByHand = wanted == Alignment.MANUAL && alignment != Alignment.MANUAL
         return LogOffsets(wanted, if (isFirstByHand) moments.keys.associateWith { of(it, open, moments) } else byHand)
     }
 
     /**
-     * Moves [log] to [offset] beside [open], which makes the alignment manual. The offset is rounded to six decimals; one that is not a
-     * number is ignored.
+     * Moves [log] to [offset] beside [open], which makes the alignment manual. The offset is rounded to six decimals, and ignored if it
+     * is not finite.
      */
     fun moved(log: K, offset: Double, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
         if (!offset.isFinite() || log == open) return this
@@ -48,7 +48,7 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
     }
 }
 
-/** Returns the number that a person has typed as an offset, with a comma or a point; null for none. */
+/** Returns the number that a person has typed as an offset, with a comma or a point; null if it is not a number. */
 fun offsetOf(text: String): Double? = text.trim().replace(',', '.').toDoubleOrNull()?.takeIf { it.isFinite() }
 
 /** Returns [offset] as the text that [offsetOf] reads, without the rounding errors of steps. */
@@ -57,15 +57,15 @@ fun offsetText(offset: Double): String = exactText(rounded(offset))
 /**
  * A step by which a click moves a log.
  *
- * @property by how far it moves the log, in units of x.
+ * @property by the length of the step, in units of x; negative to the left.
  */
 class OffsetStep(val by: Double) {
     private val distance = (if (by < 0) "-" else "+") + exactText(abs(by))
 
-    /** What its button says, such as `+.1`. */
+    /** The label of its button, such as `+.1`. */
     val label: String get() = distance.replace("0.", ".")
 
-    /** Returns what it does to the log called [name]. */
+    /** Returns a description of the step for the log called [name]. */
     fun hintFor(name: String): String = "Move $name by $distance"
 }
 

@@ -11,16 +11,16 @@ import badlog.expression.signals.Vocabulary
  *
  * @property definition the definition, as a person wrote it.
  * @property topic the topic; null if there is an error.
- * @property error why there is no topic; null if there is one.
+ * @property error the mistake in the definition; null if there is a topic.
  */
 class Formula(val definition: String, val topic: VirtualTopic?, val error: ExpressionError?) {
-    /** The full name of its topic; null if the definition does not even have one. */
+    /** The full name of the topic; null if the definition does not have one. */
     val name: String? get() = topic?.name ?: nameIn(definition)
 }
 
-/** Returns the result of each of [definitions], from which [calculated] was made, in order. */
+/** Returns the result of each of [definitions], in order; [calculated] was made from them. */
 fun formulasOf(definitions: List<String>, calculated: ViewWithVirtualTopics): List<Formula> {
-    // From the end: of two equal definitions, the second is the one that failed.
+    // Backwards: of two equal definitions, the second is the one that failed.
     var error = calculated.errors.size - 1
     var topic = calculated.topics.size - 1
     return definitions.asReversed().map { definition ->
@@ -32,7 +32,7 @@ fun formulasOf(definitions: List<String>, calculated: ViewWithVirtualTopics): Li
     }.asReversed()
 }
 
-/** Returns the name of the topic that [definition] defines, whether or not its expression is valid; null for none. */
+/** Returns the name of the topic that [definition] defines, even if its expression is invalid; null if there is none. */
 fun nameIn(definition: String): String? {
     // A quoted name may also contain =.
     for (at in definition.indices) {
@@ -43,16 +43,16 @@ fun nameIn(definition: String): String? {
     return null
 }
 
-/** Returns what makes [definition] the same as another that is remembered: the name of its topic. */
+/** Returns the identity of a remembered [definition]: the name of its topic. */
 fun keyOf(definition: String): String = nameIn(definition) ?: definition
 
-/** Returns [definitions] with those of [others], which replace those with the same names. */
+/** Returns [definitions] and [others]; the latter replace definitions with the same names. */
 fun joined(definitions: List<String>, others: List<String>): List<String> {
     val names = others.mapNotNullTo(HashSet(), ::nameIn)
     return (definitions.filter { it in others || nameIn(it) !in names } + others).distinct()
 }
 
-/** Returns [name] as it can be written in an expression over [vocabulary]: quoted if necessary. */
+/** Returns [name] for an expression over [vocabulary]: quoted if necessary. */
 fun nameInExpression(name: String, vocabulary: Vocabulary): String {
     val alone = Expression.parse("changed($name)", vocabulary)
     val isPlain = alone is Expression && alone.topics == listOf(name)

@@ -1,6 +1,6 @@
 package badlog.viewer.choices.formula
 
-/** Returns the definitions of those of these formulas that cannot be calculated without the topic of [definition], in order. */
+/** Returns the definitions of the formulas that need the topic of [definition], directly or through others, in order. */
 fun List<Formula>.usersOf(definition: String): List<String> {
     val needed = hashSetOf(find { it.definition == definition }?.topic?.name ?: return emptyList())
     return filter { formula ->
@@ -9,10 +9,10 @@ fun List<Formula>.usersOf(definition: String): List<String> {
     }.map { it.definition }
 }
 
-/** Returns why [definition] cannot be removed, as a sentence; null if it can. */
+/** Returns the reason why [definition] cannot be removed, as a sentence; null if it can. */
 fun List<Formula>.reasonToKeep(definition: String): String? = usersOf(definition).sentence("it; remove that first")
 
-/** Returns why [definition] cannot be replaced by [replacement], which has another name, as a sentence; null if it can. */
+/** Returns the reason why [definition] cannot be replaced by [replacement] with another name, as a sentence; null if it can. */
 fun List<Formula>.reasonToKeepName(definition: String, replacement: String): String? =
     if (nameIn(definition) == nameIn(replacement)) null else usersOf(definition).sentence("this name; change that first")
 

@@ -6,21 +6,23 @@ import badlog.expression.signals.Vocabulary
 /**
  * The names suggested while a person types a definition.
  *
- * @property from where the text that they would replace begins.
- * @property until where it ends.
+ * @property from the start of the text that they would replace.
+ * @property until the end of that text.
  * @property names full names, the most likely first; [nameInExpression] returns the name for a formula.
  */
 class Suggestions(val from: Int, val until: Int, val names: List<String>) {
     companion object {
-        /** Returns the suggestions for the definition [text] with the text cursor at [cursor]; none while its own name is being typed. */
+        /**
+         * Returns the suggestions for the definition [text] with the text cursor at [cursor]; none while the topic's own name is typed.
+         */
         fun of(text: String, cursor: Int, vocabulary: Vocabulary): Suggestions {
             val equals = text.indexOf('=')
             if (equals < 0 || cursor <= equals) return Suggestions(cursor, cursor, emptyList())
             val typed = text.substring(equals + 1, cursor)
-            // A name may have spaces: first everything that may belong to it is tried, then only the last word.
+            // A name may have spaces: first all text that may belong to it is tried, then only the last word.
             for (start in listOf(lastBreak(typed), typed.lastIndexOf(' ') + 1)) {
                 val begun = typed.substring(start).trimStart()
-                // Not the syntax of a search: its signs for excluding and separating are operators here.
+                // Unlike in a search, the signs for excluding and separating are operators here.
                 val words = begun.trim('"', '`').split(' ').filter { it.isNotEmpty() }
                 if (words.isEmpty()) continue
                 val found = vocabulary.signals.map { it.name }.filter { name -> words.all { name.contains(it, ignoreCase = true) } }
@@ -34,7 +36,7 @@ class Suggestions(val from: Int, val until: Int, val names: List<String>) {
         private fun rank(name: String, word: String) =
             if (name.startsWith(word, ignoreCase = true) || name.substringAfterLast('/').startsWith(word, ignoreCase = true)) 0 else 1
 
-        /** Returns the index after the last character that is not, or hardly ever, part of a name being typed. */
+        /** Returns the index after the last character that hardly ever belongs to a name being typed. */
         private fun lastBreak(typed: String): Int {
             for (end in typed.length downTo 1) {
                 if (typed[end - 1] in OPERATORS) return end

@@ -1,7 +1,7 @@
 package badlog.viewer.choices.note
 
 /**
- * What a person wrote about a moment of a log.
+ * A person's note about a moment of a log.
  *
  * @property x the moment, in the unit of the log's x axis; finite.
  * @property text the text; not blank, at most [MAX_TEXT] characters.

@@ -1,29 +1,29 @@
 package badlog.viewer.choices.note
 
 /**
- * The last change of each note of a log, whoever made it: the same in whatever order changes are read, and however often. Of two changes of
- * one note the later one counts, also if it removes the note. Immutable.
+ * The last change of each note of a log, by any author. Neither the order of the changes nor repetitions matter. Of two changes of one
+ * note the later one counts, also if it removes the note. Immutable.
  *
- * A note is known by its moment, which never changes, and by its [origin][NoteChange.origin].
+ * The moment of a note, which never changes, and its [origin][NoteChange.origin] identify it.
  */
 class NoteHistory private constructor(private val last: Map<NoteName, NoteChange>, private val named: Map<Note, NoteName>) {
-    /** Whether there was never a note. */
+    /** Whether there never was a note. */
     val isEmpty: Boolean get() = last.isEmpty()
 
-    /** The notes, in the order of x; those of one moment as they were written. */
+    /** The notes, in the order of x; notes of one moment in the order of writing. */
     val notes: List<Note>
         get() = last.values.filter { !it.isRemoved }.map { it.note }.distinct().sortedBy { it.x }.take(Note.MAX_NOTES)
 
-    /** The notes that are as they were at the beginning. With [changes], they are all of this history. */
+    /** The notes that are as they were at the beginning. Together with [changes], they are all of this history. */
     val unchanged: List<Note> get() = last.values.filter { it.time.isEmpty() }.map { it.note }
 
-    /** The last change of each note that is not as it was at the beginning; without the text of those that are removed. */
+    /** The last change of each note that is not as it was at the beginning; removed notes are without their text. */
     val changes: List<NoteChange> get() = last.values.filter { it.time.isNotEmpty() }
 
     /**
-     * Returns the changes that turn the notes [before], which somebody read from this history or an earlier one, into [notes].
+     * Returns the changes that turn the notes [before], which were read from this history or an earlier one, into [notes].
      *
-     * @param timeAfter returns the current time, which must be after that of the last change of the same note, unless that is null.
+     * @param timeAfter returns the current time, which must be after the last change of the same note, unless that is null.
      * @param newId returns an id that no other change has.
      */
     fun changesTo(
@@ -43,8 +43,8 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
                 listOf(change(newNameOf(note, newId), note))
             } else {
                 gone -= old
-                // An older badlog knows notes by their texts alone. A new text comes before the removal of the one that it replaces: if the
-                // lines are cut off, both are there rather than neither.
+                // An older badlog identifies notes by their texts alone. A new text comes before the removal of the one that it replaces:
+                // if the lines are cut off, both are there rather than neither.
                 val (name, same) = namesOf(old).let { it.first() to it.drop(1) }
                 listOf(change(name, note), change(name, old, isRemoved = true).copy(origin = null)) +
                     same.map { change(it, old, isRemoved = true) }
@@ -56,7 +56,7 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     private fun namesOf(note: Note): List<NoteName> =
         last.filterValues { !it.isRemoved && it.note == note }.keys.toList().ifEmpty { listOf(named[note] ?: nameOf(note)) }
 
-    /** A changed note may have begun at the same moment, with the same text. */
+    /** Returns a new name if another note, changed since, began at the same moment with the same text. */
     private fun newNameOf(note: Note, newId: () -> String): NoteName {
         val name = nameOf(note)
         val other = last[name] ?: return name
@@ -64,14 +64,14 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     }
 
     companion object {
-        /** Returns what [changes] make of the notes at the [beginning]. */
+        /** Returns the history of the notes at the [beginning] with [changes]. */
         fun of(beginning: List<Note>, changes: Collection<NoteChange>): NoteHistory {
             val last = LinkedHashMap<NoteName, NoteChange>()
             val named = HashMap<Note, NoteName>()
 
             fun take(change: NoteChange) {
                 val name = change.name
-                // Such a removal means the text alone, which somebody may have changed.
+                // Such a removal means only this text; the note may have another one since.
                 if (change.isRemoved && change.origin == null && last[name]?.note != change.note) return
                 if (!change.isRemoved) named[change.note] = name
                 val note = if (change.isRemoved) Note(name.first, REMOVED) else change.note
@@ -83,15 +83,15 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
             return NoteHistory(last, named)
         }
 
-        /** Stands for the text of a removed note, which nobody is to read. */
+        /** Replaces the text of a removed note, so that it can no longer be read. */
         private const val REMOVED = "removed"
     }
 }
 
-/** What a note is known by: its moment, and its origin. */
+/** The identity of a note: its moment and its origin. */
 private typealias NoteName = Pair<Double, String>
 
-/** Returns the name of a note that began as [note]. Only a number, since the text may be changed because nobody is to read it. */
+/** Returns the name of a note that began as [note]. It has a hash instead of the text, because removed texts should be unreadable. */
 private fun nameOf(note: Note): NoteName = note.x to note.text.hashCode().toString()
 
 private val NoteChange.name: NoteName get() = origin?.let { note.x to it } ?: nameOf(note)

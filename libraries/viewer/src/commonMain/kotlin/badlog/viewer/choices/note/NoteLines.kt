@@ -10,12 +10,12 @@ import badlog.viewer.choices.AppendedLines
 /**
  * One change of the notes of a log: one line of a file that is only ever appended to.
  *
- * @property id identifies it among all laptops.
- * @property time when it was made, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
- * @property author who made it.
+ * @property id identifies the change among all laptops.
+ * @property time the time of the change, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
+ * @property author the person who made the change.
  * @property note the note that was written, or removed.
- * @property isRemoved whether it was removed.
- * @property origin says which note of its moment it is, whatever its text was before; null for the one that began with this text.
+ * @property isRemoved whether the note was removed.
+ * @property origin distinguishes the note from others of its moment, whatever its text was before; null if it began with this text.
  */
 data class NoteChange(
     val id: String,
@@ -37,10 +37,10 @@ fun NoteChange.toLine(): String = jsonObject(
     "of" to origin?.let(::quotedJson),
 )
 
-/** Returns these changes as lines, each with its line break; see [toLine]. */
+/** Returns these changes as lines, each with its line break; [toLine] describes them. */
 fun List<NoteChange>.toLines(): String = joinToString("") { it.toLine() + "\n" }
 
-/** Returns the content of [text], a file of notes, see [toLine]. */
+/** Returns the content of [text], a file of notes; [toLine] describes its lines. */
 fun noteChangesOf(text: String): AppendedLines<NoteChange> = AppendedLines.of(text, ::changeOf)
 
 private fun changeOf(line: String): NoteChange? = try {
@@ -55,7 +55,7 @@ private fun changeOf(line: String): NoteChange? = try {
     null
 }
 
-/** Minus zero is another number than zero only for computers. */
+/** Returns this note with 0 for minus zero: both are the same moment. */
 internal fun Note.atNumber() = Note(x + 0.0, text)
 
 private const val WRITE = "write"

@@ -1,13 +1,13 @@
 package badlog.viewer.choices.note
 
 /**
- * The notes of a log, and the one that a person is writing. Immutable; each step returns another one.
+ * The notes of a log, and the one that a person is writing. Immutable; each step returns a new one.
  *
  * @property notes the notes, in the order of x.
- * @property draft the note that is being written or changed; null for none.
+ * @property draft the note that is being written or changed; null if there is none.
  */
 data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? = null) {
-    /** Why there cannot be one more note, as a sentence; null if there can. */
+    /** The reason why another note cannot be added, as a sentence; null if it can. */
     val fullness: String?
         get() = if (notes.size < Note.MAX_NOTES) null else "This log has ${Note.MAX_NOTES} notes; remove one first."
 
@@ -17,13 +17,13 @@ data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? =
     /** Begins to change [note]. */
     fun changing(note: Note): Notebook = copy(draft = NoteDraft(note.x, note.text, note))
 
-    /** Sets the text of the draft; what is longer than a note can be is cut off. */
+    /** Sets the text of the draft, cut off at the maximum length of a note. */
     fun typed(text: String): Notebook = copy(draft = draft?.copy(text = text.take(Note.MAX_TEXT)))
 
     /** Discards the draft. */
     fun cancelled(): Notebook = copy(draft = null)
 
-    /** Puts the draft among the notes, or in the place of the one that it changes; a draft without text is discarded. */
+    /** Adds the draft to the notes, or replaces the note that it changes; a draft without text is discarded. */
     fun kept(): Notebook {
         val written = draft ?: return this
         if (written.text.isBlank()) return cancelled()
@@ -33,10 +33,10 @@ data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? =
     /** Removes [note]. */
     fun without(note: Note): Notebook = copy(notes = notes - note)
 
-    /** Takes back that [note] was removed. */
+    /** Restores the removed [note]. */
     fun restored(note: Note): Notebook = if (note in notes) this else with(notes + note)
 
-    /** Shows [notes] instead, for example because another window has changed them; the draft stays. */
+    /** Replaces the notes by [notes], for example because another window has changed them; the draft stays. */
     fun with(notes: List<Note>): Notebook = copy(notes = inOrder(notes))
 
     private fun inOrder(notes: List<Note>) = notes.sortedBy { it.x }
@@ -45,11 +45,11 @@ data class Notebook(val notes: List<Note> = emptyList(), val draft: NoteDraft? =
 /**
  * A note that is being written.
  *
- * @property x its moment, in the unit of the log's x axis.
- * @property text what is written so far; may be empty.
+ * @property x the moment, in the unit of the log's x axis.
+ * @property text the text so far; may be empty.
  * @property replaced the note that it changes; null for a new one.
  */
 data class NoteDraft(val x: Double, val text: String, val replaced: Note?)
 
-/** What is said when the note at the time [moment] was removed. */
+/** Returns the message after the note at the time [moment] was removed. */
 fun removedText(moment: String): String = "The note at $moment was removed."

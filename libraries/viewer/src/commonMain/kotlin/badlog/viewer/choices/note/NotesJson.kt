@@ -13,9 +13,9 @@ fun List<Note>.toJson(): String = sortedBy { it.x }.joinToString(",\n", "{\"vers
 }
 
 /**
- * Returns the notes in [text], in the order of x; see [toJson]. Unknown keys are ignored.
+ * Returns the notes in [text], in the order of x; [toJson] describes it. Unknown keys are ignored.
  *
- * @throws NotesException if it has none, or too many.
+ * @throws NotesException if the text has no notes, or too many, or if one is damaged.
  */
 fun notesOfJson(text: String): List<Note> {
     val members = JsonReader.readObject(text) ?: throw NotesException("This is not an object of JSON.")

@@ -9,8 +9,8 @@ import kotlin.math.abs
  *
  * @property full the whole range.
  * @property visible the visible range; always within [full].
- * @property history what [back] returns to, the latest last.
- * @property ahead what [forward] returns to, the next one last.
+ * @property history the ranges that [back] returns to, the latest last.
+ * @property ahead the ranges that [forward] returns to, the next one last.
  */
 data class Viewport(
     val full: Span,
@@ -18,10 +18,10 @@ data class Viewport(
     private val history: List<Span> = emptyList(),
     private val ahead: List<Span> = emptyList(),
 ) {
-    /** Whether there is more to see. */
+    /** Whether only a part of the whole range is visible. */
     val isZoomed: Boolean get() = visible != full
 
-    /** Whether the end of the whole range is visible; a sum of its width and its start may miss it by a rounding error. */
+    /** Whether the end of the whole range is visible, except for a rounding error. */
     val isAtEnd: Boolean get() = full.to - visible.to <= visible.width * ROUNDING
 
     /** Whether [back] has an effect. */
@@ -30,11 +30,11 @@ data class Viewport(
     /** Whether [forward] has an effect. */
     val canGoForward: Boolean get() = ahead.isNotEmpty()
 
-    // If it were narrower, neighboring pixels would be the same number.
+    // In a narrower range, neighboring pixels would be the same number.
     private val narrowest: Double
         get() = minOf(maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300), full.width)
 
-    /** Shows the range from [from] to [to], in any order, as one of many steps of a gesture, which [back] skips. */
+    /** Shows the range from [from] to [to], in any order, as one of many steps of a gesture; [back] skips them. */
     internal fun moved(from: Double, to: Double): Viewport {
         if (!from.isFinite() || !to.isFinite()) return this
         val width = abs(to - from).coerceIn(narrowest, full.width)
@@ -45,7 +45,7 @@ data class Viewport(
     /** Shows the range from [from] to [to], in any order; [back] returns from it. */
     internal fun showing(from: Double, to: Double): Viewport = remembered().moved(from, to)
 
-    /** Shows a moment, or the range from [from] to [to], with a little around it. */
+    /** Shows a moment, or the range from [from] to [to], with some margin. */
     internal fun around(from: Double, to: Double): Viewport = showing(from - full.width / AROUND, to + full.width / AROUND)
 
     /** Remembers the visible range for [back], at the start of a gesture of many steps. */
@@ -54,7 +54,7 @@ data class Viewport(
         ahead = emptyList(),
     )
 
-    /** Makes the visible range [factor] times as wide, keeping x = [center] in place on the screen, as one of many steps. */
+    /** Makes the visible range [factor] times as wide, as one of many steps. [center] stays at its place on the screen. */
     internal fun scaled(factor: Double, center: Double): Viewport {
         val width = (visible.width * factor).coerceIn(narrowest, full.width)
         val share = (center - visible.from) / visible.width
@@ -62,7 +62,7 @@ data class Viewport(
         return moved(start, start + width)
     }
 
-    /** Zooms by [steps], in if positive, around the [cursor] if that is visible, otherwise around the middle. */
+    /** Zooms in by [steps], or out if negative: around the [cursor] if it is visible, otherwise around the middle. */
     internal fun zoomed(steps: Int, cursor: Double?): Viewport {
         val center = if (cursor != null && cursor in visible) cursor else (visible.from + visible.to) / 2
         var zoomed = remembered()
@@ -76,10 +76,10 @@ data class Viewport(
     /** Moves by [share] of the visible range, backwards if negative. */
     internal fun panned(share: Double): Viewport = remembered().shifted(visible.width * share)
 
-    /** Shows everything. */
+    /** Shows the whole range. */
     internal fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
 
-    /** Shows the time from the first of [enabled] to the last; nothing changes if that is unknown. */
+    /** Shows the time from the first to the last of [enabled]; nothing changes without one. */
     internal fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
         if (enabled.isEmpty()) return this
         val from = enabled.minOf { it.span.from }
@@ -100,7 +100,7 @@ data class Viewport(
         return copy(visible = next, history = history + visible, ahead = ahead.dropLast(1))
     }
 
-    /** Makes [x] visible, moving no further than necessary. */
+    /** Makes [x] visible, in the middle unless it already is visible. */
     internal fun revealing(x: Double): Viewport = if (x in visible ||
         !x.isFinite()
     ) {
@@ -109,7 +109,7 @@ data class Viewport(
         showing(x - visible.width / 2, x + visible.width / 2)
     }
 
-    /** Returns the viewport after the recording has grown to [grown]: it follows the end if that was visible. */
+    /** Returns the viewport after the recording has grown to [grown]. It follows the end if the end was visible. */
     internal fun grown(grown: Span): Viewport = when {
         !isZoomed -> copy(full = grown, visible = grown)
 
@@ -120,7 +120,10 @@ data class Viewport(
     }
 
     companion object {
-        /** Returns the viewport that shows all of an axis with samples in [range], null for none; a single place is widened. */
+        /**
+         * Returns the viewport that shows all of an axis with samples in [range]; 0 to 1 if that is null. A range of a single place is
+         * widened.
+         */
         fun of(range: ClosedFloatingPointRange<Double>?): Viewport {
             if (range == null) return Viewport(Span(0.0, 1.0))
             val from = range.start
@@ -135,7 +138,7 @@ data class Viewport(
         /** The factor by which a step of zooming out widens the visible range. */
         private const val ZOOM = 1.5
 
-        /** A moment is shown with one of this many parts of the whole range on either side. */
+        /** The quotient of the whole range and the margin on either side of a moment. */
         private const val AROUND = 30
     }
 }

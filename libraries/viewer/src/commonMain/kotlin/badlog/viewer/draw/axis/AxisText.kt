@@ -10,7 +10,7 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /**
- * Returns the labels of the ticks [values] of an axis, [step] apart: long enough to distinguish them, but at most
+ * Returns the labels of the ticks [values] of an axis, [step] apart. They are long enough to distinguish the ticks, but have at most
  * [letters] characters. If a number cannot be that short, `…` replaces its beginning, which is the same at all ticks.
  */
 internal fun axisTexts(values: DoubleArray, step: Double, letters: Int): List<String> {
@@ -29,7 +29,7 @@ private fun plainTexts(values: DoubleArray, step: Double): List<String> {
 }
 
 private fun exponentialTexts(values: DoubleArray, step: Double, largest: Double): List<String> {
-    // As many digits as the largest one needs to differ from its neighbors.
+    // The digits with which the largest number differs from its neighbors.
     val digits = if (largest > 0) decimalsOf(step / 10.0.pow(floor(log10(largest)))) else 0
     return values.map { if (it == 0.0) "0" else exponentialDigits(it, digits) }
 }
@@ -40,7 +40,7 @@ private fun longest(texts: List<String>): Int {
     return length
 }
 
-/** Returns how many decimals a multiple of [step] needs. A step has one digit, or two, such as 2.5. */
+/** Returns the number of decimals that a multiple of [step] needs. A step has one digit, or two, such as 2.5. */
 internal fun decimalsOf(step: Double): Int {
     if (!(step > 0)) return 0
     val ofFirst = ceil(-log10(step) - ROUNDING).toInt().coerceIn(0, MAX_DECIMALS)

@@ -3,19 +3,22 @@ package badlog.viewer.draw.axis
 import badlog.core.analysis.Span
 import badlog.core.analysis.Units
 
-/** Where the numbers of a y axis are. */
+/** The side of a graph with the numbers of a y axis. */
 enum class AxisSide {
-    /** To the left of the graph. */
+    /** The numbers are to the left of the graph. */
     LEFT,
 
-    /** To its right. */
+    /** The numbers are to the right of the graph. */
     RIGHT,
 
-    /** Nowhere: a graph has only two sides, so lines of a third unit have their own scale, but their values are only in the legend. */
+    /**
+     * The axis has no numbers: a graph has only two sides. Lines of a third unit have their own scale, but their values are only in the
+     * legend.
+     */
     NONE,
     ;
 
-    /** Returns what a legend says about a line in [unit] here: the unit, and where its numbers are, unless on the left. */
+    /** Returns the note in a legend for a line in [unit] on this axis: the unit, and the side of the numbers, unless that is the left. */
     fun legendOf(unit: String): String = when (this) {
         LEFT -> unit
         RIGHT -> if (unit.isEmpty()) "right" else "$unit, right"
@@ -26,14 +29,14 @@ enum class AxisSide {
 /**
  * The y axis of the lines of a graph that share a unit.
  *
- * @property unit the unit; empty for none.
- * @property lines the indices of its lines in the graph.
+ * @property unit the unit; empty if there is none.
+ * @property lines the indices of the axis' lines in the graph.
  */
 class GraphAxis(val unit: String, val side: AxisSide, val lines: List<Int>)
 
 /**
- * Returns the y axes of a graph whose lines have [units], null for a line that is not drawn: a hidden line leaves its axis to another unit.
- * The first unit is on the left, the second on the right; further ones have no numbers.
+ * Returns the y axes for lines with [units]; null for a line that is not drawn, so that its axis is free for another unit. The first unit
+ * is on the left, the second on the right; further ones have no numbers.
  */
 fun graphAxes(units: List<String?>): List<GraphAxis> {
     val linesOf = LinkedHashMap<String, ArrayList<Int>>()
@@ -44,9 +47,9 @@ fun graphAxes(units: List<String?>): List<GraphAxis> {
 }
 
 /**
- * Returns what each of [axes] shows, given the [wholes] that would fit the visible samples, see [limitsFor]. A person may have selected the
- * range on the [left] and on the [right]. Other axes show the same part of their whole range as the left one, so that all lines move
- * together.
+ * Returns the visible range of each of [axes]. Its whole range in [wholes] fits the visible samples, see [limitsFor]; a person may have
+ * selected the range on the [left] and on the [right]. Other axes show the same part of their whole range as the left one, so that all
+ * lines move together.
  */
 fun axisLimits(axes: List<GraphAxis>, wholes: List<Span>, left: Span?, right: Span? = null): List<Span> {
     val first = wholes.firstOrNull() ?: return emptyList()
@@ -61,7 +64,7 @@ fun axisLimits(axes: List<GraphAxis>, wholes: List<Span>, left: Span?, right: Sp
     }
 }
 
-/** Returns the part of [whole] that corresponds to [chosen] in [first]; null if numbers are too coarse. */
+/** Returns the part of [whole] that corresponds to [chosen] in [first]; null if numbers are too coarse for it. */
 private fun alike(chosen: Span, first: Span, whole: Span): Span? = Span(
     whole.from + (chosen.from - first.from) / first.width * whole.width,
     whole.from + (chosen.to - first.from) / first.width * whole.width,

@@ -7,13 +7,13 @@ import kotlin.math.log10
 import kotlin.math.pow
 
 /**
- * The places of an axis that are labeled: multiples of [step], which is 1, 2 or 5 times a power of ten.
+ * The labeled places of an axis: multiples of [step], which is 1, 2 or 5 times a power of ten.
  *
  * @property values the places, ascending.
  */
 class Ticks private constructor(val values: DoubleArray, val step: Double, private val letters: Int) {
     /**
-     * The label of each of [values], short enough for its space, with no two the same. If a number cannot be that short, `…`
+     * The label of each of [values], short enough for its space, and different from all others. If a number cannot be that short, `…`
      * replaces its beginning, which is the same at all ticks.
      */
     val texts: List<String> by lazy(LazyThreadSafetyMode.NONE) { axisTexts(values, step, letters) }
@@ -25,13 +25,13 @@ class Ticks private constructor(val values: DoubleArray, val step: Double, priva
         /** Returns the ticks of a y axis that shows [shown] on [height], in CSS pixels or dp. */
         fun ofY(shown: Span, height: Double): Ticks = of(shown, (height / Y_SPACE).toInt().coerceIn(1, MAX_Y_TICKS), Y_LETTERS)
 
-        /** Returns at most [most] + 1 ticks in [shown]; none if that is not a range. */
+        /** Returns at most [most] + 1 ticks in [shown]; none if that is empty or infinite. */
         internal fun of(shown: Span, most: Int, letters: Int): Ticks {
             val width = shown.width
             if (!(width > 0) || !width.isFinite() || most < 1) return Ticks(DoubleArray(0), 1.0, letters)
             val step = stepFor(width / most)
             val first = ceil(shown.from / step)
-            // If neighboring doubles are further apart than the step, there is nothing to count.
+            // No number of ticks is correct if neighboring doubles are further apart than the step.
             val count = (floor(shown.to / step) - first + 1).coerceIn(0.0, most + 1.0).toInt()
             return Ticks(DoubleArray(count) { (first + it) * step + 0.0 }, step, letters)
         }

@@ -2,7 +2,10 @@ package badlog.viewer.draw.color
 
 import badlog.viewer.draw.mark.RobotMode
 
-/** Returns the color that shades [mode]: amber and blue, which everybody can distinguish, and gray if the log does not have the mode. */
+/**
+ * Returns the shade of [mode]: amber for autonomous and blue for teleop, which everybody can distinguish; gray if the log does not have
+ * the mode.
+ */
 fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.AUTONOMOUS -> Shade.AUTONOMOUS
     RobotMode.TELEOP -> Shade.TELEOP
@@ -10,5 +13,5 @@ fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.ENABLED -> Shade.MUTED
 }
 
-/** Returns the opacity of the shading behind a graph: visible at a glance, but weaker than the lines on top of it. */
+/** Returns the opacity of the shade behind a graph: visible at a glance, but weaker than the lines on top of it. */
 fun modeOpacity(isDark: Boolean): Double = if (isDark) 0.11 else 0.08

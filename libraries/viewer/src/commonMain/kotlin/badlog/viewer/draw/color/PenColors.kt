@@ -20,12 +20,12 @@ class PenColors private constructor(val isDark: Boolean) {
     companion object {
         private const val OPAQUE = 0xFF shl 24
 
-        /** The light theme, also that of paper. */
+        /** The light theme, which paper also has. */
         val LIGHT: PenColors = PenColors(isDark = false)
 
         val DARK: PenColors = PenColors(isDark = true)
 
-        /** Returns those of the dark or the light theme. */
+        /** Returns the colors of the dark or the light theme. */
         fun of(isDark: Boolean): PenColors = if (isDark) DARK else LIGHT
     }
 }
@@ -40,7 +40,7 @@ fun severityShade(severity: Severity): Shade = when (severity) {
 /** Returns [color] with [opacity] from 0 to 1. */
 fun faded(color: Int, opacity: Double): Int = (color and 0xFFFFFF) or ((opacity * 255).roundToInt() shl 24)
 
-/** Returns how [color] with [opacity] looks on [ground]. */
+/** Returns the color that [color] with [opacity] has on [ground]. */
 private fun over(color: Int, ground: Int, opacity: Double): Int {
     fun mixed(shift: Int): Int {
         val top = (color shr shift) and 0xFF

@@ -1,8 +1,6 @@
 package badlog.viewer.draw.color
 
-/**
- * A color of page and window by its purpose, in the light and the dark theme, as `0xRRGGBB`.
- */
+/** A color of page and window by its purpose, in the light and the dark theme, as `0xRRGGBB`. */
 enum class Shade(private val light: Int, private val dark: Int) {
     /** The background of everything. */
     PAGE(0xF4F5F7, 0x12161C),
@@ -22,7 +20,7 @@ enum class Shade(private val light: Int, private val dark: Int) {
     /** Secondary text. */
     MUTED(0x596477, 0x9EABBB),
 
-    /** Controls, and what is selected. */
+    /** Controls, and selected elements. */
     ACCENT(0x0B62C4, 0x6CB0FF),
 
     /** The background of a selection. */
@@ -37,7 +35,7 @@ enum class Shade(private val light: Int, private val dark: Int) {
     /** The marks of events. */
     EVENT(0xA84300, 0xFFA25E),
 
-    /** Errors: data that is lost, or something that failed. */
+    /** Errors: lost data, or a failure. */
     ERROR(0xB3261E, 0xFF8F85),
 
     /** The background of an error. */
@@ -55,10 +53,10 @@ enum class Shade(private val light: Int, private val dark: Int) {
     /** The shading of graphs while the robot is autonomous. */
     AUTONOMOUS(0xE08E00, 0xE8C04A),
 
-    /** The shading of graphs while a driver controls it. */
+    /** The shading of graphs while a driver controls the robot. */
     TELEOP(0x0B62C4, 0x5AA9FF),
 
-    /** The shading of graphs while somebody tests it. */
+    /** The shading of graphs while the robot is tested. */
     TEST(0x7B3FA0, 0xC79BFF),
 
     /** A lane that is off. */
@@ -78,10 +76,10 @@ const val LINE_COLORS: Int = 16
 /** Returns the color of line [index], from 0, as `0xRRGGBB`. */
 fun lineColor(index: Int, isDark: Boolean): Int = (if (isDark) DARK_LINES else LIGHT_LINES)[index.mod(LINE_COLORS)]
 
-/** Returns the opacity of a line's color in a lane, so that text on it is readable. */
+/** Returns the opacity of a line's color in a lane, so that text on top of it is readable. */
 fun stateOpacity(isDark: Boolean): Double = if (isDark) 0.45 else 0.35
 
-/** Returns [color], given as `0xRRGGBB`, in the notation of style sheets, with [opacity] from 0 to 1. */
+/** Returns [color], which is `0xRRGGBB`, in the notation of style sheets, with [opacity] from 0 to 1. */
 fun cssColor(color: Int, opacity: Double = 1.0): String {
     val solid = "#" + color.toString(16).padStart(6, '0')
     return if (opacity == 1.0) solid else solid + (opacity * 255).toInt().toString(16).padStart(2, '0')

@@ -5,20 +5,20 @@ import badlog.core.analysis.PixelColumns
 import badlog.core.analysis.Series
 
 /**
- * The points of one line to be joined on the screen: the samples themselves if they are few, otherwise a handful for each pixel
- * column. Point `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
+ * The points of one line on the screen. They are the samples themselves if they are few, otherwise a handful for each pixel column. Point
+ * `i` is `(x[i], y[i])`; a NaN in [y] breaks the line.
  *
- * @param holdsUntil null to join samples by straight lines. Otherwise each value holds until the next sample, in steps, and the
- *   last one until this x, as for a topic that is logged when it changes. Only for an ordered series.
+ * @param holdsUntil null to join samples by straight lines. Otherwise each value holds until the next sample, in steps, and the last one
+ *   until this x, as for a topic that is logged when it changes. Only for an ordered series.
  */
 class Curve(private val series: Series, private val holdsUntil: Double? = null) {
     private val downsampling = Downsampling(series)
 
-    /** The x of each point, in its first [size] entries. */
+    /** The x of each point, in the first [size] entries. */
     var x: DoubleArray = DoubleArray(0)
         private set
 
-    /** The value of each point, NaN where the line is broken, in its first [size] entries. */
+    /** The value of each point, in the first [size] entries; NaN where the line is broken. */
     var y: DoubleArray = DoubleArray(0)
         private set
 
@@ -35,7 +35,7 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
     var max: Double = Double.NaN
         private set
 
-    /** Whether the samples are so far apart that each deserves a dot. */
+    /** Whether the samples are so far apart that each has a dot. */
     var isSparse: Boolean = false
         private set
 
@@ -43,7 +43,7 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
     var isDense: Boolean = false
         private set
 
-    /** Finds the points for the range from [from] to [to], on a screen of as many columns as [columns] has. */
+    /** Finds the points for the range from [from] to [to], on a screen with the pixel columns of [columns]. */
     fun draw(from: Double, to: Double, columns: PixelColumns) {
         size = 0
         min = Double.NaN
@@ -88,7 +88,7 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
         if (holdsUntil != null && size > 0 && !y[size - 1].isNaN()) addPoint(atX, y[size - 1], isCorner = true)
     }
 
-    /** Adds sample [index], which is outside the frame, so that the line to [neighbor] leaves the frame. */
+    /** Adds sample [index], which is outside the frame, so that the line to [neighbor] leaves the frame. It is cut off at [limit]. */
     private fun addNeighbor(index: Int, neighbor: Int, limit: Double) {
         if (index !in 0 until series.size) return
         val far = series.x[index]
@@ -103,12 +103,12 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
             addPoint(far, series.y[index])
             return
         }
-        // Far away, pixel coordinates would be too large for drawing, so the line is clipped where it is invisible.
+        // Distant pixel coordinates would be too large for drawing, so the line is cut off where it is invisible.
         val share = (limit - near) / (far - near)
         addPoint(limit, series.y[neighbor] + (series.y[index] - series.y[neighbor]) * share)
     }
 
-    // x goes backwards somewhere: the line is drawn in the order of the file, and broken where it would run back.
+    // x goes backwards somewhere. The line is drawn in the order of the file, and broken where it would run back.
     private fun drawUnordered(from: Double, to: Double, columns: PixelColumns) {
         if (series.x.count { it in from..to } > columns.count * SAMPLES_PER_COLUMN) {
             drawColumns(from, to, columns)
@@ -141,7 +141,7 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
         see(least)
         see(most)
         if (!first.isNaN()) addPoint(center, first)
-        // The order within the column that goes back the least.
+        // This order within the column goes back the least.
         val isRising = first.isNaN() || last.isNaN() || first <= last
         val near = if (isRising) least else most
         val far = if (isRising) most else least
@@ -150,7 +150,7 @@ class Curve(private val series: Series, private val holdsUntil: Double? = null) 
         if (!last.isNaN() && last != far) addPoint(center, last)
     }
 
-    /** Returns whether point [index] is not a sample, but the end of a value that held until there. */
+    /** Returns whether point [index] is not a sample, but the end of a held value. */
     fun isCorner(index: Int): Boolean = isCorner[index]
 
     private fun addPoint(atX: Double, atY: Double, isCorner: Boolean = false) {

@@ -6,8 +6,7 @@ import kotlin.math.abs
 /**
  * Maps the values of an axis to the screen: [from] to the pixel [start], and [to] to a pixel [length] further on.
  *
- * @property farthest the maximum distance of a place from 0: coordinates far outside the screen would be too large
- * for drawing.
+ * @property farthest the maximum distance of a place from 0, because coordinates far outside the screen would be too large for drawing.
  */
 class Scale(
     private val from: Double,
@@ -19,7 +18,7 @@ class Scale(
     /** The difference between the values of two adjacent pixels. */
     internal val unitsPerPixel: Double get() = abs((to - from) / length)
 
-    /** Returns the place of [value]. */
+    /** Returns the pixel of [value]. */
     fun placeOf(value: Double): Double {
         val place = start + (value - from) / (to - from) * length
         return if (place > farthest) {
@@ -32,13 +31,13 @@ class Scale(
     }
 
     companion object {
-        /** Leaves values as they are. */
+        /** The scale that leaves values as they are. */
         val NONE: Scale = Scale(0.0, 1.0, 1.0)
 
         /** Returns the scale of [span] from left to right over [width] pixels, starting at [left]. */
         fun ofX(span: Span, width: Double, left: Double = 0.0): Scale = Scale(span.from, span.to, width, left)
 
-        /** Returns the scale of [span] upwards over [height] pixels, the highest of which is [top]. */
+        /** Returns the scale of [span] upwards over [height] pixels; [top] is the highest pixel. */
         fun ofY(span: Span, height: Double, top: Double = 0.0): Scale = Scale(span.to, span.from, height, top, MAX_DISTANCE * height + top)
 
         private const val MAX_DISTANCE = 50.0

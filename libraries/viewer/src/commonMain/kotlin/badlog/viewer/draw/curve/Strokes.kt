@@ -1,16 +1,16 @@
 package badlog.viewer.draw.curve
 
 /**
- * A [Curve] ready to be drawn: strokes between its gaps, and dots. The arrays are kept from one drawing to the next.
+ * A [Curve] ready for drawing: the strokes between its gaps, and dots. The arrays are reused for the next drawing.
  *
- * Every sample has a dot if there are few; otherwise only isolated samples between two gaps, which no stroke would show.
+ * Every sample has a dot if there are few; otherwise only isolated samples between two gaps have one, because no stroke shows them.
  */
 class Strokes {
-    /** x and y of all points, alternating; stroke `i` has those from index [startOf] until [endOf]. */
+    /** x and y of all points, alternating; stroke `i` has the numbers from index [startOf] until [endOf]. */
     var points: DoubleArray = DoubleArray(0)
         private set
 
-    /** The number of strokes. One may be a single point. */
+    /** The number of strokes. A stroke may be a single point. */
     var count: Int = 0
         private set
 
@@ -22,32 +22,34 @@ class Strokes {
     var dotsSize: Int = 0
         private set
 
-    /** See [Curve.isSparse]. */
+    /** Whether the samples are far apart, see [Curve.isSparse]. */
     var isSparse: Boolean = false
         private set
 
-    /** Whether there are so many that thin lines cover the same area, see [Curve.isDense]; thicker ones take many times longer. */
+    /**
+     * Whether there are so many points that thin lines cover the same area, see [Curve.isDense]; thicker lines take many times longer.
+     */
     var isDense: Boolean = false
         internal set
 
-    /** See [Curve.min]. */
+    /** The smallest visible value, see [Curve.min]. */
     var min: Double = Double.NaN
         private set
 
-    /** See [Curve.max]. */
+    /** The largest visible value, see [Curve.max]. */
     var max: Double = Double.NaN
         private set
 
     private var ends = IntArray(0)
     private var size = 0
 
-    /** Returns where in [points] stroke [index] begins. */
+    /** Returns the index in [points] where stroke [index] begins. */
     fun startOf(index: Int): Int = if (index == 0) 0 else ends[index - 1]
 
-    /** Returns where in [points] stroke [index] ends. */
+    /** Returns the index in [points] where stroke [index] ends. */
     fun endOf(index: Int): Int = ends[index]
 
-    /** Takes the points of [curve], at the places given by [x] and [y]. */
+    /** Replaces the content by the points of [curve], mapped by the scales [x] and [y]. */
     fun trace(curve: Curve, x: Scale, y: Scale) {
         isSparse = curve.isSparse
         isDense = curve.isDense
@@ -80,20 +82,20 @@ class Strokes {
         points[size++] = y
     }
 
-    /** Applies the scale [y] to strokes that were traced with logged values of y: the scale may be known only after others were traced. */
+    /** Maps strokes with logged values of y by the scale [y]: it may be known only after other curves were traced. */
     fun place(y: Scale) {
         for (i in 1 until (if (count == 0) 0 else ends[count - 1]) step 2) points[i] = y.placeOf(points[i])
         for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])
     }
 
-    /** Applies the scales [x] and [y]. */
+    /** Maps all places by the scales [x] and [y]. */
     fun place(x: Scale, y: Scale) {
         for (i in 0 until size step 2) points[i] = x.placeOf(points[i])
         for (i in 0 until dotsSize step 2) dots[i] = x.placeOf(dots[i])
         place(y)
     }
 
-    /** Moves everything by [right] and [down]. */
+    /** Moves all places by [right] and [down]. */
     fun move(right: Double, down: Double) {
         for (i in 0 until size) points[i] += if (i % 2 == 0) right else down
         for (i in 0 until dotsSize) dots[i] += if (i % 2 == 0) right else down
@@ -106,7 +108,7 @@ class Strokes {
         ends[count++] = size
     }
 
-    /** Puts a dot at ([x], [y]). */
+    /** Adds a dot at ([x], [y]). */
     internal fun dot(x: Double, y: Double) {
         if (dotsSize == dots.size) dots = dots.copyOf(maxOf(FIRST_DOTS, dotsSize * 2))
         dots[dotsSize++] = x

@@ -5,8 +5,8 @@ import badlog.viewer.draw.color.Shade
 import badlog.viewer.text.countText
 
 /**
- * Draws a self-explanatory figure: at the top [title], usually the log's name, with the visible range and the cursor; then the [parts], which
- * draw themselves one below the other; at the bottom the findings in that range.
+ * Draws a self-explanatory figure. At the top is the [title], usually the log's name, with the visible range and the cursor; then the
+ * [parts], which draw themselves one below the other; at the bottom the findings in the range.
  */
 fun Sheet.figure(title: String, notes: FigureNotes, parts: List<(Sheet) -> Unit>) {
     line(HEADING)
@@ -26,14 +26,14 @@ fun Sheet.figure(title: String, notes: FigureNotes, parts: List<(Sheet) -> Unit>
 }
 
 /**
- * What a figure's legend says about a line.
+ * An entry of a figure's legend.
  *
- * @property text its name, and its value at the cursor.
- * @property color the index of its color; null for none.
+ * @property text the name of the line, and its value at the cursor.
+ * @property color the index of the line's color; null if it has none.
  */
 class LegendEntry(val text: String, val color: Int?)
 
-/** Writes the title of a graph, and its [legend]. */
+/** Writes the title of a graph with its [unit], and its [legend]. */
 fun Sheet.graphHead(title: String, unit: String, legend: List<LegendEntry>) {
     line(GRAPH_HEADING)
     text(if (unit.isEmpty()) title else "$title ($unit)", GRAPH_TITLE, PenColors.LIGHT[Shade.TEXT], isBold = true)

@@ -18,15 +18,15 @@ import badlog.viewer.text.word
  *
  * @property place the file, the visible range and the cursors' places, in one line.
  * @property findings the findings in that range, the worst first, at most [MAX_NAMED].
- * @property moreFindings how many more there are in that range.
+ * @property moreFindings the number of further findings in that range.
  */
 class FigureNotes private constructor(val place: String, val findings: List<NamedFinding>, val moreFindings: Int) {
     companion object {
-        /** More would take more room than the graphs. */
+        /** The maximum number of findings with their texts: more would take more room than the graphs. */
         const val MAX_NAMED: Int = 8
 
         /**
-         * Returns the notes of a figure of [visible] on [axis]; [fileName] is empty if the title already has it; [found] is null if the
+         * Returns the notes of a figure of [visible] on [axis]. [fileName] is empty if the title already has it, [found] null if the
          * findings are unknown.
          */
         fun of(
@@ -58,7 +58,7 @@ class FigureNotes private constructor(val place: String, val findings: List<Name
 /**
  * A finding in a figure.
  *
- * @property head its severity and its first place in the visible range: `error · 93.71 s`.
- * @property text the rule and what it found there.
+ * @property head the severity and the first place in the visible range: `error · 93.71 s`.
+ * @property text the rule, and its finding at that place.
  */
 class NamedFinding internal constructor(val severity: Severity, val head: String, val text: String)

@@ -8,34 +8,34 @@ import badlog.viewer.draw.pen.fittedStart
 /**
  * The sheet on which a figure is drawn from top to bottom, in the colors of paper. Its lengths are in CSS pixels.
  *
- * @property width its width.
+ * @property width the width of the sheet.
  * @property pen the pen; [Pen.density] of its pixels are one CSS pixel.
  */
 class Sheet(val width: Int, val pen: Pen) {
     private val density = pen.density
 
-    /** Where the next part begins, from the top. */
+    /** The top of the next part. */
     var top: Double = 0.0
         private set
 
-    /** Where the next [text] in a line begins, from the left. */
+    /** The left end of the next [text] in a line. */
     private var left = MARGIN
 
-    /** The height of all that was drawn, with a margin. */
+    /** The height of the drawn parts, with a margin. */
     val height: Double get() = top + GAP
 
-    /** Leaves so much space. */
+    /** Leaves a space of this height. */
     fun space(high: Double) {
         top += high
     }
 
-    /** Begins a line of text that is [high] high. */
+    /** Begins a line of text of this height. */
     fun line(high: Double) {
         top += high
         left = MARGIN
     }
 
-    /** Writes [text] at the current place in the line, with a font size of [letters]; cut at the edge of the sheet. */
+    /** Writes [text] at the current place in the line, with a font size of [letters]. The text is cut off at the edge of the sheet. */
     fun text(text: String, letters: Double, color: Int = PenColors.LIGHT[Shade.MUTED], isBold: Boolean = false) {
         val size = letters * density
         val shown = pen.fittedStart(text, maxOf(0.0, width - MARGIN - left) * density, size, isBold)
@@ -49,7 +49,7 @@ class Sheet(val width: Int, val pen: Pen) {
         text(text, letters)
     }
 
-    /** Returns whether [text] fits into what is left of the line. */
+    /** Returns whether [text] fits into the rest of the line. */
     fun hasRoomFor(text: String, letters: Double): Boolean = left + widthOf(text, letters) + 2 * letters <= width
 
     private fun widthOf(text: String, letters: Double) = pen.widthOf(text, letters * density) / density
@@ -60,7 +60,7 @@ class Sheet(val width: Int, val pen: Pen) {
         left += SWATCH + GAP / 2
     }
 
-    /** Draws a part that is [high] high with [draw], whose origin is the current place on the sheet. */
+    /** Draws a part of this height with [draw], at the current place on the sheet. */
     fun part(high: Double, draw: (Pen) -> Unit) {
         pen.moved(0.0, top * density) { draw(pen) }
         top += high
@@ -74,7 +74,7 @@ class Sheet(val width: Int, val pen: Pen) {
         private const val GAP = 8.0
         private const val SWATCH = 10.0
 
-        /** The middle of small letters above the line's bottom, as a fraction of the font size. */
+        /** The height of the middle of small letters above the line's bottom, as a fraction of the font size. */
         private const val RISE = 0.35
     }
 }

@@ -5,19 +5,17 @@ import badlog.core.analysis.StateRuns
 import kotlin.math.ceil
 import kotlin.math.floor
 
-/**
- * The parts of a lane, each in one state, in drawing order. The arrays are reused for the next drawing.
- */
+/** The blocks of a lane, each in one state, in drawing order. The arrays are reused for the next drawing. */
 class LaneBlocks {
-    /** Where each block begins, in pixels from the frame's left edge, in the first [size] entries. */
+    /** The start of each block, in pixels from the frame's left edge, in the first [size] entries. */
     var left: DoubleArray = DoubleArray(0)
         private set
 
-    /** Where each block ends. */
+    /** The end of each block likewise. */
     var right: DoubleArray = DoubleArray(0)
         private set
 
-    /** The state of each block. */
+    /** The state of each block, in the first [size] entries. */
     var states: IntArray = IntArray(0)
         private set
 
@@ -28,9 +26,9 @@ class LaneBlocks {
     private var slivers = IntArray(0)
 
     /**
-     * Finds the visible parts of [runs] in [span] on [width] physical pixels, [density] for each CSS pixel or dp. No state is lost: one
-     * shorter than [LaneLook.MIN_BLOCK] gets that many, on top of its longer neighbors; if several compete, the state that is rarest in the
-     * recording is shown.
+     * Finds the visible blocks of [runs] in [span] on [width] physical pixels; a CSS pixel or dp has [density]. No state is lost. One
+     * that is shorter than [LaneLook.MIN_BLOCK] is that wide, on top of its longer neighbors; if several compete, the state that is
+     * rarest in the recording is shown.
      */
     fun place(runs: StateRuns, span: Span, width: Double, density: Double) {
         val shortest = ceil(LaneLook.MIN_BLOCK * density).toInt()

@@ -1,14 +1,14 @@
 package badlog.viewer.draw.lane
 
-/** How a block of a lane is colored. */
+/** The tone of a block of a lane. */
 enum class LaneTone {
-    /** Almost not at all: it must be visible at a glance when a switch is pressed, so the other times are muted. */
+    /** Hardly colored, so that the time when a switch is pressed stands out. */
     OFF,
 
-    /** In the state's color, muted enough for a name on top of it. */
+    /** The state's color, muted enough for a name on top of it. */
     QUIET,
 
-    /** In the state's full color: a few pixels of a muted one would be invisible. */
+    /** The state's full color: a few pixels of a muted color would be invisible. */
     STRONG,
     ;
 
@@ -26,10 +26,10 @@ enum class LaneTone {
 
 /** Dimensions of all lanes, in CSS pixels of the page or dp of the window. */
 object LaneLook {
-    /** The height of a lane, with the space to the next. */
+    /** The height of a lane, with the space to the next one. */
     const val HEIGHT: Int = 18
 
-    /** The width of the shortest state. */
+    /** The minimum width of a block. */
     const val MIN_BLOCK: Double = 1.5
 
     /** The font size of a state's name. */
@@ -39,7 +39,7 @@ object LaneLook {
     const val MARGIN: Double = 5.0
 
     /**
-     * Returns whether [room] pixels are enough for a name, or its beginning and `…`: a few letters mean nothing, or look like another
+     * Returns whether [room] pixels are enough for a name, or for its beginning and `…`. A few letters mean nothing, or look like another
      * state's name.
      */
     fun hasRoom(room: Double, isWhole: Boolean): Boolean = room >= if (isWhole) LETTERS else PART

@@ -10,10 +10,10 @@ class Clocks(view: LogView, private val modes: ModeTimeline) {
     private val firstX = view.xAxis.range?.start ?: 0.0
     private val start = view.recording.values.firstOrNull { it.name == "Start Time" }?.let { TIME_OF_DAY.find(it.text) }
 
-    /** Returns the phase and the time since the robot was enabled at [x]; null if it is unknown. */
+    /** Returns the phase and the time since the robot was enabled at [x]; null if unknown. */
     fun matchAt(x: Double): String? = modes.clockAt(x)
 
-    /** Returns the local time of day at [x] where the log was made: `14:03:22`; null if the log does not say when it began. */
+    /** Returns the local time of day at [x], at the place of recording: `14:03:22`; null if the log does not say when it began. */
     fun dayAt(x: Double): String? {
         if (start == null || secondsOfX == null || !x.isFinite()) return null
         val (hours, minutes, seconds, fraction) = start.destructured
@@ -25,7 +25,7 @@ class Clocks(view: LogView, private val modes: ModeTimeline) {
         return parts.joinToString(":") { it.toString().padStart(2, '0') }
     }
 
-    /** Returns both: `Teleop 1:23 · 14:03:22`; empty if neither is known. */
+    /** Returns the texts of both clocks: `Teleop 1:23 · 14:03:22`; empty if neither is known. */
     fun textAt(x: Double): String = listOfNotNull(matchAt(x), dayAt(x)).joinToString(" · ")
 
     private companion object {

@@ -4,9 +4,9 @@ import badlog.core.analysis.Span
 import kotlin.math.floor
 
 /**
- * The marks of events on a time line, each for one or more events that share a pixel: a head with a line below it, or a tick
- * for events that crowd behind another one, so that a chatty robot does not hide its graphs. Errors and warnings keep their
- * heads in any crowd. The arrays are reused for the next drawing.
+ * The marks of events on a time line, each for one or more events that share a pixel. A mark is a head with a line below it, or a tick
+ * for events that crowd behind another one, so that a chatty robot does not hide its graphs. Errors and warnings keep their heads in any
+ * crowd. The arrays are reused for the next drawing.
  */
 class EventMarks {
     private var pixels = DoubleArray(0)
@@ -15,21 +15,21 @@ class EventMarks {
     var size: Int = 0
         private set
 
-    /** Returns where mark [index] stands, in pixels from the left. */
+    /** Returns the place of mark [index], in pixels from the left. */
     fun pixelOf(index: Int): Double = pixels[index]
 
     /** Returns whether one of the events of mark [index] is an error or a warning. */
     fun isSerious(index: Int): Boolean = looks[index] and SERIOUS != 0
 
-    /** Returns whether mark [index] is more than a tick. */
+    /** Returns whether mark [index] has a head; otherwise it is a tick. */
     fun hasHead(index: Int): Boolean = looks[index] and HEAD != 0
 
     /** Returns whether a line runs down from mark [index]. */
     fun hasLine(index: Int): Boolean = looks[index] and LINE != 0
 
     /**
-     * Finds the marks of those of [events] in [span], over [width] physical pixels, [onePixel] of which are one CSS pixel or
-     * dp. The cost depends on the number of pixels, not of events.
+     * Finds the marks of the [events] in [span], over [width] physical pixels; a CSS pixel or dp has [onePixel]. The cost depends on the
+     * number of pixels, not of events.
      */
     fun place(events: EventTimeline, span: Span, width: Double, onePixel: Double) {
         size = 0
@@ -47,7 +47,7 @@ class EventMarks {
     }
 
     private fun add(pixel: Double, isSerious: Boolean) {
-        // Due to rounding, the event skipped to may be in this pixel again.
+        // Because of rounding, the next event may be in this pixel again.
         val isSame = size > 0 && pixels[size - 1] == pixel
         if (!isSame && size++ == pixels.size) {
             pixels = pixels.copyOf(maxOf(FIRST_MARKS, size * 2))

@@ -10,10 +10,10 @@ import badlog.viewer.shown.search.Trait
 import kotlin.math.abs
 
 /**
- * Events of several topics in the order of x, without an object for each. Those without an x come last. At the same x, events of
- * an earlier log come first, and those of one log keep their order.
+ * Events of several topics in the order of x, without an object for each. Events without an x come last. At the same x, events of an
+ * earlier log come first, and events of one log keep their order.
  *
- * @property x the place of each event; NaN where the x axis has a gap. Not to be changed.
+ * @property x the x of each event; NaN where the x axis has a gap. Must not be changed.
  */
 class EventTimeline private constructor(
     val x: DoubleArray,
@@ -23,7 +23,7 @@ class EventTimeline private constructor(
 ) {
     val size: Int get() = x.size
 
-    /** The number of events with an x; these are the first ones. */
+    /** The number of events with an x, which are the first ones. */
     val placedCount: Int = x.size - x.count { it.isNaN() }
 
     private val places = x.copyOf(placedCount).let { Series(it, it) }
@@ -46,23 +46,25 @@ class EventTimeline private constructor(
     /** Returns the full name of the topic of event [index]. */
     fun topicOf(index: Int): String = logs[logOf[index]].name
 
-    /** Returns the first event at or after [position]; [placedCount] when there is none. */
+    /** Returns the index of the first event at or after [position]; [placedCount] if there is none. */
     fun firstAtOrAfter(position: Double): Int = places.firstAtOrAfter(position)
 
-    /** Returns the event nearest to [position]; -1 when none has an x. */
+    /** Returns the index of the event nearest to [position]; -1 if none has an x. */
     fun nearest(position: Double): Int = places.nearest(position)
 
-    /** Returns the event nearest to [position] if it is no further than [distance], otherwise null. */
+    /** Returns the event nearest to [position] if it is at most [distance] away, otherwise null. */
     fun nearest(position: Double, distance: Double): Event? =
         nearest(position).takeIf { it >= 0 && abs(x[it] - position) <= distance }?.let(::eventAt)
 
-    /** Returns the last event at or before [position]; null before the first. */
+    /** Returns the last event at or before [position]; null if there is none. */
     fun lastBefore(position: Double): Event? = (places.firstAfter(position) - 1).takeIf { it >= 0 }?.let(::eventAt)
 
-    /** Returns whether one of the events from index [from] until [until], which have an x, calls itself an error or a warning. */
+    /** Returns whether an event from index [from] until [until] says that it is an error or a warning. These events must have an x. */
     internal fun areSerious(from: Int, until: Int): Boolean = seriousBefore[until] > seriousBefore[from]
 
-    /** Returns the events whose text or topic [query] finds, limited to the topics called [topics]; empty for all. */
+    /**
+     * Returns the events with a text or topic that matches [query]. They are limited to the topics called [topics], unless that is empty.
+     */
     fun matching(query: Query, topics: Set<String> = emptySet()): EventTimeline {
         if (query.isEmpty && topics.isEmpty()) return this
         val fits = logs.map { log ->

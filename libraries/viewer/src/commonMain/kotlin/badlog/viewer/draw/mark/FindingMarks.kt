@@ -7,17 +7,17 @@ import kotlin.math.floor
 /**
  * The mark of a finding of one severity on the time axis.
  *
- * @property outline its corners, alternating x and y, from -1 to 1; y points down. Empty for a circle.
- * @property isHollow whether only its outline is drawn.
+ * @property outline the corners, alternating x and y, from -1 to 1; y points down. Empty for a circle.
+ * @property isHollow whether only the outline is drawn.
  */
 enum class FindingGlyph(val outline: DoubleArray, val isHollow: Boolean) {
-    /** An error. */
+    /** The mark of an error. */
     DIAMOND(doubleArrayOf(0.0, -1.0, 1.0, 0.0, 0.0, 1.0, -1.0, 0.0), isHollow = false),
 
-    /** A warning. */
+    /** The mark of a warning. */
     TRIANGLE(doubleArrayOf(0.0, -1.0, 1.0, 1.0, -1.0, 1.0), isHollow = false),
 
-    /** A note: a ring, a little smaller. */
+    /** The mark of a note: a ring, somewhat smaller. */
     RING(doubleArrayOf(), isHollow = true),
     ;
 
@@ -35,8 +35,8 @@ enum class FindingGlyph(val outline: DoubleArray, val isHollow: Boolean) {
 }
 
 /**
- * The marks of findings on a time axis, in drawing order, the worst last: glyphs where places begin, one for all of a severity that would
- * hide each other, some with a line; and runs of pixels for findings that last. The arrays are reused for the next drawing.
+ * The marks of findings on a time axis, in drawing order, the worst last. Places begin with a glyph, one for all of a severity that would
+ * hide each other, some with a line; findings that last have runs of pixels. The arrays are reused for the next drawing.
  */
 class FindingMarks {
     private var pixels = DoubleArray(0)
@@ -51,25 +51,25 @@ class FindingMarks {
     var runCount: Int = 0
         private set
 
-    /** Returns where glyph [index] is, in pixels from the left. */
+    /** Returns the place of glyph [index], in pixels from the left. */
     fun pixelOf(index: Int): Double = pixels[index]
 
     /** Returns the severity of glyph [index]. */
     fun severityOf(index: Int): Severity = Severity.entries[looks[index] / 2]
 
-    /** Returns whether there is room for a line at glyph [index]: a crowd of lines would hide the graph. */
+    /** Returns whether glyph [index] has room for a line: a crowd of lines would hide the graph. */
     fun hasLine(index: Int): Boolean = looks[index] % 2 == 1
 
-    /** Returns where run [index] begins, in pixels from the left. */
+    /** Returns the start of run [index], in pixels from the left. */
     fun runFrom(index: Int): Double = (if (index == 0) 0 else runEnds[index - 1]) * onePixel
 
-    /** Returns where run [index] ends. */
+    /** Returns the end of run [index], in pixels from the left. */
     fun runTo(index: Int): Double = runEnds[index] * onePixel
 
-    /** Returns the worst severity found over run [index]; null for nothing. */
+    /** Returns the worst severity found over run [index]; null if nothing was found there. */
     fun runSeverity(index: Int): Severity? = Severity.entries.getOrNull(worst[runEnds[index] - 1] - 1)
 
-    /** Finds the marks of those of [findings] in [span], over [width] physical pixels, [onePixel] of which are one CSS pixel or dp. */
+    /** Finds the marks of the [findings] in [span], over [width] physical pixels; a CSS pixel or dp has [onePixel]. */
     fun place(findings: FindingTimeline<*>, span: Span, width: Double, onePixel: Double) {
         this.onePixel = onePixel
         size = 0
@@ -123,7 +123,10 @@ class FindingMarks {
         floor((x - span.from) / span.width * columns).coerceIn(0.0, columns - 1.0).toInt()
 
     private companion object {
-        /** Two glyphs closer than this, in CSS pixels or dp, are merged: a thousand of them would take a frame, and show nothing more. */
+        /**
+         * The distance below which two glyphs are merged, in CSS pixels or dp: a thousand of them would take a frame, and show nothing
+         * more.
+         */
         const val CROWDED = 4
 
         /** The minimum distance between two lines, in CSS pixels or dp. */

@@ -4,33 +4,39 @@ import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import kotlin.math.abs
 
-/** A place on the x axis, [span], at which [finding] was found; a moment has no width. */
+/** A place of [finding] on the x axis, at [span]; a moment has no width. */
 class FindingPlace<F>(val finding: F, val severity: Severity, val span: Span)
 
 /**
  * The findings of a recording by their places on the x axis.
  *
  * @param severityOf returns the severity of a finding.
- * @param placesOf returns its places, the one to look at first before the others; empty if it is about the whole log.
+ * @param placesOf returns the places of a finding, the one to look at first before the others; empty if it is about the whole log.
  */
 class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, placesOf: (F) -> List<Span>) {
     /** All places of all findings, in the order of x. */
     val places: List<FindingPlace<F>> =
         all.flatMap { finding -> placesOf(finding).map { FindingPlace(finding, severityOf(finding), it) } }.sortedBy { it.span.from }
 
-    // For each place, the last end of it and all previous ones: a log may have ten thousand places, and they are needed in each frame.
+    // For each place, the last end of it and all previous ones: a log may have ten thousand places, and each frame needs them.
     private val lastEnds = DoubleArray(places.size).also { ends ->
         for (i in ends.indices) ends[i] = if (i == 0) places[0].span.to else maxOf(ends[i - 1], places[i].span.to)
     }
 
-    /** The worst first, and within a severity in the order of x; findings about the whole log come before those with a place. */
+    /**
+     * All findings, the worst first, and within a severity in the order of x. Findings about the whole log come before the ones with a
+     * place.
+     */
     val worstFirst: List<F> = all.map { it to (placesOf(it).firstOrNull()?.from ?: Double.NEGATIVE_INFINITY) }
         .sortedWith(compareBy({ -severityOf(it.first).ordinal }, { it.second })).map { it.first }
 
     /** Returns the places of [finding], in the order of x. */
     private fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
-    /** Returns the place at [x] of the finding for which [isMeant] is true, or else of the worst one that begins there; null for none. */
+    /**
+     * Returns the place that begins at [x]: one with a finding for which [isMeant] is true, otherwise with the worst finding; null if
+     * there is none.
+     */
     fun placeAt(x: Double, isMeant: (F) -> Boolean): FindingPlace<F>? =
         places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isMeant(it.finding) }, { it.severity }))
 
@@ -46,15 +52,15 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     }
 
     /**
-     * Returns the place of [finding] that is [steps] after the one that begins at [x], or after its first one if none does; not
-     * beyond its last or first. Null if it has no place.
+     * Returns the place of [finding] that is [steps] after the one that begins at [x]. If none does, it counts from the first place. The
+     * steps end at the first and last place. Null if the finding has no place.
      */
     fun within(finding: F, x: Double, steps: Int): FindingPlace<F>? {
         val own = placesOf(finding)
         return own.getOrNull((maxOf(0, own.indexOfFirst { it.span.from == x }) + steps).coerceIn(0, maxOf(0, own.size - 1)))
     }
 
-    /** Returns how many are of [severity]. */
+    /** Returns the number of findings of [severity]. */
     fun count(severity: Severity): Int = worstFirst.count { severityOf(it) == severity }
 
     /** Returns the findings with a place at most [distance] from [x], or lasting over it, the worst first. */
@@ -69,8 +75,9 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     }
 
     /**
-     * Returns the finding whose mark, at the start of a place in [visible], is at most [reach] from [x]: the worst of the nearest
-     * ones. Otherwise the worst of those that last over x, or end at most half the reach from it; null for none.
+     * Returns the finding that a pointer at [x] points at; null if there is none. It is the worst of the nearest ones with a mark, at the
+     * start of a place in [visible], at most [reach] away. Otherwise it is the worst one that lasts over x, or ends at most half the
+     * reach from it.
      */
     fun pointedAt(x: Double, reach: Double, visible: Span): F? {
         val nearest = places.filter { it.span.from in visible && abs(it.span.from - x) <= reach }

@@ -3,7 +3,7 @@ package badlog.viewer.draw.mark
 import badlog.core.analysis.Span
 import kotlin.math.floor
 
-/** The bands that shade when the robot was enabled, from left to right. The arrays are reused for the next drawing. */
+/** The bands that shade the time when the robot was enabled, from left to right. The arrays are reused for the next drawing. */
 class ModeBands {
     private var left = DoubleArray(FIRST_BANDS)
     private var right = DoubleArray(FIRST_BANDS)
@@ -12,7 +12,7 @@ class ModeBands {
     var size: Int = 0
         private set
 
-    /** Returns where band [index] begins, in pixels from the left. */
+    /** Returns the start of band [index], in pixels from the left. */
     fun leftOf(index: Int): Double = left[index]
 
     fun rightOf(index: Int): Double = right[index]
@@ -21,7 +21,7 @@ class ModeBands {
 
     /**
      * Finds the bands of [timeline] in [span], over [width] pixels. The cost is limited by the number of pixels, however often the robot
-     * was enabled; bands shorter than a pixel get one pixel.
+     * was enabled. Bands shorter than a pixel get one pixel.
      */
     fun place(timeline: ModeTimeline, span: Span, width: Double) {
         size = 0
@@ -40,7 +40,7 @@ class ModeBands {
 
     private fun add(from: Double, to: Double, mode: RobotMode) {
         val last = size - 1
-        // A band that touches the previous one continues it, or begins where it ends.
+        // A band that touches the previous one extends it if the mode is the same; otherwise it begins at its end.
         if (last >= 0 && modes[last] == mode.ordinal && from - right[last] < 1) {
             right[last] = maxOf(right[last], to)
             return

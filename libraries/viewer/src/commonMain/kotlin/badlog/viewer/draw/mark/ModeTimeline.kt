@@ -15,33 +15,33 @@ import kotlin.math.floor
 /**
  * The mode of an enabled robot.
  *
- * @property title its name in front ends.
+ * @property title the name in front ends.
  */
 enum class RobotMode(val title: String) {
     /** The robot controls itself. */
     AUTONOMOUS("Auto"),
 
-    /** A driver controls it. */
+    /** A driver controls the robot. */
     TELEOP("Teleop"),
 
-    /** Nobody plays: the mode for tests, until 2026. */
+    /** The robot is tested; until 2026. */
     TEST("Test"),
 
-    /** The same from 2027 on. */
+    /** The robot is tested; from 2027 on. */
     UTILITY("Utility"),
 
-    /** Any of them; the log does not have which. */
+    /** The robot is in any of these modes; the log does not say which. */
     ENABLED("Enabled"),
 }
 
-/** A part of x over which the robot was in [mode], and ran the op mode named [opMode]; null for none. */
+/** A part of x over which the robot was in [mode], and ran the op mode named [opMode]; null if there is none. */
 class ModeSpan(val span: Span, val mode: RobotMode, private val opMode: String? = null) {
-    /** The name of the phase: `Teleop`, or with an op mode, `Auto (Two pieces)`. */
+    /** The name of the phase: `Teleop`, or with an op mode `Auto (Two pieces)`. */
     internal val title: String get() = if (opMode == null) mode.title else "${mode.title} ($opMode)"
 }
 
 /**
- * When the robot was in which mode, and the match clock.
+ * The modes of the robot over time, and the match clock.
  *
  * @property spans the spans in the order of x, without overlaps.
  * @param secondsOfX the number of seconds in one unit of x; null if x is not a time.
@@ -50,7 +50,7 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     private val starts = DoubleArray(spans.size) { spans[it].span.from }.let { Series(it, it) }
     private val ends = DoubleArray(spans.size) { spans[it].span.to }.let { Series(it, it) }
 
-    /** For each span, the start of its match: when the robot was enabled after being disabled for longer than [SAME_MATCH]. */
+    /** The start of each span's match: the robot was enabled after being disabled for longer than [SAME_MATCH]. */
     private val matchStarts = DoubleArray(spans.size).also { matches ->
         for (i in spans.indices) {
             val goesOn = i > 0 && (spans[i].span.from - spans[i - 1].span.to) * (secondsOfX ?: 0.0) <= SAME_MATCH
@@ -58,7 +58,7 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
         }
     }
 
-    /** Returns the index of the first span that extends to [x] or beyond; the number of spans if none does. */
+    /** Returns the index of the first span that reaches [x]; the number of spans if none does. */
     internal fun firstReaching(x: Double): Int = ends.firstAtOrAfter(x)
 
     /** Returns the mode at [x]; null if the robot was disabled. */
@@ -67,8 +67,8 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     private fun spanAt(x: Double) = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }
 
     /**
-     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and
-     * while it is disabled within a match, `Disabled 0:16`. Null if the log does not say when it was enabled, and for an x that is not a time.
+     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and `Disabled 0:16`
+     * while it is disabled within a match. Null if the log does not say when it was enabled, or if x is not a time.
      */
     fun clockAt(x: Double): String? {
         if (spans.isEmpty() || secondsOfX == null || !x.isFinite()) return null
@@ -89,7 +89,7 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
             return ModeTimeline(spans, Units.secondsIn(view.xAxis.unit))
         }
 
-        /** Whether [test] is read from a mode among several; until 2026, it was a flag. */
+        /** Returns whether [test] is one of several modes in a topic; until 2026, it was a flag. */
         private fun isOf2027(test: FlagTopic?) =
             test?.reading.let { it is FlagReading.Text || (it is FlagReading.Bits && it.last > it.first) }
 
@@ -101,7 +101,7 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
 
         private const val DISABLED = "Disabled"
 
-        /** Seconds for which a robot may be disabled within a match, for example while the link to it is lost. */
+        /** The maximum time in s between two parts of a match, for example while the link is lost. */
         private const val SAME_MATCH = 60.0
     }
 }

@@ -10,16 +10,16 @@ import badlog.viewer.text.fixedText
  *
  * @property time the time.
  * @property index the index of the sample of the driven path.
- * @property farthest the largest distance before it came back, or the plan ended; in meters.
+ * @property farthest the largest distance before the robot came back, or the plan ended; in meters.
  */
 internal class Departure(val time: Double, val index: Int, val farthest: Double) {
-    /** Returns a sentence about it, with its time as the text [moment]. */
+    /** Returns a sentence about the departure; [moment] is the text of its time. */
     fun text(moment: String): String = "Left the plan at $moment, by up to ${fixedText(farthest, 2)} m"
 
     companion object {
         /**
-         * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null
-         * for none.
+         * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null if there
+         * is none.
          *
          * @param second one second in the unit of the x axis.
          */

@@ -5,15 +5,14 @@ import badlog.signals.pose.Trail
 import badlog.viewer.choices.board.Plane
 
 /**
- * The field that paths are on: its outline and its center line, in meters from the corner at the right end of the blue alliance's
- * wall.
+ * The field with its outline and center line. Places are in meters from the corner at the right end of the blue alliance's wall.
  *
- * @property length its length, from the blue alliance's wall to the red one's.
- * @property width its width.
- * @property image its picture; null for none.
+ * @property length the length, from the blue alliance's wall to the red one's.
+ * @property width the width.
+ * @property image the picture; null if there is none.
  */
 class Field(val length: Double = LENGTH, val width: Double = WIDTH, val image: FieldImage? = null) {
-    /** Returns all of it, plus the surroundings if [trails] leave it. */
+    /** Returns the whole field, with the surroundings if [trails] leave it. */
     internal fun around(trails: List<Trail>): Plane {
         fun spanOf(length: Double, spans: List<Span?>) = Span(
             minOf(0.0, spans.minOfOrNull { it?.from ?: 0.0 } ?: 0.0).coerceAtLeast(-length) - MARGIN,
@@ -22,7 +21,7 @@ class Field(val length: Double = LENGTH, val width: Double = WIDTH, val image: F
         return Plane(spanOf(length, trails.map { it.xSpan }), spanOf(width, trails.map { it.ySpan }))
     }
 
-    /** Returns the same with [source] as the source of its picture. */
+    /** Returns this field with [source] as the source of its picture. */
     internal fun withPicture(source: String): Field =
         Field(length, width, checkNotNull(image).run { FieldImage(source, left, top, right, bottom) })
 
@@ -42,8 +41,8 @@ class Field(val length: Double = LENGTH, val width: Double = WIDTH, val image: F
 /**
  * The picture of a field, seen from above with the blue alliance at the left.
  *
- * @property source the name of its file, or all of it as a data URL.
- * @param left where the field's corners are in the picture, in pixels from the left and from the top.
+ * @property source the name of the picture's file, or the whole picture as a data URL.
+ * @param left the left edge of the field in the picture, in pixels; [top], [right] and [bottom] likewise.
  */
 class FieldImage internal constructor(
     val source: String,
@@ -52,7 +51,7 @@ class FieldImage internal constructor(
     internal val right: Double,
     internal val bottom: Double,
 ) {
-    /** Returns the plane shown by the whole picture of [width] by [height] pixels, in which the corners are those of [field]. */
+    /** Returns the plane that the whole picture of [width] by [height] pixels shows; the corners belong to [field]. */
     fun plane(field: Field, width: Int, height: Int): Plane {
         val across = field.length / (right - left)
         val up = field.width / (bottom - top)

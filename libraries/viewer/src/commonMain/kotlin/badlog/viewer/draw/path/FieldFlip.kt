@@ -7,7 +7,9 @@ import badlog.signals.pose.Trail
 import badlog.viewer.choices.board.FieldOrigin
 import kotlin.math.PI
 
-/** Returns the flip that maps the poses of [view] from this origin onto [field] with blue origin; null if they already have that. */
+/**
+ * Returns the flip that maps the poses of [view] from this origin onto [field] with blue origin; null if they already have a blue origin.
+ */
 internal fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
     if (this == FieldOrigin.CENTER) return FieldFlip(isMirrored = false, field, isFromCenter = true)
     val values = view.recording.values
@@ -18,9 +20,10 @@ internal fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): Fiel
 }
 
 /**
- * Swaps the alliances' halves of the field, which are symmetric: mirrored, or rotated around the center. Applied twice, it changes nothing.
+ * Swaps the alliances' halves of the field, which are symmetric: mirrored, or rotated around the center. Applied twice, it changes
+ * nothing.
  *
- * @param isFromCenter whether (0, 0) is the center of the field for the poses that it gets.
+ * @param isFromCenter whether (0, 0) is the center of the field for the poses that it maps.
  */
 internal class FieldFlip(private val isMirrored: Boolean, private val field: Field = Field.PLAIN, isFromCenter: Boolean = false) {
     private val share = if (isFromCenter) 0.5 else 1.0
@@ -39,6 +42,6 @@ internal class FieldFlip(private val isMirrored: Boolean, private val field: Fie
         Trail(trail.times, DoubleArray(trail.size) { x(trail.x[it]) }, DoubleArray(trail.size) { y(trail.y[it]) })
 }
 
-/** The fields of these years have mirror symmetry; all others since 2020, rotational symmetry. */
+/** The years of fields with mirror symmetry; all others since 2020 have rotational symmetry. */
 private val MIRRORED_YEARS = 2023..2024
 private const val YEAR_DIGITS = 4

@@ -9,11 +9,11 @@ import badlog.core.json.quotedJson
 class FieldException(message: String) : IllegalArgumentException(message)
 
 /**
- * Returns the field in [text], a JSON file in the format of WPILib's dashboards: `field-image`, the name of a picture beside it;
- * `field-corners`, in which `top-left` and `bottom-right` are the field's corners in the picture's pixels; `field-size`, length and width
- * in `field-unit`, feet or meters.
+ * Returns the field in [text], a JSON file in the format of WPILib's dashboards. `field-image` is the name of a picture beside it;
+ * `field-corners` has the field's corners `top-left` and `bottom-right` in the picture's pixels; `field-size` is the length and width in
+ * `field-unit`, feet or meters.
  *
- * @throws FieldException if it is not a field.
+ * @throws FieldException if the text is not a field.
  */
 fun fieldOfJson(text: String): Field {
     val members = JsonReader.readObject(text) ?: throw FieldException("It is not a JSON object; select the field’s .json file.")
@@ -37,7 +37,7 @@ fun fieldOfJson(text: String): Field {
     return Field(length, width, FieldImage(image, left, top, right, bottom))
 }
 
-/** Returns [field], which must have a picture, in the form that [fieldOfJson] reads. */
+/** Returns [field], which must have a picture, in the format that [fieldOfJson] reads. */
 internal fun fieldJson(field: Field): String = checkNotNull(field.image).run {
     "{\"field-image\":${quotedJson(source)},\"field-corners\":{\"top-left\":[$left,$top],\"bottom-right\":[$right,$bottom]}," +
         "\"field-size\":[${field.length},${field.width}],\"field-unit\":\"meter\"}"

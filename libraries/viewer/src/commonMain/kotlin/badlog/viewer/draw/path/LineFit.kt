@@ -17,7 +17,9 @@ import kotlin.math.log10
  * @property inverseSlope the increase of x per y, fitted the other way round: scattered samples have two such lines.
  */
 internal class LineFit private constructor(val slope: Double, val offset: Double, private val inverseSlope: Double) {
-    /** Returns the result as text: for volts and amperes, the resistance that causes the drop, on whichever axes; otherwise the slope. */
+    /**
+     * Returns the result as text. For volts and amperes, on either axis, it is the resistance that causes the drop; otherwise the slope.
+     */
     fun text(xUnit: String, yUnit: String): String = when {
         xUnit == "A" && yUnit == "V" -> resistanceText(-slope)
         xUnit == "V" && yUnit == "A" && inverseSlope.isFinite() -> resistanceText(-inverseSlope)
@@ -26,11 +28,11 @@ internal class LineFit private constructor(val slope: Double, val offset: Double
 
     private fun resistanceText(ohms: Double) = "Resistance ${withUnit(roundedTo(ohms * MILLI), "mΩ")}"
 
-    // Three digits, since scattered samples do not justify more.
+    // Three digits: scattered samples do not justify more.
     private fun roundedTo(value: Double) = fixedText(value, (2 - floor(log10(abs(value)))).coerceIn(0.0, MAX_DECIMALS).toInt())
 
     companion object {
-        /** Returns the line through those samples of [trail] that are in [visible]; null if x hardly changes, or there are few samples. */
+        /** Returns the line through the samples of [trail] in [visible]; null if x hardly changes, or there are few samples. */
         fun of(trail: Trail, visible: Span): LineFit? {
             var count = 0
             var x = 0.0

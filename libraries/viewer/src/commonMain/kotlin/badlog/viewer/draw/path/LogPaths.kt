@@ -9,18 +9,18 @@ import badlog.signals.swerve.swerveModulesOf
 import badlog.viewer.choices.board.FieldOrigin
 
 /**
- * What graphs of y over x can draw of a log.
+ * The content of a log that graphs of y over x can draw.
  *
- * @param field the field on which its paths are.
- * @param line finds a line of it by its name.
+ * @param field the field of its paths.
+ * @param line finds a line of the log by its name.
  */
 class LogPaths(internal val view: LogView, private val field: Field, private val line: (String) -> GraphSeries?) {
-    /** The poses in its topics. */
+    /** The poses in the log's topics. */
     val poses: List<Pose> = posesOf(view.recording.topics)
 
     private val modules = swerveModulesOf(view.recording.topics)
 
-    /** Returns the plot of y over x for a graph of [lines] whose poses are measured from [origin]; null if it has none of them. */
+    /** Returns the plot of y over x for a graph of [lines], with poses measured from [origin]; null if there is nothing to draw. */
     fun plotOf(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
         xyPlotOf(lines, poses, modules, origin.flipIn(view, field), field, view.secondsPerX, line)
 }

@@ -26,7 +26,7 @@ internal class ModuleLines private constructor(
 ) {
     private val places = modules.places
 
-    /** Returns the arrows at [time] of a robot at ([x], [y]) with [heading]. */
+    /** Returns the arrows at [time] for a robot at ([x], [y]) with [heading]. */
     fun arrowsAt(time: Double, x: Double, y: Double, heading: Double): List<ModuleArrow> = speeds.indices.mapNotNull { i ->
         val length = valueAt(speeds[i], time) * modules.meters * SECONDS
         val turn = heading + valueAt(angles[i], time) * modules.radians
@@ -58,7 +58,7 @@ internal class ModuleLines private constructor(
         private const val BARB = 0.3
         private const val SPREAD = 0.5
 
-        /** Arrows shorter than this, in meters, are not drawn. */
+        /** The minimum length of a drawn arrow, in meters. */
         private const val STANDING = 0.005
     }
 }

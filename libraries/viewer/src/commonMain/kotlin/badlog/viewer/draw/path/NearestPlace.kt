@@ -3,7 +3,7 @@ package badlog.viewer.draw.path
 import badlog.core.analysis.Span
 import kotlin.math.abs
 
-/** Does what [XyPlot.timeAt] says, for the trail of [pyramid]. */
+/** Returns the time of the nearest place in [pyramid], as [XyPlot.timeAt] describes; NaN if there is none. */
 internal fun timeOfNearest(
     pyramid: TrailPyramid,
     x: Double,
@@ -23,7 +23,7 @@ internal fun timeOfNearest(
         return right * right + up * up
     }
 
-    // A sample without a place is not near.
+    // The distance of a sample without a place is NaN, so it is not near.
     fun distance(i: Int) = square(trail.x[i], trail.y[i])
     fun distance(boxes: DoubleArray, at: Int) = square(
         maxOf(boxes[at], minOf(x, boxes[at + 1])),
@@ -32,7 +32,7 @@ internal fun timeOfNearest(
 
     var least = reach * reach
     var nearest = Double.NaN
-    // First how near it came; then, if it came so near more than once, when.
+    // The first pass finds the least distance, the second one the time nearest to [before] among places with about that distance.
     for (more in if (before == null) FIRST else BOTH) {
         pyramid.visit(start, end, { boxes, at, _ -> distance(boxes, at) > least + more }, {}) { i ->
             val here = distance(i)
@@ -50,5 +50,5 @@ internal fun timeOfNearest(
 
 private val FIRST = doubleArrayOf(0.0)
 
-/** Samples whose squared distance differs by at most this many square pixels count as the same place. */
+/** The tolerance of both passes, in square pixels: places with squared distances that differ by at most that count as the same. */
 private val BOTH = doubleArrayOf(0.0, 9.0)

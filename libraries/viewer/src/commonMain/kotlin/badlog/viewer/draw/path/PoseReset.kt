@@ -5,10 +5,10 @@ import badlog.signals.pose.Trail
 import kotlin.math.hypot
 
 /**
- * Returns this path of a robot with a gap wherever its pose was reset, instead of a drive across the field: a sample without a place, at the
- * time of the first place after it. The path itself if it never was.
+ * Returns this path of a robot with gaps at resets of its pose, instead of jumps across the field. A gap is a sample without a place, at
+ * the time of the first place after it. Without a reset, the path itself is returned.
  *
- * @param secondsPerX the length of its unit of time, in s.
+ * @param secondsPerX the length of one unit of x, in s.
  */
 internal fun Trail.brokenAtResets(secondsPerX: Double): Trail {
     val resets = (1 until size).filter { isReset(it, secondsPerX) }
@@ -23,7 +23,7 @@ internal fun Trail.brokenAtResets(secondsPerX: Double): Trail {
     return Trail(DoubleArray(from.size) { times[if (from[it] == GAP) from[it + 1] else from[it]] }, broken(x), broken(y))
 }
 
-/** Returns the last place before each gap of this path in [visible] and the first one after it, alternating x and y. */
+/** Returns the places before and after each gap of this path in [visible], alternating x and y. */
 internal fun Trail.resetsIn(visible: Span): DoubleArray {
     val places = ArrayList<Double>()
     for (i in maxOf(1, startOf(visible)) until minOf(size - 1, endOf(visible))) {
@@ -41,8 +41,8 @@ private fun Trail.isReset(index: Int, secondsPerX: Double): Boolean {
 
 private const val GAP = -1
 
-/** Faster than any robot, in m/s. */
+/** A speed in m/s that no robot reaches. */
 private const val FASTEST = 8.0
 
-/** Cameras correct a pose by less, in m. */
+/** A distance in m that is larger than corrections of a pose by cameras. */
 private const val MOST_CORRECTED = 0.75

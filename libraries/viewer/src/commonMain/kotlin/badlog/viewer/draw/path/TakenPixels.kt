@@ -6,10 +6,10 @@ import kotlin.math.ceil
 import kotlin.math.floor
 
 /**
- * Which pixels of a picture are drawn already.
+ * The pixels of a picture that are already drawn.
  *
- * Places become cells: one for each pixel, and [AROUND] more on each side. The outermost cells stand for everything further out; they are
- * always taken, so nothing is drawn there.
+ * Each pixel is a cell, with [AROUND] more on each side. The outermost cells stand for everything further out; they are always taken, so
+ * nothing is drawn there.
  */
 internal class TakenPixels {
     private var words = IntArray(0)
@@ -18,7 +18,7 @@ internal class TakenPixels {
     private var rows = 0
     private var steps = 0
 
-    /** Frees all pixels of a picture [width] by [height] pixels large. */
+    /** Frees all pixels of a picture of [width] by [height] pixels. */
     fun begin(width: Int, height: Int) {
         columns = width + 2 * AROUND
         rows = height + 2 * AROUND
@@ -36,7 +36,7 @@ internal class TakenPixels {
         }
     }
 
-    /** Whether ([x], [y]), in pixels, is in a cell that is not one of the outermost. */
+    /** Returns whether ([x], [y]), in pixels, is in a cell that is not one of the outermost. */
     fun isInside(x: Double, y: Double): Boolean = x >= FIRST && x < columns - AROUND - 1 && y >= FIRST && y < rows - AROUND - 1
 
     /** Returns the cell of a place that [isInside]. */
@@ -58,8 +58,8 @@ internal class TakenPixels {
     private fun isOut(first: Int, last: Int, cells: Int) = last == 0 || first == cells - 1
 
     /**
-     * Whether nothing is left to draw between [left] and [right], [top] and [bottom]. False also if finding out would take longer than
-     * drawing [count] samples.
+     * Returns whether all pixels between [left] and [right], [top] and [bottom] are taken. Also returns false if finding out takes longer
+     * than drawing [count] samples.
      */
     fun isDone(left: Double, right: Double, bottom: Double, top: Double, count: Int): Boolean {
         val first = indexOf(left, columns)
@@ -83,7 +83,7 @@ internal class TakenPixels {
         return true
     }
 
-    /** Takes [cell]. Returns whether it was free. */
+    /** Takes [cell], and returns whether it was free. */
     fun take(cell: Int): Boolean {
         val bit = 1 shl cell
         val word = words[cell ushr WORD_BITS]
@@ -92,7 +92,8 @@ internal class TakenPixels {
     }
 
     /**
-     * Takes all visible pixels on the way from ([fromX], [fromY]) to ([toX], [toY]), which is in [cell]. Returns whether any of them was free.
+     * Takes all visible pixels on the way from ([fromX], [fromY]) to ([toX], [toY]), which is in [cell]. Returns whether any of them was
+     * free.
      *
      * @param isInside whether both ends are.
      */
@@ -111,9 +112,9 @@ internal class TakenPixels {
         }
         val between = (end - start + 1).toInt()
         steps -= maxOf(0, between)
-        // A path that jumps about a million times would need a million long ways: then only its samples count.
+        // The million long ways of a path that jumps a million times would take too long: then only its samples count.
         if (steps < 0) return isNew
-        // With integers, each step takes a few instructions.
+        // Integers keep each step to a few instructions.
         val stepX = (right / count * FINE).toInt()
         val stepY = (down / count * FINE).toInt()
         var x = ((fromX + right * start / count + AROUND) * FINE).toInt()
@@ -126,7 +127,10 @@ internal class TakenPixels {
         return isNew
     }
 
-    /** At which fraction of the way that goes [right] and [down] from ([x], [y]) the inner cells begin; infinity for never. */
+    /**
+     * Returns the fraction of the way from ([x], [y]), which goes [right] and [down], at which the inner cells begin; infinity if it
+     * never reaches them.
+     */
     private fun enter(x: Double, y: Double, right: Double, down: Double) = maxOf(enter(x, right, columns), enter(y, down, rows))
 
     private fun enter(from: Double, length: Double, cells: Int): Double {
@@ -136,7 +140,7 @@ internal class TakenPixels {
         return if (part >= 0) part else Double.POSITIVE_INFINITY
     }
 
-    /** Adds the rows of taken pixels with at most [gap] free ones between them to [strokes], if given. Returns how many rows there are. */
+    /** Adds the rows of taken pixels with at most [gap] free ones between them to [strokes], if given. Returns the number of rows. */
     fun runs(strokes: Strokes?, gap: Int): Int {
         var count = 0
         for (row in AROUND until rows - AROUND) {
@@ -179,17 +183,17 @@ internal class TakenPixels {
         private const val WORD = 1 shl WORD_BITS
         private const val HALF = 0.5
 
-        /** The width of the frame of cells around the picture. In the inner ones, half of a line may still be visible. */
+        /** The width of the margin of cells around the picture. Half of a line in the inner ones may still be visible. */
         private const val AROUND = 2
 
-        /** Where the inner cells begin. */
+        /** The start of the inner cells. */
         private const val FIRST = 1.0 - AROUND
 
-        /** Fractions of a pixel so small that a line of thousands of steps ends less than a pixel off. */
+        /** The bits of a fraction of a pixel: with so many, a line of thousands of steps ends less than a pixel off. */
         private const val FINE_BITS = 15
         private const val FINE = 1 shl FINE_BITS
 
-        /** How many words are worth looking at for each sample that this may save. */
+        /** The number of words that are worth reading for each sample that they may save. */
         private const val WORDS_PER_SAMPLE = 8
 
         /** The maximum number of lines that may cross each pixel, on average. */

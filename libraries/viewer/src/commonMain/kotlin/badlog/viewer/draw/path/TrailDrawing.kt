@@ -5,16 +5,17 @@ import badlog.viewer.draw.curve.Strokes
 
 /**
  * Draws a trail pixel by pixel: every pixel that contains a sample is drawn, in the order of the samples, but none twice. So a picture
- * needs at most as many strokes as it has pixels, however many samples there are. Blocks of the [pyramid] that are out of sight, within one
- * pixel or where everything is drawn already are skipped; where the trail is straight, a few samples of a block are enough; areas that are
- * filled become rows of pixels.
+ * needs at most as many strokes as it has pixels, however many samples there are.
+ *
+ * Blocks of the [pyramid] that are invisible, within one pixel, or where everything is drawn already are skipped. Where the trail is
+ * straight, a few samples of a block are enough. Filled areas become rows of pixels.
  */
 internal class TrailDrawing(private val pyramid: TrailPyramid) {
     private val pixels = TakenPixels()
 
     /**
-     * Adds the samples from [start] until [end] to [strokes], which is cleared first. If they are dense, strokes may be rows of pixels; for
-     * dots, they are.
+     * Adds the samples from [start] until [end] to [strokes], which is cleared first. If lines are dense, strokes may be rows of pixels;
+     * dense dots are always rows of pixels.
      *
      * @param isJoined whether samples are joined by lines; otherwise each is a dot.
      */
@@ -44,7 +45,7 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
             val px = x.placeOf(trail.x[i])
             val py = y.placeOf(trail.y[i])
             val cell = if (px.isNaN() || py.isNaN()) NONE else pixels.cellOf(px, py)
-            // Within a pixel, the line continues from where it entered it.
+            // Within a pixel, the line continues from its entry into the pixel.
             if (cell == NONE || cell != lastCell) {
                 strokes.lift()
                 isDown = false
@@ -63,10 +64,10 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
             } else {
                 val isInside = pixels.isInside(px, py)
                 val cell = if (isInside) pixels.innerCellOf(px, py) else pixels.cellOf(px, py)
-                // Out of sight, places in the same cell can be far apart.
+                // Outside the picture, places in the same cell can be far apart.
                 if (cell != lastCell || !isInside) {
                     if (!isJoined || lastCell == NONE) {
-                        // A last sample that no other follows is still visible.
+                        // A last sample without a successor is still visible.
                         if (pixels.take(cell)) strokes.dot(px, py)
                     } else if (pixels.takeWay(lastX, lastY, px, py, cell, isInside && wasInside)) {
                         if (!isDown) strokes.add(lastX, lastY)
@@ -98,13 +99,13 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
     private companion object {
         const val NONE = -1
 
-        /** How many pixels a line may be off the samples that it passes over: nobody sees less. */
+        /** The maximum distance in pixels between a line and the samples that it passes over; less is invisible. */
         const val BEND = 0.25
 
-        /** How many free pixels between two dots are under them: dots are 3.5 pixels wide, or more. */
+        /** The number of free pixels between two dots that the dots cover: they are 3.5 pixels wide, or more. */
         const val DOT_GAP = 2
 
-        /** More samples than these are drawn in the thinnest lines, or as rows of dots. */
+        /** The number of samples above which a trail is drawn in the thinnest lines, or as rows of dots. */
         const val DENSE = 20_000
     }
 }

@@ -4,17 +4,23 @@ import badlog.signals.pose.Trail
 import kotlin.math.abs
 
 /**
- * Bounding boxes of blocks of a trail's samples, by which whole blocks can be skipped: those out of sight, those within one pixel, those
- * too far from the pointer. And how straight the smallest blocks are, by which most of their samples can be passed over.
+ * Bounding boxes of blocks of a trail's samples, by which whole blocks can be skipped: invisible ones, ones within a pixel, and ones too
+ * far from the pointer. For the smallest blocks, it also has their straightness, by which most of their samples can be skipped.
  *
  * A block consists of [BLOCK] steps from sample to sample, so it shares its last sample with the next block; a block of the next level
  * consists of [BLOCK] blocks. All levels together take a sixth of the memory that the trail takes.
  */
 internal class TrailPyramid(val trail: Trail) {
-    /** The finest level first. Each block has its least and greatest x, then its least and greatest y; without a place, these are infinity and minus infinity. */
+    /**
+     * The levels, the finest first. Each block has its least and greatest x, then its least and greatest y. Without a place, they are
+     * infinity and minus infinity.
+     */
     private val levels = ArrayList<DoubleArray>()
 
-    /** For each of the smallest blocks and each of [STRIDES], how far its samples are at most from the straight lines between those that are a stride apart: in x, then in y. */
+    /**
+     * The maximum distance of samples from straight lines, for each of the smallest blocks and each of [STRIDES]: in x, then in y. The
+     * lines join samples that are a stride apart.
+     */
     private val bends = FloatArray(2 * STRIDES.size * maxOf(0, (trail.size - 1) / BLOCK))
 
     init {
@@ -62,7 +68,7 @@ internal class TrailPyramid(val trail: Trail) {
         into[at + 3] = top
     }
 
-    /** Infinity if a sample has no place. */
+    /** Returns the maximum distance of samples from straight lines; infinity if a sample has no place. */
     private fun bendOf(values: DoubleArray, first: Int, stride: Int): Double {
         var bend = 0.0
         var from = first
@@ -77,7 +83,10 @@ internal class TrailPyramid(val trail: Trail) {
         return bend
     }
 
-    /** Returns every how many samples of the smallest [block] are enough for a line that is off its other samples by at most [bendX] in x and [bendY] in y. */
+    /**
+     * Returns the largest stride with which a line through samples of the smallest [block] is accurate enough. Its distance from the
+     * skipped samples is at most [bendX] in x and [bendY] in y.
+     */
     fun strideOf(block: Int, bendX: Double, bendY: Double): Int {
         var at = 2 * STRIDES.size * block
         for (stride in STRIDES) {
@@ -90,10 +99,10 @@ internal class TrailPyramid(val trail: Trail) {
     /**
      * Calls [visit] with the samples from [start] until [end], in order, except those within blocks for which [isSkipped] is true.
      *
-     * @param isSkipped gets a box and its number of steps. The box is given as an array and the index of its least x, which is followed by
-     *   its greatest x, least y and greatest y. Its first sample was visited or skipped before.
+     * @param isSkipped receives a box and its number of steps. The box is an array and the index of its least x, which is followed by its
+     *   greatest x, least y and greatest y. Its first sample was visited or skipped before.
      * @param onSkip is called with the last sample of each skipped block.
-     * @param strideOf returns every how many samples of the smallest block with the given index are visited.
+     * @param strideOf returns the stride with which samples of the smallest block with the given index are visited.
      */
     inline fun visit(
         start: Int,
@@ -120,7 +129,10 @@ internal class TrailPyramid(val trail: Trail) {
         }
     }
 
-    /** The number of steps of the largest block that begins with sample [i], ends before [end] and [isSkipped]; 0 for none. */
+    /**
+     * Returns the number of steps of the largest block that begins with sample [i], ends before [end] and [isSkipped]; 0 if there is
+     * none.
+     */
     private inline fun stepsFrom(i: Int, end: Int, isSkipped: (DoubleArray, Int, Int) -> Boolean): Int {
         for (level in levels.indices.reversed()) {
             val steps = 1 shl BITS * (level + 1)

@@ -10,7 +10,6 @@ import badlog.viewer.draw.pen.PenImage
 import badlog.viewer.draw.pen.Points
 import badlog.viewer.draw.pen.TextSide
 
-/** Draws [plot] in [frame]. */
 internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
     private val pen = frame.pen
     private val seen = frame.seen
@@ -22,7 +21,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
     private val y = seen.yScale(height)
     private val letters = LETTERS * density
 
-    /** Draws what is behind the traces: the grid, and the field with its [picture]. */
+    /** Draws the background of the traces: the grid, and the field with its [picture]. */
     fun ground(picture: PenImage?) = clipped {
         val field = plot.field
         if (picture != null && plot.isField) {
@@ -44,7 +43,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
         pen.segments(wall(field.length), RED_WALL, WALL * density)
     }
 
-    /** Draws the numbers and the titles of both axes around the frame; there is [left] to its left. */
+    /** Draws the numbers and the titles of both axes around the frame, with [left] pixels to its left. */
     fun axes(left: Double) {
         val muted = colors[Shade.MUTED]
         val below = height + (GAP + LETTERS / 2) * density
@@ -66,7 +65,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
     }
 
     /**
-     * Draws [traces], some of those of the plot: what is in [visible], and on a field faintly the rest.
+     * Draws [traces] of the plot: their part in [visible], and on a field faintly the rest unless this [isAll].
      *
      * @param strokes are reused: allocating arrays for a million places in each frame takes long.
      * @param colorOf returns the index of the color of a trace.
@@ -87,7 +86,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
             val isDashed = trace.role == PoseRole.PLANNED && !strokes.isDense
             pen.lines(strokes, color, if (strokes.isDense) 0.0 else LINE * density, if (isDashed) DASH * density else 0.0)
         } else {
-            // The rows of pixels that many dots are in.
+            // The rows of pixels that many dots form.
             for (i in 0 until strokes.count) {
                 val at = strokes.startOf(i)
                 val left = strokes.points[at] + (1 - size) / 2
@@ -99,7 +98,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
         }
     }
 
-    /** Draws the line [fit] through the samples, with its values as [text] in the corner, below those of [others]. */
+    /** Draws the line [fit] through the samples, with its values as [text] in the corner. Above it is room for [others] other texts. */
     fun fit(fit: LineFit, text: String, others: Int) = clipped {
         fun at(value: Double) = fit.offset + fit.slope * value
         val ends = doubleArrayOf(seen.x.from, at(seen.x.from), seen.x.to, at(seen.x.to))
@@ -107,7 +106,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
         note(text, width, others * NOTE * density, colors[Shade.TEXT])
     }
 
-    /** Draws rings where the pose was reset in [visible]. */
+    /** Draws rings at resets of the pose in [visible]. */
     fun resets(visible: Span) = clipped {
         val trail = plot.driven?.trail ?: return@clipped
         val ends = placed(trail.resetsIn(visible))
@@ -116,7 +115,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
         }
     }
 
-    /** Draws where the robot left its plan, with [text]. */
+    /** Draws a ring at the place where the robot left its plan, with [text]. */
     fun departure(departure: Departure, text: String) = clipped {
         val trail = plot.driven?.trail ?: return@clipped
         val left = x.placeOf(trail.x[departure.index])
@@ -134,10 +133,10 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
     }
 
     /**
-     * Draws everything that is not [hidden] at its place at [time]: robots with their bows, planned ones only as outlines, others as dots;
-     * for the second cursor, as rings.
+     * Draws everything that is not [hidden] at its place at [time]: robots with their bows, planned ones only as outlines, others as
+     * dots; for the second cursor, dots are rings.
      *
-     * @param colorOf returns the index of the color of a trace's color.
+     * @param colorOf returns the palette's index for a color of the plot.
      */
     fun marks(time: Double, hidden: Set<String>, isSecond: Boolean, colorOf: (Int) -> Int) = clipped {
         for (mark in plot.marksAt(time, hidden)) {

@@ -8,8 +8,8 @@ import badlog.viewer.draw.pen.Pen
  * The frame in which a graph of y over x is drawn. Its top left corner is the pen's origin.
  *
  * @property seen the visible part of the plane.
- * @property width its width in physical pixels.
- * @property height its height in physical pixels.
+ * @property width the width in physical pixels.
+ * @property height the height in physical pixels.
  */
 class XyFrame(
     internal val pen: Pen,

@@ -3,8 +3,8 @@ package badlog.viewer.draw.path
 /**
  * A log that graphs of y over x draw.
  *
- * @property paths what they can draw of it.
- * @property name its name beside the others.
- * @property offset what is added to its x.
+ * @property paths the log's content for such graphs.
+ * @property name the log's name beside the others.
+ * @property offset the number that is added to the log's x.
  */
 class XyLog(val paths: LogPaths, val name: String = "", val offset: Double = 0.0)

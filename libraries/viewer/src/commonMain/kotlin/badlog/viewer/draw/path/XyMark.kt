@@ -3,13 +3,13 @@ package badlog.viewer.draw.path
 import badlog.signals.pose.PoseRole
 
 /**
- * One thing that an [XyPlot] shows at a moment.
+ * One element that an [XyPlot] shows at a moment.
  *
  * @property places the points to join by lines, alternating x and y; a single one is a dot.
- * @property color the index of its color in the palette, like [XyTrace.color]; null for the arrow of a module.
- * @property isClosed whether the last place is joined with the first: the outline of a robot.
- * @property isFilled whether it is filled: the robot itself, but not its planned place.
- * @property isTarget for an arrow, whether it is a target rather than a measured value.
+ * @property color the index of the color in the palette, like [XyTrace.color]; null for the arrow of a module.
+ * @property isClosed whether the last place is joined with the first, as for the outline of a robot.
+ * @property isFilled whether the area is filled, as for the robot itself, but not its planned place.
+ * @property isTarget whether an arrow shows a target rather than a measured value.
  */
 internal class XyMark(
     val places: DoubleArray,
@@ -18,7 +18,7 @@ internal class XyMark(
     val isFilled: Boolean = false,
     val isTarget: Boolean = false,
 ) {
-    /** Whether it is a single place. */
+    /** Whether this is a single place. */
     val isDot: Boolean get() = places.size == 2
 }
 
@@ -26,8 +26,8 @@ internal class XyMark(
 internal fun XyPlot.shown(hidden: Set<String>): List<XyTrace> = traces.filter { trace -> trace.lines.none { it in hidden } }
 
 /**
- * Returns the marks of everything that is not [hidden] at [time], in drawing order: robots as outlines with a dot at their center, other
- * places as dots, the plan in an array as a line, then the arrows of the driven robot's modules.
+ * Returns the marks of everything that is not [hidden] at [time], in drawing order. Robots are outlines with a dot at their center, other
+ * places dots, the plan in an array a line; the arrows of the driven robot's modules follow.
  */
 internal fun XyPlot.marksAt(time: Double, hidden: Set<String>): List<XyMark> = shown(hidden).flatMap { trace ->
     val index = trace.indexAt(time)

@@ -7,30 +7,30 @@ import badlog.viewer.shown.comparison.colorOf
 import badlog.viewer.shown.cursor.Cursors
 
 /**
- * What an [XyPicture] shows of one log.
+ * The part of an [XyPicture] that shows one log.
  *
  * @property log the log.
- * @property plot its plot, over its own x.
- * @property index its index among the [count] drawn logs.
+ * @property plot the log's plot, over its own x.
+ * @property index the log's index among the [count] drawn logs.
  */
 class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val index: Int, private val count: Int) {
     private val view get() = log.paths.view
     private val departure by lazy { plot.departure(view) }
     private val whole = Viewport.of(view.xAxis.range).full
 
-    /** What a legend says of its traces; the most important one comes first. */
+    /** The legend's entries for the traces, the most important one first. */
     val entries: List<XyEntry> = plot.traces.asReversed().map { XyEntry(this, it) }
 
-    /** Whether other logs are drawn beside it. */
+    /** Whether other logs are also drawn. */
     internal val isCompared: Boolean get() = count > 1
 
-    /** Returns the index of what has the index [color] in a plot alone: as in other graphs, colors distinguish the logs first. */
+    /** Returns the palette's index for the [color] of a plot: as in other graphs, colors distinguish the logs first. */
     internal fun colorOf(color: Int): Int = colorOf(color, index, count)
 
-    /** Returns the part of its own x that is visible if [visible] is. */
+    /** Returns the range of the log's own x that is visible if [visible] is. */
     internal fun own(visible: Span): Span = Span(visible.from - log.offset, visible.to - log.offset)
 
-    /** Draws those of its traces that are not [hidden]: what is in [visible], and on a field faintly the rest. */
+    /** Draws the traces that are not [hidden]: their part in [visible], and on a field faintly the rest. */
     internal fun drawTraces(frame: XyFrame, hidden: Set<String>, visible: Span, strokes: Strokes) {
         val own = own(visible)
         val isAll = whole.from in own && whole.to in own
@@ -38,7 +38,7 @@ class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val
     }
 
     /**
-     * Draws where its pose was reset, and the result: the fitted line, or where the robot left its plan.
+     * Draws the resets of the pose, and the result: the fitted line, or the place where the robot left its plan.
      *
      * @param momentOf returns the text of a time on the x that all logs share.
      */
@@ -49,7 +49,7 @@ class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val
         departure?.let { departure(it, named(it.text(momentOf(it.time + log.offset)))) }
     }
 
-    /** Draws everything that is not [hidden] at its place at [cursors]; for the second one, as rings. */
+    /** Draws everything that is not [hidden] at its place at [cursors]; at the second one, dots are rings. */
     internal fun drawCursors(frame: XyFrame, hidden: Set<String>, cursors: Cursors) {
         val drawing = XyDrawing(frame, plot)
         cursors.second?.let { drawing.marks(it - log.offset, hidden, isSecond = true) { color -> colorOf(color) } }

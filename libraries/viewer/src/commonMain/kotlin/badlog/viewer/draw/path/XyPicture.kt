@@ -11,16 +11,18 @@ import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 
 /**
- * What a graph of y over x shows: the paths of all drawn logs on one field, or else their topics over each other.
+ * The content of a graph of y over x: the paths of all drawn logs on one field, otherwise their topics over each other.
  *
  * @param lines the names of the graph's lines.
- * @param origin where poses are measured from.
+ * @param origin the origin of the poses.
  * @param logs the drawn logs. The first one is open: the visible range and the cursors are on its x.
  */
 class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
     private val axis = logs.firstOrNull()?.paths?.view?.xAxis
 
-    /** What it shows of each log that has any of its lines. One whose lines are no path, if others' are, is left out. */
+    /**
+     * The parts of the logs that have any of the lines. Only logs of the same kind as the first one are shown: with paths, or without.
+     */
     val parts: List<XyPart> = logs.mapIndexedNotNull { i, log -> log.paths.plotOf(lines, origin)?.let { XyPart(log, it, i, logs.size) } }
         .let { all -> all.filter { it.plot.isField == all[0].plot.isField } }
 
@@ -30,26 +32,29 @@ class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
     /** Whether there is nothing to draw. */
     val isEmpty: Boolean get() = parts.isEmpty()
 
-    /** Whether it shows a field. */
+    /** Whether the picture shows a field. */
     val isField: Boolean get() = !isEmpty && parts[0].plot.isField
 
-    /** The whole extent of all logs; null for nothing. */
+    /** The whole extent of all logs; null if there is nothing to draw. */
     val full: Plane? by lazy {
         val planes = parts.map { it.plot.full }
         if (planes.isEmpty()) null else Plane(spanOf(planes.map { it.x }), spanOf(planes.map { it.y }))
     }
 
-    /** Returns [selected], or else all of it, for a frame of [width] by [height] pixels; null for nothing. A field keeps its shape. */
+    /**
+     * Returns the plane to show in a frame of [width] by [height] pixels: [selected], or [full] if it is null or cannot be drawn. Null if
+     * there is nothing to draw. A field keeps its shape.
+     */
     fun seen(selected: Plane?, width: Double, height: Double): Plane? {
         val wanted = selected?.takeIf { it.isDrawable && !isEmpty } ?: full
         return if (isField) wanted?.fitted(width, height) else wanted
     }
 
     /**
-     * Draws it in [frame]: what is in [visible], and on a field faintly the rest.
+     * Draws the picture in [frame]: its part in [visible], and on a field faintly the rest.
      *
-     * @param hidden the names of the lines whose traces are not drawn.
-     * @param ground the picture of the field; null for none.
+     * @param hidden the names of the lines that are not drawn.
+     * @param ground the picture of the field; null if there is none.
      * @param axesFrom the room for the axes to the left of the frame; null if they are not drawn with it.
      */
     fun draw(frame: XyFrame, hidden: Set<String>, visible: Span, ground: PenImage?, axesFrom: Double? = null) {
@@ -62,23 +67,23 @@ class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
         }
     }
 
-    /** Draws the numbers and the titles of both axes around [frame]; there is [left] to its left. */
+    /** Draws the numbers and the titles of both axes around [frame], with [left] pixels to its left. */
     fun drawAxes(frame: XyFrame, left: Double) {
         if (!isEmpty) XyDrawing(frame, parts[0].plot).axes(left)
     }
 
-    /** Draws everything that is not [hidden] at its place at [cursors]; for the second one, as rings. */
+    /** Draws everything that is not [hidden] at its place at [cursors]; at the second one, dots are rings. */
     fun drawCursors(frame: XyFrame, hidden: Set<String>, cursors: Cursors) {
         for (part in parts) part.drawCursors(frame, hidden, cursors)
     }
 
-    /** Returns what a figure's legend says of everything that is not [hidden], with its places at [cursors]. */
+    /** Returns a figure's legend for everything that is not [hidden], with its places at [cursors]. */
     fun legend(hidden: Set<String>, cursors: Cursors): List<LegendEntry> = parts.flatMap { it.entries }.filter { it.isShown(hidden) }
         .map { LegendEntry("${it.title} ${it.textAt(cursors)}".trim(), it.color) }
 
     /**
-     * Returns when the first of its logs passed nearest to ([x], [y]), at most [reach] away, within [visible]; null for never. If it passed
-     * more than once, the time nearest to [before].
+     * Returns the time when the first log passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]; null if it never
+     * did. If it passed more than once, it is the time nearest to [before].
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */

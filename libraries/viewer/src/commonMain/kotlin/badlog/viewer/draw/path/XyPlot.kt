@@ -17,12 +17,12 @@ import badlog.viewer.draw.axis.limitsFor
 import badlog.viewer.text.shortNames
 
 /**
- * What a graph of y over x shows: the paths of poses on a field, or else one topic over another.
+ * The content of a graph of y over x: the paths of poses on a field, otherwise one topic over another.
  *
- * @property traces what is drawn: seen poses first, then planned ones, then the driven path.
+ * @property traces the traces in drawing order: seen poses first, then planned ones, then the driven path.
  * @property isField whether x and y are places on a field.
- * @property xTitle the text below it: name and unit.
- * @property yTitle the text beside it.
+ * @property xTitle the title below the graph: name and unit.
+ * @property yTitle the title beside the graph.
  * @property field the field, if [isField].
  */
 class XyPlot internal constructor(
@@ -45,7 +45,7 @@ class XyPlot internal constructor(
         }
     }
 
-    /** The driven path; null for none, for example if this is not a field. */
+    /** The driven path; null if there is none, for example if this is not a field. */
     val driven: XyTrace? get() = if (isField) {
         path?.let {
             traceOf(it.driven)
@@ -56,15 +56,18 @@ class XyPlot internal constructor(
 
     private val path by lazy { PlannedPath.of(traces.mapNotNull { it.pose }) }
 
-    /** The last answer of [lineFit]: a zoom into the plane asks again for the same time. */
+    /** The last result of [lineFit]: a zoom into the plane asks again for the same time. */
     private var fitted: Pair<Span, LineFit?>? = null
 
     private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
 
-    /** Returns where the robot of [view] left its plan, according to [planDistance]; null for nowhere, and if there is no plan. */
+    /**
+     * Returns the moment at which the robot of [view] left its plan, according to [planDistance]. Null if it never did, or without a
+     * plan.
+     */
     internal fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
 
-    /** Returns the same during [spans], on an x axis on which [second] is one second. */
+    /** Returns the departure during [spans], on an x axis on which [second] is one second. */
     internal fun departure(spans: List<Span>, second: Double): Departure? {
         val path = path ?: return null
         val driven = traceOf(path.driven) ?: return null
@@ -87,7 +90,7 @@ class XyPlot internal constructor(
         return arrows.map { if (flip == null) it else it.flipped(flip) }.sortedByDescending { it.isTarget }
     }
 
-    /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or there is no fit. */
+    /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or if no line fits. */
     internal fun lineFit(visible: Span): LineFit? {
         fitted?.let { (span, fit) -> if (span == visible) return fit }
         val fit = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
@@ -99,8 +102,8 @@ class XyPlot internal constructor(
     internal fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
 
     /**
-     * Returns when a trace passed nearest to ([x], [y]), at most [reach] away, within [visible]; NaN for never. If it passed more than
-     * once, the time nearest to [before].
+     * Returns the time when a trace passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]; NaN if it never did. If
+     * it passed more than once, it is the time nearest to [before].
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */
@@ -112,12 +115,12 @@ class XyPlot internal constructor(
 }
 
 /**
- * Returns the plot of y over x for a graph that draws [lines], given by name: the paths of those of [poses] whose x and y it has; if there
- * are none, all other lines over the first one. Null if there is nothing to draw.
+ * Returns the plot of y over x for a graph that draws [lines], given by name. It has the paths of the [poses] with both x and y among
+ * them; without such poses, all other lines over the first one. Null if there is nothing to draw.
  *
- * @param modules the modules of the robot whose path it is.
+ * @param modules the modules of the robot with the driven path.
  * @param flip maps poses onto [field]; null to leave them as logged.
- * @param secondsPerX the length of the unit of x, in s: a robot that is faster than robots are has had its pose reset.
+ * @param secondsPerX the length of the unit of x, in s: a jump faster than any robot is a reset of the pose.
  * @param line finds a line by its name.
  */
 internal fun xyPlotOf(
@@ -155,7 +158,7 @@ internal fun xyPlotOf(
     return XyPlot(ordered, isField = true, "x (m)", "y (m)", "m", "m", wheels, flip, field).takeIf { traces.isNotEmpty() }
 }
 
-/** Returns the menu label for drawing [lines] like this. */
+/** Returns the menu label for drawing [lines] as a graph of y over x. */
 fun xyLabelOf(lines: List<String>, poses: List<Pose>): String =
     if (poses.any { it.x in lines && it.y in lines }) "Path on the field" else "XY plot over the first line"
 

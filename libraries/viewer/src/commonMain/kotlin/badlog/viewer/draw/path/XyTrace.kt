@@ -18,13 +18,13 @@ import kotlin.math.sin
 /**
  * One of the traces of an [XyPlot].
  *
- * @property name its name in a legend.
- * @property color the index of its color in the palette, from 0.
- * @property role what it is; seen poses are drawn as dots.
- * @property trail its places over time.
- * @property lines the names of the lines that it is made of, by which a board hides it.
- * @param recorded the whole range of its recording, outside which nothing has a place.
- * @property followers for a plan that is an array, the places after the first one.
+ * @property name the name in a legend.
+ * @property color the index of the color in the palette, from 0.
+ * @property role the role of the pose; seen poses are drawn as dots.
+ * @property trail the places over time.
+ * @property lines the names of the trace's lines, by which a board hides it.
+ * @param recorded the whole range of the recording; outside it, nothing has a place.
+ * @property followers the places after the first one, for a plan that is an array.
  */
 class XyTrace internal constructor(
     val name: String,
@@ -41,12 +41,12 @@ class XyTrace internal constructor(
     internal val pyramid: TrailPyramid by lazy { TrailPyramid(trail) }
     private val drawing by lazy { TrailDrawing(pyramid) }
 
-    /** Whether its samples are joined by lines. */
+    /** Whether samples are joined by lines. */
     val isJoined: Boolean get() = role != PoseRole.SEEN && followers.isEmpty()
 
     /**
-     * Draws the part of it in [span] into [strokes], on [width] by [height] pixels that show [plane]: lines if it [isJoined], otherwise
-     * dots. If there are very many dots, there are no single ones: each stroke is a row of them, from its left pixel to its right one.
+     * Draws the part of the trace in [span] into [strokes], on [width] by [height] pixels that show [plane]: lines if it [isJoined],
+     * otherwise dots. Very many dots are not single: each stroke is a row of them, from its left pixel to its right one.
      */
     fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
         val x = plane.xScale(width.toDouble())
@@ -54,16 +54,22 @@ class XyTrace internal constructor(
         drawing.draw(trail.startOf(span), trail.endOf(span), x, y, width, height, isJoined, strokes)
     }
 
-    /** Returns the index of the sample that a cursor at [time] reads; -1 if it has no place then, as before and after its recording. */
+    /**
+     * Returns the index of the sample that a cursor at [time] reads. -1 if the trace has no place then, as before and after the
+     * recording.
+     */
     fun indexAt(time: Double): Int = indexIn(trail, time)
 
     private fun indexIn(trail: Trail, time: Double): Int =
         if (time in recorded) trail.indexAt(time).let { if (it >= 0 && trail.isPlace(it)) it else -1 } else -1
 
-    /** Returns the heading at [time] in radians, counterclockwise from x; NaN where it is not known. */
+    /** Returns the heading at [time] in radians, counterclockwise from x; NaN if unknown. */
     fun headingAt(time: Double): Double = heading?.at(time) ?: Double.NaN
 
-    /** Returns its numbers at [time] for a legend, or its place and heading on a field: `3.21, 4.50 m · 87°`; empty for nowhere. */
+    /**
+     * Returns the trace's numbers at [time] for a legend, or its place and heading on a field: `3.21, 4.50 m · 87°`. Empty if it has no
+     * place.
+     */
     fun textAt(time: Double, isField: Boolean): String {
         val index = indexAt(time)
         if (index < 0) return ""
@@ -73,15 +79,15 @@ class XyTrace internal constructor(
         return if (angle.isNaN()) place else "$place · ${fixedText(angle / PI * HALF_TURN, 0)}°"
     }
 
-    /** Returns, for an array, the places at [time] in sequence, alternating x and y. */
+    /** Returns the places of an array at [time] in sequence, alternating x and y. */
     fun chainAt(time: Double): DoubleArray {
         val places = (listOf(trail) + followers).map { it to indexIn(it, time) }.filter { (_, index) -> index >= 0 }
         return DoubleArray(places.size * 2) { i -> places[i / 2].let { (one, at) -> if (i % 2 == 0) one.x[at] else one.y[at] } }
     }
 
     /**
-     * Returns the corners of a robot at [time], alternating x and y, with its bow last unless its heading is unknown; empty if it has no
-     * place.
+     * Returns the corners of a robot at [time], alternating x and y. Its bow is last, unless its heading is unknown. Empty if the robot
+     * has no place.
      */
     fun robotAt(time: Double): DoubleArray {
         val index = indexAt(time)
@@ -99,7 +105,7 @@ class XyTrace internal constructor(
     private companion object {
         const val HALF_TURN = 180
 
-        /** A robot with its bumpers, in meters. */
+        /** The outline of a robot with its bumpers, in meters. */
         val SQUARE = doubleArrayOf(-0.42, -0.42, -0.42, 0.42, 0.42, 0.42, 0.42, -0.42)
         val ARROW = doubleArrayOf(0.42, -0.42, -0.42, -0.42, -0.42, 0.42, 0.42, 0.42, 0.75, 0.0)
     }

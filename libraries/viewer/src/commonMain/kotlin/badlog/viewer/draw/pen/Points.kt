@@ -1,12 +1,12 @@
 package badlog.viewer.draw.pen
 
-/** A growing list of places, x and y alternating, that allocates nothing for a place and is used again for the next drawing. */
+/** A growing list of places, x and y alternating, without an allocation for each place. It is reused for the next drawing. */
 class Points {
     /** The numbers, in the first [size] entries. */
     var values: DoubleArray = DoubleArray(FIRST)
         private set
 
-    /** How many numbers there are: two for each place. */
+    /** The number of used entries in [values]: two for each place. */
     var size: Int = 0
         private set
 

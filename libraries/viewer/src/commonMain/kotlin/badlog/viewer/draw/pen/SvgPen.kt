@@ -5,12 +5,12 @@ import kotlin.math.abs
 import kotlin.math.roundToLong
 
 /**
- * Writes what is drawn as SVG, in CSS pixels.
+ * Writes a drawing as SVG, in CSS pixels.
  *
- * @param ruler returns the width of a text, given its font size and whether it is bold: SVG has no font until somebody looks at it.
- * @param prefix begins the names of its parts, which must differ from those of other drawings in the same document.
- * @param cssOf returns a color, of which only red, green and blue count, in the notation of style sheets: a drawing inside a page can name
- *   the page's colors, which follow its theme.
+ * @param ruler returns the width of a text from its font size and whether it is bold: SVG has no font before it is displayed.
+ * @param prefix begins the names of the drawing's parts, which must differ from other drawings in the same document.
+ * @param cssOf returns a color, by its red, green and blue only, in the notation of style sheets: a drawing inside a page can name the
+ *   page's colors, which follow its theme.
  */
 class SvgPen(
     private val ruler: (String, Double, Boolean) -> Double,
@@ -25,14 +25,14 @@ class SvgPen(
     private var clip: Clip? = null
     private var clips = 0
 
-    /** Returns the drawing as a document, [width] by [height], on a [background]. */
+    /** Returns the drawing as a document of [width] by [height], on a [background]. */
     fun document(width: Double, height: Double, background: Int): String {
         val paper = "<path fill=\"${cssOf(background)}\" d=\"M0 0H${numberOf(width)}V${numberOf(height)}H0z\"/>"
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"${numberOf(width)}\" height=\"${numberOf(height)}\" " +
             "viewBox=\"0 0 ${numberOf(width)} ${numberOf(height)}\" font-family=\"system-ui, sans-serif\">$paper$body</svg>\n"
     }
 
-    /** Draws [draw], which shows [title] while the pointer rests on it. */
+    /** Draws [draw], with [title] as the tooltip. */
     fun titled(title: String, draw: () -> Unit) {
         body.append("<g><title>${xmlOf(title)}</title>")
         draw()
@@ -87,7 +87,7 @@ class SvgPen(
         val place = "<text x=\"${numberOf(left + x)}\" y=\"${numberOf(top + middle + BASELINE * letters)}\" " +
             "font-size=\"${numberOf(letters)}\"$anchor${if (isBold) " font-weight=\"bold\"" else ""}"
         val written = "$clipping>${xmlOf(text)}</text>"
-        // Below the letters: only browsers know the property that puts a text's own outline there.
+        // The outline is a text of its own below the letters: only browsers know the property for it.
         if (halo != null) {
             body.append("$place aria-hidden=\"true\" fill=\"none\" stroke=\"${cssOf(halo)}\" stroke-width=\"3\" stroke-linejoin=\"round\"")
             body.append(written)
@@ -148,7 +148,7 @@ class SvgPen(
         return " $kind=\"${cssOf(color)}\"" + if (opacity < 1) " $kind-opacity=\"${numberOf(opacity)}\"" else ""
     }
 
-    /** Adds the line through some of [places]; false for an isolated sample, which has none. */
+    /** Adds the line through some of [places]; returns false for an isolated sample, which has none. */
     private fun steps(places: DoubleArray, from: Int, until: Int): Boolean {
         if (until - from < PER_LINE) return false
         step('M', places[from], places[from + 1])
@@ -171,9 +171,9 @@ class SvgPen(
         body.append("$half${numberOf(-2 * radius)} 0$half${numberOf(2 * radius)} 0")
     }
 
-    /** The part of a document in which something is shown, in the document's coordinates, as what is called [name] in it. */
+    /** A clipping rectangle in the document's coordinates, called [name] in the document. */
     private class Clip(val left: Double, val top: Double, val right: Double, val bottom: Double, val name: String) {
-        /** Returns the part of it that is in [outer], too; an empty one if there is none. */
+        /** Returns the part of this rectangle within [outer]; it may be empty. */
         fun within(outer: Clip): Clip {
             val fromX = maxOf(left, outer.left)
             val fromY = maxOf(top, outer.top)
@@ -188,7 +188,7 @@ class SvgPen(
     }
 }
 
-/** Returns [value] with at most two decimals: a hundredth of a pixel is invisible, and further digits would be most of the file. */
+/** Returns [value] with at most two decimals: a hundredth of a pixel is invisible, and further digits would take most of the file. */
 private fun numberOf(value: Double): String {
     val hundredths = (value * 100).roundToLong()
     val whole = abs(hundredths) / 100

@@ -14,9 +14,12 @@ import kotlin.math.round
 /** The font size of the numbers of axes, in CSS pixels or dp. */
 const val AXIS_LETTERS: Double = 11.0
 
-/** Draws the lines across [frame] at the ticks of x, and across [lineFrame], its part with lines, at those of the first of [axes]. */
+/**
+ * Draws the grid: lines across [frame] at the ticks of x, and across [lineFrame], its part with lines, at the ticks of the first of
+ * [axes].
+ */
 fun Pen.drawGrid(frame: PlotFrame, lineFrame: PlotFrame, axes: List<PlotAxis>, colors: PenColors) {
-    // A line of one pixel is sharp in the middle of a pixel.
+    // A line of one pixel is sharp at the middle of a pixel.
     val middle = density % 2 / 2
     val lines = Points()
     for (place in placesOf(xTicks(frame), frame.x)) lines.line(place + middle, frame.top, place + middle, frame.bottom)
@@ -27,7 +30,7 @@ fun Pen.drawGrid(frame: PlotFrame, lineFrame: PlotFrame, axes: List<PlotAxis>, c
     segments(lines, colors[Shade.GRID], density)
 }
 
-/** Draws the numbers of x below [frame], over [width] pixels from the left edge of the drawing: the same for all graphs of a width. */
+/** Draws the numbers of x below [frame], over [width] pixels from the left edge of the drawing. Graphs of the same width share them. */
 fun Pen.drawXNumbers(frame: PlotFrame, width: Double, height: Double, colors: PenColors) {
     layer("x numbers", 0.0, frame.bottom, width, height, listOf(frame.shown, frame.left, colors)) { pen, _ ->
         val ticks = xTicks(frame)
@@ -36,8 +39,8 @@ fun Pen.drawXNumbers(frame: PlotFrame, width: Double, height: Double, colors: Pe
 }
 
 /**
- * Draws the axis of x as a bar in [frame], below graphs: marks at the ticks, their numbers, and [title] at the right end, for which numbers
- * make room.
+ * Draws the axis of x as a bar in [frame], below graphs: marks at the ticks, their numbers, and [title] at the right end. Numbers leave
+ * room for the title.
  */
 fun Pen.drawXBar(frame: PlotFrame, title: String, colors: PenColors) {
     val ticks = xTicks(frame)
@@ -67,8 +70,8 @@ fun Pen.drawFlag(frame: PlotFrame, x: Double, text: String, shade: Shade, colors
 /**
  * Draws the numbers of [axes] at the sides of [frame].
  *
- * @param hasRoom whether there is room to the right of the frame; without it, the right axis is within, outlined: beside the frame it would
- * take width from all graphs, whose x axes must be aligned, although only a few graphs need it.
+ * @param hasRoom whether there is room to the right of the frame. Otherwise the right axis is within, with an outline: beside the frame
+ *   it would take width from all graphs, because their x axes must be aligned, although only a few graphs need it.
  */
 fun Pen.drawYNumbers(frame: PlotFrame, axes: List<PlotAxis>, colors: PenColors, hasRoom: Boolean = false) {
     for (axis in axes) {
@@ -98,7 +101,7 @@ fun Pen.drawYNumbers(frame: PlotFrame, axes: List<PlotAxis>, colors: PenColors, 
     }
 }
 
-/** Writes the numbers of [ticks], which are at [places], below the height [top], as far as they end before [room]. */
+/** Writes the numbers of [ticks], which are at [places], below the height [top]; the last ones are omitted if they would reach [room]. */
 private fun Pen.writeNumbers(ticks: Ticks, places: DoubleArray, top: Double, colors: PenColors, room: Double = Double.POSITIVE_INFINITY) {
     val letters = AXIS_LETTERS * density
     ticks.texts.forEachIndexed { i, number ->

@@ -7,7 +7,7 @@ import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 import badlog.viewer.shown.cursor.Cursors
 
-/** Draws [cursors] over the height of [frame]: A, the second one dashed, and the pointer's place thin. */
+/** Draws [cursors] over the height of [frame]: the pinned one, the second one dashed, and the pointer's place thin. */
 fun Pen.drawCursors(frame: PlotFrame, cursors: Cursors, colors: PenColors) {
     val accent = colors[Shade.ACCENT]
     val pointer = faded(colors[Shade.CURSOR], if (cursors.isPinned) POINTER_OPACITY else CURSOR_OPACITY)
@@ -22,7 +22,7 @@ private fun Pen.drawLine(frame: PlotFrame, x: Double?, color: Int, width: Double
     segments(Points().line(place, frame.top, place, frame.bottom), color, width, dash)
 }
 
-/** Draws a dot at ([x], [y]), a place in pixels on line [color]. */
+/** Draws a dot at ([x], [y]), in pixels, in the color of line [color]. */
 internal fun Pen.drawSample(x: Double, y: Double, color: Int, colors: PenColors) {
     val place = Points().add(x, y)
     dots(place, (DOT + 1) * density, colors[Shade.SURFACE])

@@ -10,8 +10,8 @@ import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 
 /**
- * Draws the marks of [findings] at the bottom of [frame], where there are no marks of events: a glyph below a dashed line, and a band for
- * findings that last. There may be thousands, the same on all graphs.
+ * Draws the marks of [findings] at the bottom of [frame], where there are no marks of events. A mark is a glyph below a dashed line, and
+ * a band for a finding that lasts. There may be thousands, the same on all graphs.
  */
 fun Pen.drawFindingMarks(frame: PlotFrame, findings: FindingTimeline<*>, colors: PenColors) {
     if (findings.places.isEmpty()) return
@@ -45,7 +45,7 @@ private fun Pen.drawMark(marks: FindingMarks, index: Int, height: Double, colors
     val outline = Points()
     for (at in glyph.outline.indices step 2) outline.add(x + glyph.outline[at] * reach, middle + glyph.outline[at + 1] * reach)
     shapes(outline, glyph.outline.size / 2, color)
-    // Between two marks that touch.
+    // This edge separates two marks that touch.
     chain(outline, isClosed = true, colors[Shade.SURFACE], density)
 }
 

@@ -13,8 +13,8 @@ import badlog.viewer.text.fixedText
 import badlog.viewer.text.withUnit
 
 /**
- * Draws [histogram] of a line in [unit] and in the color of line [color], [width] physical pixels wide and [HISTOGRAM_HEIGHT] high: a bar for
- * each bin, the values below, and the share of the highest bar above.
+ * Draws [histogram] of a line in [unit], in the color of line [color]. It has a bar for each bin, the values below, and the share of the
+ * highest bar above; it is [width] physical pixels wide and [HISTOGRAM_HEIGHT] high.
  */
 fun Pen.drawHistogram(histogram: Histogram, unit: String, color: Int, width: Double, colors: PenColors) {
     val letters = AXIS_LETTERS * density
@@ -26,7 +26,7 @@ fun Pen.drawHistogram(histogram: Histogram, unit: String, color: Int, width: Dou
     val most = histogram.shares.max()
     val bar = wide / histogram.shares.size
     histogram.shares.forEachIndexed { i, share ->
-        // A value that hardly lasts is there nevertheless.
+        // A value that hardly lasts is still visible.
         val high = if (share > 0) maxOf(1.0, share / most * (bottom - top)) else 0.0
         rectangle(left + i * bar, bottom - high, maxOf(1.0, bar - density), high, colors.line(color))
     }

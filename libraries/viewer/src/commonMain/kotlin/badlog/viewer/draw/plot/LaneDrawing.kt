@@ -9,10 +9,10 @@ import badlog.viewer.draw.pen.TextSide
 import badlog.viewer.draw.pen.fittedEnds
 
 /**
- * Draws [lanes] below one another in [frame], each block with its state's name where that fits, and if they [haveNames], each lane's name to
+ * Draws [lanes] below one another in [frame], each block with its state's name if that fits. If they [haveNames], each lane's name is to
  * the left.
  *
- * @param made the frame for which their blocks were placed: while somebody zooms, they are stretched until new ones are ready.
+ * @param made the frame for which the blocks were placed. While a person zooms, they are stretched until new ones are ready.
  */
 fun Pen.drawLanes(frame: PlotFrame, lanes: List<PlotLane>, colors: PenColors, haveNames: Boolean, made: PlotFrame = frame) {
     if (lanes.isEmpty()) return
@@ -55,10 +55,10 @@ private fun Pen.drawBlock(left: Double, width: Double, top: Double, height: Doub
     text(name, left + LaneLook.MARGIN * density, top + height / 2, LaneLook.LETTERS * density, colors[Shade.STATE_TEXT])
 }
 
-/** Returns [name], or as much of it as fits into [room] and still means something; null for nothing. */
+/** Returns [name], or as much of it as fits into [room] and still means something; null if nothing does. */
 private fun Pen.stateNameIn(name: String, room: Double): String? {
     val letters = LaneLook.LETTERS * density
-    // Measuring a text takes longer than drawing a block.
+    // Estimates first, because measuring a text takes longer than drawing a block.
     val fitting = (room / (letters * LETTER_SHARE)).toInt()
     val fits = name.length < fitting || widthOf(name, letters) <= room
     if (!LaneLook.hasRoom(room / density, isWhole = fits)) return null

@@ -5,10 +5,10 @@ import badlog.viewer.draw.color.faded
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 
-/** Draws [lines], each on one of [axes], within [frame]; down to 0 if they are [isFilled]. */
+/** Draws [lines], each on one of [axes], within [frame]; with the areas down to 0 if they are [isFilled]. */
 fun Pen.drawLines(frame: PlotFrame, lines: List<PlotLine>, axes: List<PlotAxis>, isFilled: Boolean, colors: PenColors) {
     if (lines.isEmpty()) return
-    // A line along an edge is seen in all its width.
+    // A line along an edge is visible in its whole width.
     val margin = LINE_WIDTH * density
     clip(frame.left, frame.top - margin, frame.width, frame.height + 2 * margin) {
         for (line in lines) {

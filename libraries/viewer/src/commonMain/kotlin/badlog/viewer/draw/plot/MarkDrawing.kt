@@ -12,7 +12,10 @@ import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 
-/** Shades the parts of [frame] in which the robot was enabled, by its mode; with the name of each mode where there is room if [hasNames]. */
+/**
+ * Shades the parts of [frame] in which the robot was enabled, by its mode. If this [hasNames], each mode's name is written where there is
+ * room.
+ */
 fun Pen.drawModes(frame: PlotFrame, modes: ModeTimeline, colors: PenColors, hasNames: Boolean = false) {
     if (modes.spans.isEmpty()) return
     val bands = ModeBands().apply { place(modes, frame.shown, frame.width) }
@@ -26,7 +29,10 @@ fun Pen.drawModes(frame: PlotFrame, modes: ModeTimeline, colors: PenColors, hasN
     }
 }
 
-/** Draws the marks of [events] along the top of [frame]: heads with lines down to the bottom unless [hasLines] is false, and ticks in crowds. */
+/**
+ * Draws the marks of [events] along the top of [frame]: heads and, in crowds, ticks. Heads have lines down to the bottom if this
+ * [hasLines].
+ */
 fun Pen.drawEventMarks(frame: PlotFrame, events: EventTimeline, colors: PenColors, hasLines: Boolean = true) {
     if (events.placedCount == 0) return
     val marks = EventMarks().apply { place(events, frame.shown, frame.width, density) }
@@ -55,7 +61,7 @@ fun Pen.drawEventMarks(frame: PlotFrame, events: EventTimeline, colors: PenColor
     shapes(heads, TRIANGLE, color)
 }
 
-/** Draws a line and a flag at each of [places] where somebody wrote a note. */
+/** Draws a line and a flag at each of [places], the places of notes. */
 fun Pen.drawNoteMarks(frame: PlotFrame, places: List<Double>, colors: PenColors) {
     for (x in places) {
         if (x !in frame.shown) continue

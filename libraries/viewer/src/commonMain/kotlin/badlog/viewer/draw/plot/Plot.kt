@@ -7,10 +7,10 @@ import badlog.viewer.draw.mark.ModeTimeline
 import badlog.viewer.draw.pen.Pen
 
 /**
- * What one frame shows, ready to be drawn: lines, lanes, or lines with lanes below.
+ * The content of one frame, ready for drawing: lines, lanes, or lines with lanes below.
  *
  * @property axes the y axes of [lines], the left one first.
- * @property laneShare the part of the height that [lanes] take, from 0 to 1.
+ * @property laneShare the fraction of the height that [lanes] take, from 0 to 1.
  * @property isFilled whether the areas between the lines and 0 are filled.
  */
 class Plot(
@@ -21,16 +21,16 @@ class Plot(
     val isFilled: Boolean = false,
 )
 
-/** What all frames of a log show besides their lines; [notes] are places on x. */
+/** The marks that all frames of a log show besides their lines; [notes] are places on x. */
 class PlotMarks(val modes: ModeTimeline, val events: EventTimeline, val findings: FindingTimeline<*>?, val notes: List<Double>)
 
 /**
  * Draws [plot] with its axes and all [marks] in and around [frame].
  *
- * @param xHeight the room for the numbers of x below it; 0 for none.
+ * @param xHeight the room for the numbers of x below it; 0 if they are not drawn.
  * @param hasRoom whether there is room for a y axis to the right of it.
  * @param made the frame for which [plot] was made, if another one.
- * @param lines draws the lines in the part of the frame for them.
+ * @param lines draws the lines in their part of the frame.
  */
 fun Pen.drawPlot(
     frame: PlotFrame,
@@ -50,7 +50,7 @@ fun Pen.drawPlot(
     lines(lineFrame)
     drawYNumbers(lineFrame, plot.axes, colors, hasRoom)
     drawLanes(laneFrame, plot.lanes, colors, haveNames = plot.lanes.size > 1 || plot.lines.isNotEmpty(), made)
-    // Below the lanes, they would be hidden.
+    // They are on top of the lanes, which would hide them.
     if (plot.laneShare > 0) drawModes(laneFrame, marks.modes, colors)
     marks.findings?.let { drawFindingMarks(frame, it, colors) }
     drawEventMarks(frame, marks.events, colors)

@@ -6,47 +6,47 @@ import badlog.viewer.draw.curve.Scale
 import kotlin.math.round
 
 /**
- * Where the frame of a plot is, in physical pixels, and which part of x it shows.
+ * The frame of a plot, in physical pixels, and the part of x that it shows.
  *
  * @property shown the part of x.
  */
 class PlotFrame(val left: Double, val top: Double, val width: Double, val height: Double, val shown: Span) {
-    /** The scale of x over its width. */
+    /** The scale of x over the frame's width. */
     val x: Scale = Scale.ofX(shown, width, left)
     val right: Double get() = left + width
     val bottom: Double get() = top + height
 
-    /** Returns the same frame, showing another part of x. */
+    /** Returns the same frame with another part of x. */
     fun showing(x: Span): PlotFrame = PlotFrame(left, top, width, height, x)
 
-    /** Returns its part from [from] to [to], fractions of its height. */
+    /** Returns the part of the frame from [from] to [to], fractions of its height. */
     fun part(from: Double, to: Double): PlotFrame = PlotFrame(left, top + from * height, width, (to - from) * height, shown)
 
-    /** Returns the scale on which [shown] fills its height. */
+    /** Returns the scale on which [shown] fills the frame's height. */
     fun scaleOf(shown: Span): Scale = Scale.ofY(shown, height, top)
 
-    /** Returns the height of 0 on [y], or of the edge nearest to it: where a filled area ends. */
+    /** Returns the height of 0 on [y], or of the nearest edge: filled areas end there. */
     fun baselineOf(y: Scale): Double = y.placeOf(0.0).coerceIn(top, bottom)
 }
 
-/** The margins of all plots, in CSS pixels, so that the same x is at the same place in all of them. The page's style sheet knows them, too. */
+/** The margins of all plots, in CSS pixels: the same x is at the same place in all of them. The page's style sheet also has them. */
 object PlotMargins {
-    /** To the left, for the numbers of y and the names of lanes. */
+    /** The left margin, for the numbers of y and the names of lanes. */
     const val LEFT: Int = 62
 
-    /** To the right. */
+    /** The right margin. */
     const val RIGHT: Int = 14
 
-    /** Above. */
+    /** The margin above. */
     const val TOP: Int = 6
 
-    /** Below, for the numbers of x. */
+    /** The margin below, for the numbers of x. */
     const val BOTTOM: Int = 26
 
-    /** Above and below together. */
+    /** The margins above and below together. */
     const val HEIGHT: Int = TOP + BOTTOM
 
-    /** Returns the frame of a plot of [width] by [height] CSS pixels, each of them [density] physical ones, that shows [x]. */
+    /** Returns the frame of a plot of [width] by [height] CSS pixels that shows [x]; one of them is [density] physical pixels. */
     fun frameOf(width: Int, height: Int, x: Span, density: Double): PlotFrame {
         val left = round(LEFT * density)
         val top = round(TOP * density)
@@ -55,6 +55,9 @@ object PlotMargins {
         return PlotFrame(left, top, maxOf(1.0, right - left), bottom - top, x)
     }
 
-    /** Returns the height of a plot [width] CSS pixels wide whose frame shows all of [plane], with the same scale for x and y. */
+    /**
+     * Returns the height of a plot with all of [plane] in its frame, with the same scale for x and y. The plot is [width] CSS pixels
+     * wide.
+     */
     fun heightOf(plane: Plane, width: Int): Int = ((width - LEFT - RIGHT) * plane.y.width / plane.x.width).toInt() + HEIGHT
 }

@@ -7,23 +7,24 @@ import badlog.viewer.draw.curve.Strokes
 import badlog.viewer.draw.lane.LaneBlocks
 
 /**
- * A line of numbers, ready to be drawn.
+ * A line of numbers, ready for drawing.
  *
- * @property color the index of its color, from 0.
- * @property strokes its strokes and dots, in physical pixels.
- * @property axis the index of its y axis.
+ * @property color the index of the line's color, from 0.
+ * @property strokes the strokes and dots, in physical pixels.
+ * @property axis the index of the line's y axis.
  */
 class PlotLine(val color: Int, val strokes: Strokes, val axis: Int)
 
 /**
- * A y axis, ready to be drawn.
+ * A y axis, ready for drawing.
  *
- * @property shown the part of y that it shows.
- * @property color the index of the color of its numbers, that of its only line beside other axes; null for the color of all other texts.
+ * @property shown the visible part of y.
+ * @property color the index of the color of its numbers, if there are other axes and it has a single line; null for the color of other
+ *   texts.
  */
 class PlotAxis(val side: AxisSide, val unit: String, val shown: Span, val color: Int?) {
     companion object {
-        /** Returns [axes], which show [limits], of lines with these [colors]. */
+        /** Returns [axes] with their [limits], for lines with these [colors]. */
         fun of(axes: List<GraphAxis>, limits: List<Span>, colors: (Int) -> Int): List<PlotAxis> = axes.mapIndexed { i, axis ->
             PlotAxis(axis.side, axis.unit, limits[i], if (axes.size > 1) axis.lines.singleOrNull()?.let(colors) else null)
         }
@@ -31,9 +32,9 @@ class PlotAxis(val side: AxisSide, val unit: String, val shown: Span, val color:
 }
 
 /**
- * A lane of states, ready to be drawn.
+ * A lane of states, ready for drawing.
  *
  * @property states the name of each state.
- * @property blocks its blocks, in physical pixels from the left of the frame; null if it is hidden, but keeps its place.
+ * @property blocks the blocks, in physical pixels from the left of the frame; null if the lane is hidden, but keeps its place.
  */
 class PlotLane(val name: String, val states: List<String>, val blocks: LaneBlocks?)

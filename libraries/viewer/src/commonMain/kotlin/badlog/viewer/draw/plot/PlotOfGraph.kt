@@ -16,23 +16,24 @@ import badlog.viewer.shown.cursor.indexAt
 
 /** A line of numbers that a graph draws. */
 interface GraphLine {
-    /** Its samples. */
+    /** The samples of the line. */
     val series: GraphSeries
 
-    /** The index of its color, from 0. */
+    /** The index of the line's color, from 0. */
     val color: Int
 
-    /** What is added to its x. */
+    /** The number that is added to the line's x. */
     val offset: Double get() = 0.0
 }
 
 /**
- * Returns what the graph [look] shows in [frame]: its visible [lines], each on the axis of its unit, and [lanes] below. The axes fit what
- * is visible of their lines, unless a person has selected a range.
+ * Returns the plot of the graph [look] in [frame]: its visible [lines], each on the axis of its unit, and [lanes] below. The axes fit the
+ * visible samples of their lines, unless a person has selected a range.
  *
- * @param strokes those of each of [lines], with y as logged; they are placed here, since a scale is known only when all lines are.
+ * @param strokes the strokes of each of [lines], with y as logged. They are placed here, because a scale is known only when all lines
+ *   are.
  * @param density the number of physical pixels per CSS pixel or dp.
- * @param shared what is visible of each unit in all graphs that share their y limits with this one.
+ * @param shared the visible range of each unit in all graphs that share their y limits with this one.
  */
 fun plotOf(
     look: BoardGraph,
@@ -56,7 +57,7 @@ fun plotOf(
     return Plot(PlotAxis.of(axes, limits) { lines[it].color }, placed, lanes, laneShare, look.isFilled)
 }
 
-/** Returns the part of [height], in CSS pixels or dp, that [lanes] lanes take: all of it without lines. */
+/** Returns the fraction of [height], in CSS pixels or dp, that [lanes] lanes take: all of it without lines. */
 private fun laneShareOf(lanes: Int, hasLines: Boolean, height: Double): Double = when {
     lanes == 0 -> 0.0
     hasLines -> minOf(lanes * LaneLook.HEIGHT / height, MAX_LANE_SHARE)
@@ -64,8 +65,8 @@ private fun laneShareOf(lanes: Int, hasLines: Boolean, height: Double): Double =
 }
 
 /**
- * Returns where in [frame] the dot of a cursor at [x] is on [line], which this plot draws as the one at [index]: x and y; null if it is not
- * in the frame, or has no sample there.
+ * Returns the place of a cursor's dot on [line] in [frame], x and y, for a cursor at [x]. This plot draws the line as the one at [index].
+ * Null if the dot is not in the frame, or the line has no sample there.
  */
 fun Plot.dotAt(index: Int, line: GraphLine, x: Double, frame: PlotFrame): Pair<Double, Double>? {
     val sample = line.series.indexAt(x - line.offset)

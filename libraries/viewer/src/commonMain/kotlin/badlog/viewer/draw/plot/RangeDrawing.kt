@@ -18,14 +18,14 @@ fun Pen.drawSelection(frame: PlotFrame, range: Span, colors: PenColors) {
     segments(edges, colors[Shade.ACCENT], density)
 }
 
-/** Draws the heights from [top] to [bottom], in pixels, as a band over the width of [frame], with its edges: a part of y that is selected. */
+/** Draws a selected part of y as a band over the width of [frame], with its edges. It is from [top] to [bottom], in pixels. */
 fun Pen.drawSelectedHeights(frame: PlotFrame, top: Double, bottom: Double, colors: PenColors) {
     rectangle(frame.left, top, frame.width, bottom - top, faded(colors[Shade.ACCENT], SELECTED_OPACITY))
     val edges = Points().line(frame.left, top, frame.right, top).line(frame.left, bottom, frame.right, bottom)
     segments(edges, colors[Shade.ACCENT], density)
 }
 
-/** Shades the time when [finding] holds over the height of [frame], between dashed lines if there is room for them. */
+/** Shades the time of [finding] over the height of [frame], between dashed lines if there is room for them. */
 fun Pen.drawFinding(frame: PlotFrame, finding: Finding, colors: PenColors) {
     val color = colors.severity(finding.severity)
     val edges = Points()
@@ -42,7 +42,7 @@ fun Pen.drawFinding(frame: PlotFrame, finding: Finding, colors: PenColors) {
     segments(edges, faded(color, EDGE_OPACITY), density, DASH * density)
 }
 
-/** Draws in [frame], which shows a whole log, which part of it is [visible]: in a frame with handles, and all else is shaded. */
+/** Draws the [visible] part of a log as an outline with handles, and shades the rest. [frame] shows the whole log. */
 fun Pen.drawVisible(frame: PlotFrame, visible: Span, colors: PenColors) {
     val least = MIN_WIDTH * density
     val center = frame.x.placeOf(visible.from + visible.width / 2)
@@ -54,7 +54,7 @@ fun Pen.drawVisible(frame: PlotFrame, visible: Span, colors: PenColors) {
     rectangle(right, frame.top, maxOf(0.0, frame.right - right), frame.height, shade)
     val outline = roundedBox(left, frame.top + 0.5, right - left, frame.height - 1, RADIUS * density)
     chain(outline, isClosed = true, colors[Shade.ACCENT], OUTLINE * density)
-    // Handles, if there is room for them between the edges.
+    // Only with room between the edges for handles.
     if (right - left < 4 * least) return
     val handles = Points()
     for (edge in listOf(left, right)) {
@@ -63,7 +63,6 @@ fun Pen.drawVisible(frame: PlotFrame, visible: Span, colors: PenColors) {
     segments(handles, colors[Shade.ACCENT], HANDLE * density)
 }
 
-/** Shades [span] over the height of [frame]. */
 private fun Pen.drawBand(frame: PlotFrame, span: Span, color: Int) {
     val left = frame.x.placeOf(span.from).coerceIn(frame.left, frame.right)
     val right = frame.x.placeOf(span.to).coerceIn(frame.left, frame.right)

@@ -5,7 +5,7 @@ import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.sin
 
-/** Returns the [ROUNDED_CORNERS] corners of a box whose own corners are rounded with [radius], clockwise. */
+/** Returns the [ROUNDED_CORNERS] corners of a box that is rounded with [radius], clockwise. */
 internal fun roundedBox(left: Double, top: Double, width: Double, height: Double, radius: Double): Points {
     val points = Points()
     for (quarter in 0 until QUARTERS) {
@@ -21,8 +21,7 @@ internal fun roundedBox(left: Double, top: Double, width: Double, height: Double
 
 private const val QUARTERS = 4
 
-/** For a radius of a few pixels, more cannot be seen. */
+/** The number of steps in a quarter of a circle: more are invisible at a radius of a few pixels. */
 private const val STEPS = 4
 
-/** The number of corners of a rounded box. */
 internal const val ROUNDED_CORNERS: Int = QUARTERS * (STEPS + 1)

@@ -9,7 +9,7 @@ import badlog.viewer.shown.swerve.DriveErrors
 import badlog.viewer.shown.swerve.SwerveDrive
 
 /**
- * The picture of a [drive]: the robot from above with the arrows of its modules, and below it [errors] over the visible range. It keeps
+ * The picture of a [drive]: the robot from above with the arrows of its modules, and below it [errors] over the visible range. It caches
  * what only depends on the log.
  *
  * @param errors the drive's errors; null to draw the robot alone.
@@ -17,10 +17,10 @@ import badlog.viewer.shown.swerve.SwerveDrive
 class DrivePicture(private val drive: SwerveDrive, errors: DriveErrors?) {
     private val graph = errors?.let(::ErrorGraph)
 
-    /** Its height, in CSS pixels or dp. */
+    /** The height of the picture, in CSS pixels or dp. */
     val height: Int = if (graph == null) ROBOT else ROBOT + GRAPH
 
-    /** Draws it with [pen], [width] physical pixels wide: the robot at [cursors], and the errors in [visible]. */
+    /** Draws the picture with [pen], [width] physical pixels wide: the robot at [cursors], and the errors in [visible]. */
     fun draw(pen: Pen, width: Double, visible: Span, cursors: Cursors, colors: PenColors) {
         pen.drawRobot(drive, cursors.x ?: Double.NaN, width, ROBOT * pen.density, colors)
         val left = LEFT * pen.density

@@ -11,9 +11,8 @@ import badlog.viewer.shown.swerve.WheelVector
 import kotlin.math.hypot
 
 /**
- * Draws the robot of [drive] from above, its front up, in the middle of [width] by [height]: an outlined arrow for the target of each
- * module at [time], and a solid one for what it does. The arrow of the drive's fastest speed just fits; none is
- * longer.
+ * Draws the robot of [drive] from above, its front up, in the middle of [width] by [height]. Each module has an outlined arrow for its
+ * target at [time], and a solid one for its measured motion. The arrow of the drive's fastest speed just fits; none is longer.
  */
 internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, height: Double, colors: PenColors) {
     val side = minOf(width, height)
@@ -52,8 +51,8 @@ internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, heig
 }
 
 /**
- * Returns the corners of an arrow from ([x], [y]) by [toX] and [toY], but not longer than [longest]; its shaft is twice [most] wide, or less
- * if it is short. Null for none.
+ * Returns the corners of an arrow from ([x], [y]) by [toX] and [toY], at most [longest] long. Its shaft is twice [most] wide, or narrower
+ * if the arrow is short. Null if it is too short to draw.
  */
 private fun arrow(x: Double, y: Double, toX: Double, toY: Double, longest: Double, most: Double): Points? {
     val whole = hypot(toX, toY)
@@ -75,10 +74,10 @@ private fun arrow(x: Double, y: Double, toX: Double, toY: Double, longest: Doubl
     return points
 }
 
-/** Half of the robot's side, as a share of the picture's. */
+/** Half of the robot's side, as a fraction of the picture's side. */
 private const val HALF = 0.23
 
-/** The length of the longest arrow, as a share of the picture's side. */
+/** The length of the longest arrow, as a fraction of the picture's side. */
 private const val LONGEST = 0.25
 private const val CORNERS = 7
 private const val LINE = 1.5

@@ -15,7 +15,9 @@ import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
 import badlog.viewer.todo.taskOf
 
-/** Returns what is shown below [finding], which was gone to: its places, what to look at next, and other graphs to show beside it. */
+/**
+ * Returns the parts below the visited [finding]: its to-do item, its places, what to look at next, its caveats and other graphs to show.
+ */
 internal fun detailsOf(shown: FindingsShown, finding: Finding): List<Part> {
     val details = checkNotNull(shown.details)
     return todoLines(shown.todo, taskOf(finding)) +

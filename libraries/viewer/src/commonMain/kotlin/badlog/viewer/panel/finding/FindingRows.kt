@@ -18,7 +18,7 @@ import badlog.viewer.text.countText
 import badlog.viewer.text.word
 import badlog.viewer.todo.taskOf
 
-/** Returns [incidents] as rows: what came first and what followed, each linked to its place; null for none. */
+/** Returns [incidents] as rows, each with its findings in order and links to their places; null if there are none. */
 internal fun incidentRows(shown: FindingsShown, incidents: List<Incident>): Rows? = if (incidents.isEmpty()) {
     null
 } else {
@@ -45,7 +45,7 @@ private fun incidentRow(shown: FindingsShown, incident: Incident, key: String): 
     )
 }
 
-/** Returns [findings] as rows: severity, time, rule, text. */
+/** Returns [findings] as rows with severity, time, rule and text. */
 internal fun findingRows(shown: FindingsShown, findings: List<Finding>): List<Row> {
     val keys = UniqueKeys()
     return findings.map { findingRow(shown, it, keys.of("finding ${it.rule}$SEPARATOR${it.topic}")) }
@@ -91,11 +91,11 @@ private fun goTo(finding: Finding, incident: Incident?, isWhole: Boolean): Actio
 private fun pin(finding: Finding, incident: Incident?) =
     Button("Add its graphs to the board", Action.Ask(FindingRequest.Pin(finding, incident)), PartIcon.PIN)
 
-/** Returns what to look at [next] as a part; none if that is empty. */
+/** Returns the hint [next] as a part; no part if it is empty. */
 internal fun nextOf(next: String): List<Part> =
     if (next.isEmpty()) emptyList() else listOf(Paragraph("incident-next", "Next: $next", Tone.MUTED))
 
-/** Makes keys that no other row has: a hook may report the same twice. */
+/** Makes unique keys for rows: a hook may report the same finding twice. */
 private class UniqueKeys {
     private val times = HashMap<String, Int>()
 
@@ -107,5 +107,5 @@ private class UniqueKeys {
     }
 }
 
-/** No name of a rule or topic has it. */
+/** A character that never occurs in the name of a rule or topic. */
 private const val SEPARATOR = '\u0000'

@@ -34,8 +34,8 @@ import badlog.viewer.state.FindingRequest
 import badlog.viewer.text.countText
 
 /**
- * Returns the panel of findings: incidents first, then what belongs to none, the worst first; then the rules that could not run. Empty while
- * there is nothing to say.
+ * Returns the panel of findings: the incidents, the other findings, the worst first, and the rules that could not run. Empty if there is
+ * nothing to show.
  */
 fun findingsPanel(shown: FindingsShown): List<Part> {
     val found = shown.found ?: return if (shown.isRunning) listOf(Heading(TITLE, RUNNING)) else emptyList()
@@ -121,11 +121,11 @@ private fun hidden(searched: SearchedFindings): Part? = if (searched.hidden.isEm
 }
 
 /**
- * What a list shows at once.
+ * The visible part of the list.
  *
- * @property incidents the incidents that are listed.
+ * @property incidents the listed incidents.
  * @property findings the findings that are listed below the incidents.
- * @property left how much is left out.
+ * @property left the number of findings and incidents that are not listed.
  */
 private class Listed(val incidents: List<Incident>, val findings: List<Finding>, val left: Int)
 
@@ -135,7 +135,7 @@ private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): Li
     val all = beside.outside + beside.within
     val isNarrow = shown.room == FindingsRoom.NARROW
     val wanted = shown.state.listed
-    // A phone's first screen shall have a graph.
+    // A phone's first screen should show a graph.
     val few = if (!isNarrow) {
         FEW_FINDINGS
     } else if (searched.incidents.isEmpty()) {
@@ -143,14 +143,14 @@ private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): Li
     } else {
         0
     }
-    // Nobody unfolds a list for two more lines.
+    // A button for two more lines is not worth a click.
     val slack = if (few == 0) 0 else SLACK
     val count = wanted ?: if (beside.outside.size <= few + slack) beside.outside.size else few
     val current = shown.visited?.finding
     val incidents = searched.incidents.filterIndexed { i, incident ->
         i == 0 || !isNarrow || wanted != null || (current != null && current in incident)
     }
-    // Whatever a person went to is listed.
+    // A finding that a person went to is always listed.
     val visited = all.indexOfFirst { it === current }
     val findings = all.take(count) + if (visited >= count) listOf(all[visited]) else emptyList()
     return Listed(incidents, findings, all.size - findings.size + searched.incidents.size - incidents.size)
@@ -189,7 +189,7 @@ private fun skipped(shown: FindingsShown, found: FoundInLog): Part? {
     return Fold("findings-skipped", notLookedAt.text, isOpen, FindingAction.ToggleSkipped, parts)
 }
 
-/** Returns what can be done about [signals], which the rules [skipped] lack, and these rules. */
+/** Returns fields to assign the missing [signals], lines of code that log them, and the [skipped] rules. */
 private fun lacking(shown: FindingsShown, signals: List<String>, skipped: List<SkippedRule>): List<Part> {
     val where = if (shown.room == FindingsRoom.WHOLE) " in all logs of this folder" else ""
     val fields = signals.map { signal ->
@@ -201,7 +201,7 @@ private fun lacking(shown: FindingsShown, signals: List<String>, skipped: List<S
         skipped.map { Paragraph("rule ${it.rule}", "${it.rule}: ${it.message}", Tone.MUTED) }
 }
 
-/** Returns the lines with which [library] logs those of [signals] that a program can log. */
+/** Returns the code with which [library] logs the [signals] that a robot program can log. */
 private fun howToLog(library: LoggingLibrary, signals: List<String>): List<Part> {
     val lines = signals.mapNotNull { howToLog(it, library) }.distinct()
     val ofStation = signals.filter(::isOfDriverStation).map { signal ->
@@ -216,7 +216,7 @@ private fun howToLog(library: LoggingLibrary, signals: List<String>): List<Part>
     ) + objects(lines) + ofStation
 }
 
-/** Returns whose objects [lines] call, if they call any. */
+/** Returns a note that [lines] call objects of Phoenix 6, if they do. */
 private fun objects(lines: List<String>): List<Part> = if (lines.any { "getValueAsDouble" in it }) {
     listOf(Paragraph("logging-objects", "Motors and gyros are those of Phoenix 6; write yours in their place.", Tone.MUTED))
 } else {
@@ -236,8 +236,8 @@ private fun assigned(shown: FindingsShown): List<Part> {
 private const val TITLE = "Findings"
 private const val RUNNING = "running the rules…"
 
-/** The number of further findings that are listed, too, if these are all. */
+/** The number of further findings that are also listed, if the list then is complete. */
 private const val SLACK = 2
 
-/** As many signals as a person assigns at a time. */
+/** The maximum number of signals with a field, as many as a person assigns at a time. */
 private const val MOST_LACKING = 5

@@ -9,20 +9,20 @@ import badlog.viewer.state.FindingsState
 import badlog.viewer.todo.TodoList
 
 /**
- * What the panel of findings is made of.
+ * The content of the panel of findings.
  *
- * @property found what rules found; null before they have run.
+ * @property found the findings of the rules; null until they have run.
  * @property isRunning whether rules are running.
- * @property state what is searched and unfolded.
- * @property visited the place of the finding that a person went to; null for none.
+ * @property state the search and the unfolded sections.
+ * @property visited the place of the finding that a person went to; null if there is none.
  * @property times the times of the log.
- * @property differences how the log differs from the matches before.
+ * @property differences the differences between the log and the matches before it.
  * @property topics the topics that can be a signal.
- * @property assigned the signals that a person assigned to topics of the log, by name.
- * @property todo the team's list; null where there is none.
- * @property details what is shown below the finding that was gone to; null where the shell shows it elsewhere.
+ * @property assigned the topics that a person assigned to signals, by the signal's name.
+ * @property todo the team's list; null if there is none.
+ * @property details the content below the visited finding; null if the shell shows it elsewhere.
  * @property isComparing whether other logs are drawn, too.
- * @property room how much room there is.
+ * @property room the available room.
  */
 class FindingsShown(
     val found: FoundInLog?,
@@ -40,21 +40,21 @@ class FindingsShown(
 )
 
 /**
- * What can be shown below the finding that was gone to.
+ * The content below the visited finding.
  *
- * @property hasGraphs whether graphs are shown for it that can be kept.
+ * @property hasGraphs whether the finding's graphs are shown, and can be kept.
  * @property offers other graphs to show beside it.
  */
 class FindingDetails(val hasGraphs: Boolean, val offers: List<EvidenceOffer>)
 
-/** How much room a list of findings has. */
+/** The room for a list of findings. */
 enum class FindingsRoom {
-    /** It scrolls by itself, with a search of its own. */
+    /** The list has its own pane, which scrolls, with a search. */
     WHOLE,
 
-    /** It stands above graphs, which should stay in sight. */
+    /** The list is above graphs, which should stay visible. */
     SHARED,
 
-    /** It stands above graphs on a phone. */
+    /** The list is above graphs on a phone. */
     NARROW,
 }

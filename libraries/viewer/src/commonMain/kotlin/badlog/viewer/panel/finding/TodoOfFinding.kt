@@ -14,7 +14,7 @@ import badlog.viewer.todo.TodoTask
 import badlog.viewer.todo.againText
 import badlog.viewer.todo.text
 
-/** Returns what [todo] says of [task]; nothing if nobody has dealt with it. */
+/** Returns lines about [task] from [todo]; empty if the list does not have the task. */
 internal fun todoLines(todo: TodoList?, task: TodoTask): List<Part> {
     val item = todo?.item(task) ?: return emptyList()
     val done = item.done?.takeIf { !item.isOpen || item.isAgain }
@@ -25,7 +25,7 @@ internal fun todoLines(todo: TodoList?, task: TodoTask): List<Part> {
     )
 }
 
-/** Returns what a team can do with [task]. */
+/** Returns the buttons for a team's actions on [task]. */
 internal fun todoButtons(todo: TodoList, task: TodoTask): List<Button> {
     val isListed = todo.item(task) != null
     val item = todo.itemOrNew(task)

@@ -9,21 +9,21 @@ import badlog.viewer.state.Place
 import badlog.viewer.state.PlaceAction
 import kotlin.math.hypot
 
-/** What gestures change, on the page and in the window. */
+/** The state that gestures change, on the page and in the window. */
 interface GestureTarget {
-    /** Where the person is in the log. */
+    /** The person's place in the log. */
     val place: Place
 
-    /** Whether something else moves the cursor that is not pinned, such as playback. */
+    /** Whether something else, such as playback, moves the cursor while it is not pinned. */
     val isCursorLed: Boolean get() = false
 
-    /** Lets [action] change the state. */
+    /** Sends [action], which changes the state. */
     fun send(action: Action)
 }
 
 /**
- * Recognizes what a person does with a mouse or fingers over a plot: clicks, double clicks, drags, pinches, long presses. A front end
- * only reports its events.
+ * Recognizes the gestures of a mouse or of fingers over a plot: clicks, double clicks, drags, pinches, long presses. A front end only
+ * reports its events.
  */
 abstract class Gestures internal constructor(private val target: GestureTarget) {
     private val clicks = DoubleClick()
@@ -32,15 +32,15 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     private var kind = DragKind.ZOOM
     private var isDragging = false
 
-    // A drag in a direction that does not count is neither a drag nor a click.
+    // A movement in a direction that does not count is neither a drag nor a click.
     private var hasMoved = false
     private var isPinching = false
     private var beforeClick = Cursors()
 
-    /** Whether a pointer is down that means something: further moves are its, and Escape cancels what it does. */
+    /** Whether a pressed pointer has an effect: it receives all further moves, and Escape cancels its effect. */
     val isActive: Boolean get() = pressed != null || isPinching
 
-    /** Handles a button or a finger that comes down. */
+    /** Handles a button or a finger that is pressed. */
     fun press(at: PlotPointer) {
         at.finger?.let { fingers[it] = at }
         if (fingers.size > 1) {
@@ -73,7 +73,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
         drag(at)
     }
 
-    /** Handles a button or a finger that goes up. */
+    /** Handles a button or a finger that is released. */
     fun release(at: PlotPointer) {
         if (lift(at)) return
         val start = pressed?.takeIf { it.finger == at.finger } ?: return
@@ -86,7 +86,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
         stop(isGivenUp = false)
     }
 
-    /** Handles a pointer whose events go elsewhere from now on, such as a finger that scrolls. */
+    /** Handles a pointer that sends no further events here, such as a finger that scrolls. */
     fun cancel(at: PlotPointer) {
         lift(at)
         if (pressed?.finger == at.finger) stop(isGivenUp = false)
@@ -104,31 +104,31 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
         if (!isActive) target.send(PlaceAction.Leave)
     }
 
-    /** Cancels a drag: what it has changed is as before. */
+    /** Cancels a drag, and undoes its changes. */
     fun giveUp() = stop(isGivenUp = true)
 
     /**
-     * Handles a turn of the wheel, or of two fingers on a touch pad, by [right] and [down] in CSS pixels or dp. Returns false if it scrolls
-     * instead.
+     * Handles a turn of the wheel, or of two fingers on a touch pad. It is [right] and [down] in CSS pixels or dp. Returns false if the
+     * turn scrolls instead.
      */
     abstract fun wheel(at: PlotPointer, right: Double, down: Double): Boolean
 
-    /** Returns what a drag does that begins at [at]. */
+    /** Returns the effect of a drag that begins at [at]. */
     internal abstract fun kindOf(at: PlotPointer): DragKind
 
-    /** Returns the place on x that the pointer is on; null for none. */
+    /** Returns the x under the pointer; null if there is none. */
     abstract fun placeAt(at: PlotPointer): Double?
 
-    /** Begins a drag where it was pressed: at [start]. */
+    /** Begins a drag at [start], where the pointer was pressed. */
     internal abstract fun begin(kind: DragKind, start: PlotPointer)
 
     /** Moves the drag to [at]. */
     internal abstract fun drag(at: PlotPointer)
 
-    /** Does what the drag was for. */
+    /** Applies the drag. */
     internal abstract fun end()
 
-    /** Forgets the drag; undoes what it has changed if it [isGivenUp]. */
+    /** Ends the drag, and undoes its changes if it [isGivenUp]. */
     internal abstract fun forget(isGivenUp: Boolean)
 
     /** Shows everything, after a double click. */
@@ -137,13 +137,13 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     /** Handles the start of a pinch. */
     internal open fun beginPinch() = Unit
 
-    /** Makes what is shown [factor] times as large, while the finger [other] stays on what it is on. */
+    /** Scales the visible part by [factor], while the finger [other] stays at its place. A factor above 1 zooms out. */
     internal open fun pinch(other: PlotPointer, factor: Double) = Unit
 
-    /** Returns how far apart two fingers are, in CSS pixels or dp. */
+    /** Returns the distance between two fingers, in CSS pixels or dp. */
     internal open fun distance(one: PlotPointer, other: PlotPointer): Double = hypot(one.x - other.x, one.y - other.y)
 
-    /** Returns how far a pointer has moved, in the direction that counts for a drag of this [kind]. */
+    /** Returns the length of a drag from [start] to [at], in the direction that counts for its [kind]. */
     internal open fun lengthOf(kind: DragKind, start: PlotPointer, at: PlotPointer): Double = distance(start, at)
 
     /** Handles a pointer that moves without being pressed. */
@@ -167,7 +167,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     private fun click(at: PlotPointer, isShifted: Boolean) {
         if (isShifted) return clickAt(at, true)
         if (clicks.isSecond(at.x, at.millis)) {
-            // The first click of a double click does not count by itself.
+            // The first click of a double click has no effect of its own.
             target.send(PlaceAction.Point(beforeClick))
             return reset()
         }
@@ -175,7 +175,7 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
         clickAt(at, false)
     }
 
-    /** Returns true until a pinch is over, so that lifting its fingers is not a click. */
+    /** Returns true until all fingers of a pinch are lifted, so that lifting them is not a click. */
     private fun lift(at: PlotPointer): Boolean {
         at.finger?.let(fingers::remove)
         val wasPinching = isPinching
@@ -198,10 +198,10 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     }
 
     companion object {
-        /** How long a finger rests for a long press, in ms. */
+        /** The duration of a long press, in ms. */
         const val REST_MILLISECONDS: Int = 500
 
-        /** Fingers closer than this many CSS pixels or dp count as one. */
+        /** The minimum distance of two fingers in CSS pixels or dp; closer ones count as one. */
         private const val MIN_DISTANCE = 10.0
     }
 }

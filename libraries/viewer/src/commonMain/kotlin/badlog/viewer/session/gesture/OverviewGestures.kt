@@ -6,13 +6,13 @@ import badlog.viewer.input.PlotPointer
 import badlog.viewer.state.PlaceAction
 
 /**
- * What a mouse or fingers do over the overview, which always shows the whole log: they move the visible range or one of its edges, or
- * select a new one; a click moves it there, and pins the cursor.
+ * The gestures of a mouse or of fingers over the overview, which always shows the whole log. Drags move the visible range or one of its
+ * edges, or select a new one; a click moves the range there, and pins the cursor.
  */
 class OverviewGestures(private val target: PlotTarget) : PlotGestures(target) {
     private var grip = OverviewGrip.NEW
 
-    /** Returns what a drag that begins at [at] grabs. */
+    /** Returns the part of the overview that a drag from [at] grabs. */
     fun gripAt(at: PlotPointer): OverviewGrip = target.place.range.let { OverviewGrip.at(placeAt(at), it, it.full.width / at.width) }
 
     override fun placeAt(at: PlotPointer): Double =

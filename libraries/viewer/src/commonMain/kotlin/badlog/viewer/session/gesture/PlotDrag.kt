@@ -8,9 +8,9 @@ import badlog.viewer.state.PlaceAction
 /**
  * A drag over a plot.
  *
- * @property startX the x at which it began.
- * @property startY how far below the top of the lines it began, as a fraction of their height.
- * @property before the visible range when it began.
+ * @property startX the x of its start.
+ * @property startY the distance of its start from the top of the lines, as a fraction of their height.
+ * @property before the visible range at its start.
  * @property x the current x.
  * @property y the current fraction.
  */
@@ -22,12 +22,12 @@ data class PlotDrag(
     val x: Double = startX,
     val y: Double = startY,
 ) {
-    /** The range of x that it covers. */
+    /** The dragged range of x. */
     val xSpan: Span get() = Span(minOf(startX, x), maxOf(startX, x))
 
-    /** The part of the height of the lines that it covers, from the top. */
+    /** The dragged part of the lines' height, from the top. */
     val ySpan: Span get() = Span(minOf(startY, y), maxOf(startY, y))
 
-    /** What takes back what it has changed so far; null if that is nothing. */
+    /** The action that undoes the drag's changes so far; null if there are none. */
     val undoing: PlaceAction? get() = if (kind == DragKind.PAN) PlaceAction.Range(before) else null
 }

@@ -11,27 +11,25 @@ import badlog.viewer.state.Action
 import badlog.viewer.state.PlaceAction
 import kotlin.math.abs
 
-/** What gestures over a plot change. */
+/** The state that gestures over a plot change. */
 interface PlotTarget : GestureTarget {
-    /** The current drag, to show it; null for none, also when it is cancelled here. */
+    /** The current drag, for display; null if there is none, also after it was canceled here. */
     var drag: PlotDrag?
 
-    /** The part of the plot’s height, from the top, that has lines; 0 if y means nothing. */
+    /** The part of the plot’s height, from the top, that has lines; 0 if y has no meaning. */
     val lineShare: Double get() = 0.0
 
-    /** Shows only [part] of y, given as fractions of what is visible from the top; null for all of it. */
+    /** Shows only [part] of y, as fractions of the visible height from the top; null shows all of y. */
     fun showY(part: Span?) = Unit
 }
 
-/**
- * What a mouse or fingers do over a plot, and over the axis below it if it [isAxis], where a plain drag pans.
- */
+/** The gestures of a mouse or of fingers over a plot. If it [isAxis], they are over the axis below it, where a plain drag pans. */
 open class PlotGestures(private val target: PlotTarget, private val isAxis: Boolean = false) : Gestures(target) {
     private val wheel = Wheel()
     private val visible get() = target.place.range.visible
 
     override fun kindOf(at: PlotPointer): DragKind = when {
-        // A finger moves what it touches, as on a map; a mouse draws a selection frame.
+        // A finger moves the plot, as on a map; a mouse draws a selection frame.
         at.finger != null -> if (isAxis || target.place.range.isZoomed) DragKind.PAN else DragKind.ZOOM
 
         at.button == PointerButton.MIDDLE -> DragKind.PAN
@@ -61,7 +59,7 @@ open class PlotGestures(private val target: PlotTarget, private val isAxis: Bool
     override fun drag(at: PlotPointer) {
         val drag = target.drag ?: return
         val x = placeAt(at)
-        // What was touched stays under the pointer.
+        // The touched place stays under the pointer.
         if (drag.kind == DragKind.PAN) return target.send(PlaceAction.Shift(drag.startX - x))
         val shown = x.coerceIn(visible.from, visible.to)
         target.drag = drag.copy(x = shown, y = lineShareAt(at))

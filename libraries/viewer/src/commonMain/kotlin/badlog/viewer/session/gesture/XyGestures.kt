@@ -10,32 +10,33 @@ import badlog.viewer.input.Wheel
 /**
  * A drag over a graph of y over x.
  *
- * @property seen what was visible when it began.
- * @property before the selected part then; null for all.
+ * @property seen the visible part at its start.
+ * @property before the selected part at its start; null for the whole plane.
  */
 data class XyDrag(val kind: DragKind, val start: PlotPointer, val seen: Plane, val before: Plane?, val at: PlotPointer = start)
 
-/** What gestures over a graph of y over x change. */
+/** The state that gestures over a graph of y over x change. */
 interface XyTarget : GestureTarget {
-    /** What the graph shows. */
+    /** The picture in the graph. */
     val picture: XyPicture
 
-    /** The part of the plane that a person has selected; null for all of it. */
+    /** The part of the plane that a person has selected; null for the whole plane. */
     var plane: Plane?
 
-    /** The current drag, to show it; null for none. */
+    /** The current drag, for display; null if there is none. */
     var drag: XyDrag?
 
-    /** Returns what is visible of the plane in a frame of [width] by [height]; null for nothing. */
+    /** Returns the visible part of the plane in a frame of [width] by [height]; null if nothing is visible. */
     fun seen(width: Double, height: Double): Plane? = picture.seen(plane, width, height)
 }
 
 /**
- * What a mouse or fingers do over a graph of y over x: they put the cursor where the path passes them, zoom and pan, as over other graphs.
+ * The gestures of a mouse or of fingers over a graph of y over x. They put the cursor where the path passes them, zoom and pan, as over
+ * other graphs.
  */
 class XyGestures(private val target: XyTarget) : Gestures(target) {
     override fun kindOf(at: PlotPointer): DragKind {
-        // A finger moves what it touches, as on a map; a mouse draws a selection frame.
+        // A finger moves the plane, as on a map; a mouse draws a selection frame.
         val isPan = at.finger != null || at.shift || at.button == PointerButton.MIDDLE
         return if (isPan) DragKind.PAN else DragKind.ZOOM
     }
@@ -86,7 +87,7 @@ class XyGestures(private val target: XyTarget) : Gestures(target) {
 
     private fun seen(at: PlotPointer) = target.seen(at.width, at.height)
 
-    /** Returns when the path passed the place of [at]; null if it is not near. */
+    /** Returns the time when the path passed the place of [at]; null if the path is not near. */
     override fun placeAt(at: PlotPointer): Double? {
         val plane = seen(at) ?: return null
         return target.picture.timeAt(
@@ -101,7 +102,7 @@ class XyGestures(private val target: XyTarget) : Gestures(target) {
     }
 
     private companion object {
-        /** The maximum distance from the path at which the pointer still selects it, in CSS pixels or dp. */
+        /** The maximum distance between the path and a pointer that selects it, in CSS pixels or dp. */
         const val REACH = 60.0
     }
 }

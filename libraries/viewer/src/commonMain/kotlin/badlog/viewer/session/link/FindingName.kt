@@ -8,13 +8,13 @@ import badlog.viewer.text.nameOfAddress
  * Distinguishes a finding from others that begin at the same moment.
  *
  * @property rule the name of the rule or the hook that found it.
- * @property topic the topic it is about; null if there is none.
+ * @property topic the topic of the finding; null if there is none.
  */
 class FindingName(val rule: String, val topic: String?) {
-    /** Returns whether it is the name of [finding]. */
+    /** Returns whether this is the name of [finding]. */
     fun isOf(finding: Finding): Boolean = finding.rule == rule && finding.topic == topic
 
-    /** Returns its form in an address: `Brownout;PDP/Voltage`. */
+    /** Returns the name for an address: `Brownout;PDP/Voltage`. */
     internal fun toText(): String = listOfNotNull(rule, topic).joinToString(";", transform = ::addressText)
 
     companion object {

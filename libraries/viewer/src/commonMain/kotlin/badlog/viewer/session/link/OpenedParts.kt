@@ -1,12 +1,12 @@
 package badlog.viewer.session.link
 
 /**
- * What a reader has opened on a page.
+ * The parts of a page that a reader has opened.
  *
- * @property search the text in the search box; empty for none.
+ * @property search the text in the search box; may be empty.
  * @property hasValues whether the values at the cursor are open.
  * @property hasModules whether the modules of a swerve drive are open.
- * @property statistics the places on the board, from 1, of the graphs whose statistics are open.
+ * @property statistics the places on the board, from 1, of the graphs with open statistics.
  */
 data class OpenedParts(
     val search: String = "",
@@ -14,14 +14,14 @@ data class OpenedParts(
     val hasModules: Boolean = false,
     val statistics: List<Int> = emptyList(),
 ) {
-    /** Returns all but [search] for an address: `values;1;3` or `modules;1`. */
+    /** Returns everything except [search] for an address: `values;1;3` or `modules;1`. */
     internal fun toText(): String {
         val panels = listOfNotNull(VALUES.takeIf { hasValues }, MODULES.takeIf { hasModules })
         return (panels + statistics).joinToString(";")
     }
 }
 
-/** Returns what [text] from [OpenedParts.toText] says, with [search]; what a newer badlog can open is ignored. */
+/** Returns the opened parts of [text], as [OpenedParts.toText] writes it, with [search]. Parts of a newer badlog are ignored. */
 internal fun openedPartsOf(text: String, search: String): OpenedParts {
     val parts = text.split(';')
     val statistics = parts.mapNotNull(String::toIntOrNull).filter { it > 0 }.distinct()

@@ -14,16 +14,16 @@ import badlog.viewer.text.fixedText
 import badlog.viewer.text.nameOfAddress
 
 /**
- * What the end of a page's address asks for:
+ * The content of a page's address after its `#`:
  * `#t=93.7&b=95.2&finding=Brownout;Voltage&x=90:100&board=Voltage;Mode&f=Power+~003d+Voltage*Current&q=battery&open=values;1`.
  *
- * @property moment where the cursor goes, in the unit of the x axis; null for nowhere.
- * @property second where the second cursor goes, if there is a [moment]; null for nowhere.
+ * @property moment the new x of the cursor, in the unit of the x axis; null if it is not moved.
+ * @property second the new x of the second cursor, if there is a [moment]; null if there is none.
  * @property finding the finding to show at [moment]; null for the worst one there.
  * @property visible the part of x to show; null for a range around the moment.
  * @property board the graphs to show together, by the names of their lines; null for the existing ones.
- * @property opened the search and what else is open.
- * @property formulas the definitions of topics that are calculated from others, in addition to those of the page.
+ * @property opened the search and the other opened parts.
+ * @property formulas the definitions of calculated topics, in addition to the page's own.
  * @property problems a sentence for each damaged part, which is ignored.
  * @property video the alignment of the video that the reader opens or the page has: `v=-3.5` if it begins 3.5 s before x is 0.
  */
@@ -38,13 +38,14 @@ class PageAddress(
     val second: Double? = null,
     val opened: OpenedParts = OpenedParts(),
 ) {
-    /** Whether it asks for nothing. */
+    /** Whether the address has no content. */
     val isEmpty: Boolean get() =
         moment == null && visible == null && board == null && formulas.isEmpty() && video == null && opened == OpenedParts()
 
     /**
-     * Returns the same for a link that is short enough to read: where a pointer put a cursor or the end of a range, only the decimals stay
-     * that can be seen while [width] of x is visible. Times as logs have them, and those of findings, stay as they are.
+     * Returns the same content for a link that is short enough to read. Positions of more than 12 characters, as pointers set them, keep
+     * only the decimals that are visible while the screen shows [width] of x. Shorter times, as in logs, and the moment of a finding stay
+     * as they are.
      */
     fun seenIn(width: Double): PageAddress {
         val decimals = decimalsFor(width)
@@ -56,7 +57,7 @@ class PageAddress(
         )
     }
 
-    /** Returns the end of the address, from the `#` on; empty if it asks for nothing. */
+    /** Returns the end of the address, from the `#` on; empty without content. */
     fun toText(): String {
         val parts = listOfNotNull(
             moment?.takeIf { it.isFinite() }?.let { "t=" + numberText(it) },
@@ -74,12 +75,13 @@ class PageAddress(
 }
 
 /**
- * Returns what [text] asks for, the end of an address from the `#` on. Unknown parts, such as places on the page or those that a newer badlog
- * added, are ignored silently. A link of a later version than [LINK_VERSION], in which a part means something else, is reported.
+ * Returns the content of [text], the end of an address from the `#` on. Unknown parts, such as anchors on the page or additions of a
+ * newer badlog, are ignored silently. A link of a later version than [LINK_VERSION] is reported, because its parts may have another
+ * meaning.
  */
 fun pageAddressOf(text: String): PageAddress {
     val problems = ArrayList<String>()
-    // Programs that pass links on may percent-encode any character, although none of these needs it.
+    // Programs that forward links may percent-encode any character, although none of these needs it.
     val parts = withoutPercents(text.removePrefix("#")).split('&').filter { '=' in it }
         .associate { it.substringBefore('=') to it.substringAfter('=') }
 
@@ -118,7 +120,7 @@ private fun formulasOrNull(text: String): List<String>? {
     return if (null in read) null else read.filterNotNull().distinct()
 }
 
-// Only single-byte characters: others are never written here.
+// Decodes only single-byte characters: others are never written here.
 private fun withoutPercents(text: String): String {
     val parts = text.split('%')
     return parts.drop(1).joinToString("", parts[0]) { part ->
@@ -127,10 +129,10 @@ private fun withoutPercents(text: String): String {
     }
 }
 
-/** The version of links that say none, which is the one that this program writes: it would only make them longer. */
+/** The version that this program writes, without naming it to keep links short; also the version of links that do not name one. */
 private const val LINK_VERSION = 1
 
-/** Seconds and microseconds of a log that is not too long for any battery: `12345.678901`. */
+/** The length of a time with microseconds, in a log that is not too long for a battery: `12345.678901`. */
 private const val TIME_LENGTH = 12
 
 private const val HEXADECIMAL = 16

@@ -3,7 +3,7 @@ package badlog.viewer.session.video
 import kotlin.math.abs
 import kotlin.math.roundToInt
 
-/** The duration of a video's frames, learned from the times of displayed frames, since players do not report it. */
+/** The duration of a video's frames, learned from the times of displayed frames, because players do not report it. */
 class FrameClock {
     private var shown = Double.NaN
     private var guess = FIRST_GUESS
@@ -11,11 +11,11 @@ class FrameClock {
     private var seconds = 0.0
     private var frames = 0
 
-    /** The duration of a frame in seconds; a guess until two consecutive ones were displayed. */
+    /** The duration of a frame in seconds; a guess until two consecutive frames were displayed. */
     val frameSeconds: Double get() = if (frames == 0) guess else seconds / frames
 
     /**
-     * Records that the frame that begins [time] seconds from the video's start is displayed.
+     * Records the display of the frame that begins [time] seconds from the video's start.
      *
      * @param isNext whether the video played or stepped there from the previous frame, rather than jumped.
      */
@@ -23,7 +23,7 @@ class FrameClock {
         val passed = abs(time - shown)
         shown = time
         if (!isNext || !(passed in MIN_FRAME..MAX_FRAME)) return
-        // Earlier, frames were skipped.
+        // A clearly shorter duration shows that frames were skipped before.
         if (passed < shortest * SAME) {
             shortest = passed
             seconds = 0.0
@@ -35,7 +35,7 @@ class FrameClock {
         frames += count
     }
 
-    /** Records that a step did not leave its frame, which therefore lasts longer than assumed. */
+    /** Records a step that did not leave its frame, which therefore lasts longer than assumed. */
     fun lengthen() {
         guess = minOf(frameSeconds * 2, MAX_FRAME)
         shortest = Double.POSITIVE_INFINITY
@@ -43,22 +43,25 @@ class FrameClock {
     }
 
     /**
-     * Returns where to seek, in seconds from the video's start, to show the frame [count] after the one that begins at [time], or before it
-     * if negative: the middle of that frame, since players round; never before the start.
+     * Returns the position to seek for the frame [count] after the one that begins at [time], or before it if negative. Both are in
+     * seconds from the video's start. It is the middle of that frame, because players round, and never before the start.
      */
     fun step(time: Double, count: Int): Double = maxOf(0.0, time + (count + MIDDLE) * frameSeconds)
 
     private companion object {
-        /** Seconds. At 60 frames per second, the first step is right; with fewer, it ends too early, and [lengthen] is called. */
+        /**
+         * The first guess, in seconds. At 60 frames per second, the first step is right; with fewer, it ends too early, and [lengthen] is
+         * called.
+         */
         const val FIRST_GUESS = 1.0 / 60
         const val MIN_FRAME = 0.002
         const val MAX_FRAME = 0.25
         const val MIDDLE = 0.5
 
-        /** A duration shorter than this fraction of the shortest one is not due to rounding. */
+        /** The smallest ratio to the shortest duration that rounding explains. */
         const val SAME = 0.75
 
-        /** For up to this many frames, rounding of the shortest does not add up to another frame. */
+        /** The maximum number of frames for which the rounding error of the shortest duration stays below a frame. */
         const val MAX_COUNT = 8
     }
 }

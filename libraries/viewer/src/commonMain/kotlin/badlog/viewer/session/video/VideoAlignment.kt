@@ -4,38 +4,41 @@ import badlog.core.analysis.Span
 import kotlin.math.round
 
 /**
- * The alignment of a video with a log: which of its seconds shows which x. Immutable.
+ * The alignment of a video with a log: the x that each of its seconds shows. Immutable.
  *
- * @property startSeconds where on the log's time axis the video begins, in seconds, to a tenth of a millisecond; negative if the video
+ * @property startSeconds the start of the video on the log's time axis, in seconds, to a tenth of a millisecond; negative if the video
  *   began before x was 0.
  */
 class VideoAlignment(startSeconds: Double) {
     val startSeconds: Double = round(startSeconds * PER_SECOND) / PER_SECOND
 
-    /** Returns the x that the video shows at [seconds] from its start, where [secondsOfX] is the number of seconds in one unit of x. */
+    /** Returns the x that the video shows at [seconds] from its start; one unit of x is [secondsOfX] seconds. */
     fun xAt(seconds: Double, secondsOfX: Double): Double = (startSeconds + seconds) / secondsOfX
 
-    /** Returns the second of the video that shows [x]; negative or beyond its end if the video does not show it. */
+    /**
+     * Returns the second of the video that shows [x]; one unit of x is [secondsOfX] seconds. It is negative or beyond the end if the
+     * video does not show x.
+     */
     fun secondsAt(x: Double, secondsOfX: Double): Double = x * secondsOfX - startSeconds
 
     companion object {
         /** Returns the alignment of a video that shows [x] at [seconds] from its start; one unit of x is [secondsOfX] seconds. */
         fun of(seconds: Double, x: Double, secondsOfX: Double): VideoAlignment = VideoAlignment(x * secondsOfX - seconds)
 
-        /** Why a frame cannot be aligned with the cursor. */
+        /** The reason why a frame cannot be aligned with the cursor. */
         const val NO_CURSOR: String = "Click a graph first."
 
-        /** Why a frame cannot be aligned with the moment at which the robot was enabled. */
+        /** The reason why a frame cannot be aligned with the enabling of the robot. */
         const val NEVER_ENABLED: String = "This log does not say when the robot was enabled."
 
-        /** Why no video can be aligned with a log. */
+        /** The reason why no video can be aligned with a log. */
         const val NO_TIME: String = "The x axis of this log is not a time, so no video can be shown beside it."
 
         private const val PER_SECOND = 10_000.0
     }
 }
 
-/** Returns how a person aligns a video with a log; [hasEnabled] says whether that shows when the robot was enabled. */
+/** Returns the instruction for aligning a video with a log; [hasEnabled] says whether the log shows when the robot was enabled. */
 fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
     "Find the first frame in which the robot is enabled, and click “Enabled here”."
 } else {
@@ -43,7 +46,7 @@ fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
 }
 
 /**
- * Returns where a frame belongs in which the robot becomes enabled: the start of the first of [enabled], in the order of x, that begins in
- * [visible]; if none does, that of the very first. Null if the log does not say when the robot was enabled.
+ * Returns the time of a frame in which the robot becomes enabled: the start of the first span of [enabled] that begins in [visible],
+ * otherwise of the very first. [enabled] is in the order of x. Null if the log does not show when the robot was enabled.
  */
 fun enabledStart(enabled: List<Span>, visible: Span): Double? = (enabled.firstOrNull { it.from in visible } ?: enabled.firstOrNull())?.from

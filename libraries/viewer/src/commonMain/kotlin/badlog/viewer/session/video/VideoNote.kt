@@ -1,13 +1,13 @@
 package badlog.viewer.session.video
 
 /**
- * What is remembered about the video of a log.
+ * The stored facts about a video of a log.
  *
  * @property name the name of the video's file.
- * @property alignment how it is aligned with the log; null if nobody has aligned it.
+ * @property alignment the alignment with the log; null before the video is aligned.
  */
 class VideoNote(val name: String, val alignment: VideoAlignment?) {
-    /** Returns it as one line, which [videoNoteOf] reads: `12.5 match.mp4`, and `- match.mp4` without an alignment. */
+    /** Returns the note as one line, which [videoNoteOf] reads: `12.5 match.mp4`, and `- match.mp4` without an alignment. */
     fun toText(): String = "${alignment?.startSeconds ?: NONE} $name"
 }
 
@@ -18,7 +18,9 @@ fun videoNoteOf(text: String): VideoNote? {
     return start.toDoubleOrNull()?.takeIf(Double::isFinite)?.let { VideoNote(name, VideoAlignment(it)) }
 }
 
-/** Returns [notes], what is remembered of a log's videos one a line, with this note instead of another one about its video. */
+/**
+ * Returns [notes] with this note, which replaces another one about its video. They are the stored notes about a log's videos, one a line.
+ */
 fun VideoNote.within(notes: String): String =
     (notes.lines().filter { line -> videoNoteOf(line).let { it != null && it.name != name } } + toText()).joinToString("\n")
 

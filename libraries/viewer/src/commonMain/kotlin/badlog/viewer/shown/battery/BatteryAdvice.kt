@@ -6,50 +6,60 @@ import kotlin.math.floor
 import kotlin.math.roundToInt
 
 /**
- * What to do with batteries.
+ * The advice on a team's batteries.
  *
- * @property next the battery to use next, and why; null if no log has a battery of the team.
- * @property retire the batteries to use no longer, and why.
- * @property charge the batteries that were not full, and how that is known.
+ * @property next the battery to use next, with the reason; null if no log has a battery of the team.
+ * @property retire the batteries to retire, with the reasons.
+ * @property charge the batteries that were not full, with the evidence.
  */
 class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: List<AdvisedBattery>, val charge: List<AdvisedBattery>) {
-    /** All of it: what to use next, what to use no longer, what to check. */
+    /** The whole advice in order: the battery to use next, the ones to retire, the ones to check. */
     val all: List<AdvisedBattery> get() = listOfNotNull(next) + retire + charge
 
-    /** As much of it as a pit view has room for. */
+    /** The most important advice, as much as a pit view has room for. */
     val inPit: List<AdvisedBattery> get() = all.take(MOST_IN_PIT)
 
-    /** Returns what to do with [season], in a few words and with the reason; null for nothing. */
+    /** Returns the advice on the battery of [season]; null if there is none. */
     fun of(season: BatterySeason): AdvisedBattery? = all.find { it.name == season.battery?.name }
 
     companion object {
-        /** Returns what to do with the batteries whose season is [seasons]. */
+        /** Returns the advice on the batteries with these [seasons]. */
         fun of(seasons: List<BatterySeason>): BatteryAdvice {
             val inUse = seasons.filter { it.battery?.isRetired == false }
             val best = inUse.filter { it.resistance != null }.minByOrNull { highOf(it.resistance!!) }
             val retire = inUse.mapNotNull { retired(it, best) }
-            val charge = inUse.mapNotNull(::notFull).filter { tired -> retire.none { it.name == tired.name } }
-            val usable = inUse.filter { season -> retire.none { it.name == season.title } }
+            val charge = inUse.mapNotNull { brownedOut(it) ?: notFull(it) }.filter { tired -> retire.none { it.name == tired.name } }
+            val usable = inUse.filter { season -> retire.none { it.name == season.title } && brownedOut(season) == null }
             val fit = usable.filter { season -> charge.none { it.name == season.title } }.ifEmpty { usable }
-            return BatteryAdvice(if (inUse.all { it.matches.isEmpty() }) null else nextOf(fit, seasons), retire, charge)
+            return BatteryAdvice(if (inUse.all { it.matches.isEmpty() }) null else nextOf(fit, seasons, best), retire, charge)
         }
 
         private fun retired(season: BatterySeason, best: BatterySeason?): AdvisedBattery? {
             val own = season.resistance?.takeIf { season !== best } ?: return null
             val least = best?.resistance ?: return null
-            // One match does not say how much matches differ.
+            // One match does not show how much matches differ.
             if (season.matches.count { it.use.resistance != null } < LEAST_TO_RETIRE) return null
-            // At the same current, its voltage drops a third more.
+            // A worn battery's voltage drops a third more at the same current.
             if (own.milliohms - own.uncertainty <= highOf(least) * WORN) return null
             val more = ((own.milliohms / least.milliohms - 1) * PERCENT).roundToInt()
             val reason = "Its resistance is ${resistanceText(own)}, $more % more than that of ${best.title} (${resistanceText(least)})."
             return AdvisedBattery(season.title, BatteryStep.RETIRE, reason)
         }
 
+        /** Whether it fell so low in its last match that the roboRIO switched motors off. */
+        private fun brownedOut(season: BatterySeason): AdvisedBattery? {
+            val match = season.matches.firstOrNull() ?: return null
+            val lowest = match.use.lowest?.takeIf { it < BROWNED_OUT } ?: return null
+            val reason = "It fell to ${voltsText(
+                lowest,
+            )} in ${match.title}: a roboRIO 2 switches motors off below ${voltsText(BROWNED_OUT)}."
+            return AdvisedBattery(season.title, BatteryStep.CHECK, reason)
+        }
+
         private fun notFull(season: BatterySeason): AdvisedBattery? {
             val last = season.matches.filter { it.isMatch && it.use.restBefore != null }.take(MATCHES_TO_TELL)
             if (last.size < MATCHES_TO_TELL || last.any { it.use.restBefore!! >= FULL }) return null
-            // Rounded down, so that it does not seem to be full.
+            // Rounded down, so that a battery does not seem to be full.
             val texts = last.map { floor(it.use.restBefore!! * HUNDREDTHS) / HUNDREDTHS }.sorted().map(::voltsText)
             val between = if (texts.first() == texts.last()) texts.first() else "${texts.first()} to ${texts.last()}"
             val before = "Before its last $MATCHES_TO_TELL matches it rested at $between"
@@ -60,21 +70,21 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             )
         }
 
-        /** Of the [fit] ones that are no worse than the best, the one that rested longest; of those never measured, only if there is no other. */
-        private fun nextOf(fit: List<BatterySeason>, all: List<BatterySeason>): AdvisedBattery? {
+        /**
+         * Returns the battery to use next: of the [fit] ones that are no worse than the [best] known one, or else than the best of them, the one
+         * that rested longest. One that was never measured is used only if there is no other.
+         */
+        private fun nextOf(fit: List<BatterySeason>, all: List<BatterySeason>, best: BatterySeason?): AdvisedBattery? {
             val last = all.maxByOrNull { it.lastUse }
             val others = fit.filter { it !== last }
             val offered = others.ifEmpty { fit }
             val least = offered.mapNotNull { it.resistance }.minByOrNull(::highOf)
-            val good = offered.filter { season ->
-                least == null ||
-                    season.resistance?.let { it.milliohms - it.uncertainty <= highOf(least) } ?: false
-            }
-            val next = good.minByOrNull { it.lastUse } ?: return null
+            val good = listOfNotNull(best?.resistance, least).map { measure -> offered.filter { isAsGood(it, measure) } }
+            val next = (good.firstOrNull { it.isNotEmpty() } ?: offered).minByOrNull { it.lastUse } ?: return null
             val match = next.matches.firstOrNull()
             val isUnknownSince = all.any { it.battery == null && match != null && it.lastUse > match.second }
             val reasons = listOfNotNull(
-                next.resistance?.let { "its resistance is ${resistanceText(it)}" },
+                resistanceOf(next, best),
                 when {
                     match == null -> "no log has it yet"
                     others.isEmpty() -> "it is the only one that is fit"
@@ -91,14 +101,28 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             )
         }
 
+        /** Says the resistance of [season], compared with the [best]; null for a battery that no log has. */
+        private fun resistanceOf(season: BatterySeason, best: BatterySeason?): String? {
+            val own = season.resistance ?: return if (season.matches.isEmpty()) null else "its resistance was not measured"
+            val least = best?.resistance ?: return null
+            val other = if (isAsGood(season, least)) "" else " (${best.title}: ${resistanceText(least)})"
+            return "its resistance is ${resistanceText(own)}$other"
+        }
+
+        private fun isAsGood(season: BatterySeason, measure: Resistance) =
+            season.resistance?.let { it.milliohms - it.uncertainty <= highOf(measure) } ?: false
+
         private val BatterySeason.lastUse: Long get() = matches.firstOrNull()?.second ?: Long.MIN_VALUE
 
         private fun highOf(resistance: Resistance) = resistance.milliohms + resistance.uncertainty
 
         private const val PERCENT = 100
+
+        /** In volts. */
+        private const val BROWNED_OUT = 6.75
         private const val WORN = 4.0 / 3
 
-        /** The voltage at rest of a lead battery that is nearly full, in volts, with the robot's computers on. */
+        /** The voltage at rest of a nearly full lead battery, in volts, with the robot's computers on. */
         private const val FULL = 12.4
         private const val MATCHES_TO_TELL = 3
         private const val HUNDREDTHS = 100
@@ -108,35 +132,35 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
 }
 
 /**
- * What to do with a battery.
+ * The advice on one battery.
  *
- * @property name its name.
- * @property reason why, as a sentence.
+ * @property name the name of the battery.
+ * @property reason the reason, as a sentence.
  */
 class AdvisedBattery(val name: String, val step: BatteryStep, val reason: String) {
-    /** What to do, in a few words: `Use A1 next`. */
+    /** The advice in a few words: `Use A1 next`. */
     val headline: String get() = step.before + name + step.after
 
-    /** What to do, beside what is not about batteries: `Battery: use A1 next`. */
+    /** The advice among others that are not about batteries: `Battery: use A1 next`. */
     val pitText: String get() = "Battery: ${headline.replaceFirstChar { it.lowercase() }}"
 
-    /** What to do, and why, as sentences. */
+    /** The advice with its reason, as sentences. */
     val text: String get() = "$headline. $reason"
 }
 
 /**
- * What can be done with a battery.
+ * An action for a battery.
  *
- * @property label its name beside a battery.
+ * @property label the label beside a battery.
  */
 enum class BatteryStep(val label: String, internal val before: String, internal val after: String = "") {
-    /** Into the robot for the next match. */
+    /** Use the battery for the next match. */
     USE("Use next", "Use ", " next"),
 
-    /** No longer into matches. */
+    /** Do not use the battery in matches any more. */
     RETIRE("Retire", "Retire "),
 
-    /** It was not full, or does not hold its charge. */
+    /** Check the battery: it was not full, or does not hold its charge. */
     CHECK("Check", "Check ", " and its charger"),
 }
 
@@ -146,5 +170,5 @@ fun resistanceText(resistance: Resistance): String =
 
 internal fun voltsText(volts: Double): String = "${fixedText(volts, 2)} V"
 
-/** Nothing is known so well that its uncertainty would be nothing. */
+/** The smallest shown uncertainty: no resistance is known more precisely. */
 private const val LEAST_SHOWN = 0.1

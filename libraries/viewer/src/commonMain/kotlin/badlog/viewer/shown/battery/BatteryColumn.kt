@@ -4,7 +4,7 @@ import badlog.viewer.text.countText
 import badlog.viewer.text.fixedText
 import kotlin.math.floor
 
-/** Returns `14 months`, or `3 years` when months no longer matter. */
+/** Returns `14 months`, or `3 years` from two years on. */
 private fun ageText(months: Int) = if (months < MONTHS_TOLD) countText(months, "month") else countText(months / MONTHS_OF_YEAR, "year")
 
 private const val MONTHS_OF_YEAR = 12
@@ -13,16 +13,16 @@ private const val MONTHS_TOLD = 24
 /**
  * The columns of the table of batteries.
  *
- * @property title its heading.
- * @property meaning what it shows, as a sentence.
- * @property isNumber whether it is aligned to the right.
- * @property text returns its text for people; null if that is not known.
+ * @property title the heading.
+ * @property meaning the content, as a sentence.
+ * @property isNumber whether the column is aligned to the right.
+ * @property text returns the displayed text; null if unknown.
  */
 enum class BatteryColumn(val title: String, val meaning: String, val isNumber: Boolean = true, val text: (BatterySeason) -> String?) {
     BATTERY("Battery", "What the team calls it.", isNumber = false, text = { it.title }),
     MATCHES("Matches", "How many matches and other runs it was in the robot for.", text = { "${it.matches.size}" }),
 
-    // Rounded down, so that it does not look better than it was.
+    // Rounded down, so that the battery does not look better than it was.
     LOWEST("Lowest", "The lowest voltage in all matches.", text = { season ->
         season.lowest?.let { voltsText(floor(it * 100 + 1e-6) / 100) }
     }),
@@ -55,7 +55,7 @@ enum class BatteryColumn(val title: String, val meaning: String, val isNumber: B
     ;
 
     companion object {
-        /** Returns the columns of which any of [seasons] has a text. */
+        /** Returns the columns that have a text for any of [seasons]. */
         fun of(seasons: List<BatterySeason>): List<BatteryColumn> = entries.filter { column -> seasons.any { column.text(it) != null } }
     }
 }

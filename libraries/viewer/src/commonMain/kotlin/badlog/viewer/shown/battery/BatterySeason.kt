@@ -13,24 +13,24 @@ import badlog.viewer.text.isoText
 import kotlin.math.sqrt
 
 /**
- * A match, or another run of the robot, and what it says of its battery.
+ * A match, or another run of the robot, with the use of its battery.
  *
- * @property title its name for people.
- * @property paths its logs, the one that says most first.
- * @property second when it began, in s since 1970 on a clock on the wall.
- * @property isMatch whether it is known to be a match that counts, not practice.
+ * @property title the displayed name.
+ * @property paths the logs of the run, the most informative one first.
+ * @property second the time when the run began, in s since 1970 on a local wall clock.
+ * @property isMatch whether the run is known to be a match that counts, rather than practice.
  */
 class BatteryMatch(val title: String, val paths: List<String>, val second: Long, val use: BatteryUse, val isMatch: Boolean)
 
 /**
  * A battery over a season.
  *
- * @property battery the battery; null for the matches whose battery is not known.
- * @property matches the matches that it was in the robot for, the latest first.
- * @property age its age in months at the last match of all batteries; null if nobody wrote down when it was new.
+ * @property battery the battery; null for the matches with an unknown battery.
+ * @property matches the matches with the battery in the robot, the latest first.
+ * @property age the age in months at the last match of all batteries; null if the date of purchase is unknown.
  */
 class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, val age: Int? = null) {
-    /** Its name for people. */
+    /** The displayed name. */
     val title: String get() = battery?.name ?: "Unknown"
 
     /** The lowest voltage in all matches, in volts; null if no match shows it. */
@@ -39,7 +39,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The resistance of battery and wiring in all matches together. */
     val resistance: Resistance? = meanOf(resistancesOf(matches))
 
-    /** How much the resistance grew from the earlier half of the matches to the later one; null if that is within the uncertainty. */
+    /** The growth of the resistance from the earlier half of the matches to the later one; null if it is within the uncertainty. */
     val growth: Resistance? = if (battery == null) null else growthIn(matches)
 
     /** The median voltage at rest before a match, in volts. */
@@ -48,20 +48,20 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The median voltage at rest after a match, in volts. */
     val restAfter: Double? = medianOf(matches.mapNotNull { it.use.restAfter })
 
-    /** The mean energy that a match takes, in watt-hours; where there is none, another run. */
+    /** The mean energy that a match takes, in watt-hours; without matches, that another run takes. */
     val energy: Double? = matches.filter {
         it.isMatch
     }.ifEmpty { matches }.mapNotNull { it.use.energy }.let { if (it.isEmpty()) null else it.average() }
 
-    /** Identifies it among others: a battery may be called as the unknown one is shown. */
+    /** A key that distinguishes the battery even if its name is the text for unknown batteries. */
     val key: String get() = battery?.let { "battery ${it.name}" } ?: "unknown"
 
     companion object {
         /**
-         * Returns the batteries that [logs] name, and those that the team wrote down, by their names; those no longer used are last, and the
+         * Returns the batteries in [logs] and the ones that the team wrote down, ordered by name. Retired ones are last, followed by the
          * unknown one.
          *
-         * @param team the batteries that the team has.
+         * @param team the batteries of the team.
          * @param usedFor returns the battery that the team wrote down for one of the logs of a match; null if it did not.
          */
         fun <E : ListedLog> of(
@@ -69,7 +69,9 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
             team: List<TeamBattery> = emptyList(),
             usedFor: (List<E>) -> String? = { null },
         ): List<BatterySeason> {
-            val matches = runsOf(logs.filter { it.isReadable && !it.isGray && it.summary.battery != null })
+            // A copy of a log says the same of the same time.
+            val used = logs.filter { it.isReadable && !it.isGray && it.summary.battery != null }.distinctBy { it.summary }
+            val matches = runsOf(used)
                 .map { run -> (usedFor(run.logs) ?: run.logs.firstNotNullOfOrNull { it.summary.battery?.name }) to matchOf(run) }
                 .groupBy({ it.first?.lowercase() }, { it })
             val last = matches.values.maxOfOrNull { it.first().second.second }
@@ -86,7 +88,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     }
 }
 
-/** The logs of robot and Driver Station know different things of one battery. */
+/** Returns the match of [run]. The logs of the robot and of the Driver Station have different facts about one battery. */
 private fun matchOf(run: MatchRun<out ListedLog>): BatteryMatch {
     val logs = run.logs.sortedByDescending { log ->
         with(log.summary.battery) { listOfNotNull(this?.resistance, this?.energy, this?.lowest).size }

@@ -7,14 +7,14 @@ import badlog.viewer.choices.board.BoardLines
 /**
  * A log that is drawn over the open one.
  *
- * @property name its name beside the others.
- * @property lines its lines, where they were logged.
- * @property offset what is added to its x.
+ * @property name the log's name beside the others.
+ * @property lines the lines of the log, at their logged x.
+ * @property offset the number that is added to the log's x.
  */
 class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
     private val moved = HashMap<String, GraphSeries?>()
 
-    /** Returns its line [line] where it is drawn, with the log's name behind its own; null if it has none. */
+    /** Returns the line [line] where it is drawn, with the log's name after its own; null if the log does not have it. */
     operator fun get(line: String): GraphSeries? = moved.getOrPut(line) { lines[line]?.moved(offset, " ($name)") }
 }
 
@@ -27,12 +27,12 @@ class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
 class ComparedGraph(val graph: Graph, val lines: List<String>, val colors: List<Int>)
 
 /**
- * Returns the index of the color of the line at [place] in a graph, as log [index] of [count] drawn ones has it: it shows first which log it
- * is, the same in all graphs, also where a log lacks a line.
+ * Returns the index of the color of the line at [place] in a graph of log [index]; [count] logs are drawn. The color distinguishes logs
+ * first: it is the same in all graphs, even if a log lacks a line.
  */
 fun colorOf(place: Int, index: Int, count: Int): Int = place * count + index
 
-/** Returns [graph], whose lines the board calls [lines], with the same lines of [logs]. */
+/** Returns [graph] with the same lines of [logs]; the board calls its lines [lines]. */
 fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): ComparedGraph {
     if (logs.isEmpty()) return ComparedGraph(graph, lines, lines.indices.toList())
     val series = ArrayList<GraphSeries>()

@@ -1,18 +1,18 @@
 package badlog.viewer.shown.comparison
 
 /**
- * What a log may be called.
+ * The possible names of a log.
  *
- * @property event the event; null if that is unknown.
- * @property match the match within its event, such as `Qualification 42`; null if that is unknown.
- * @property label its name for people if it stands alone.
- * @property path its file, with as many of its folders as are known, separated by `/`.
+ * @property event the event; null if unknown.
+ * @property match the match within its event, such as `Qualification 42`; null if unknown.
+ * @property label the displayed name of the log alone.
+ * @property path the path of the file, with all known folders, separated by `/`.
  */
 class LogName(val event: String?, val match: String?, val label: String, val path: String)
 
 /**
- * Returns the names of [logs] beside each other, in order: only the match if all are of the same event, with the file's name if names would
- * be equal, and with as many of its folders as tell files of one name apart.
+ * Returns the names of [logs] beside each other, in order. A name is only the match if all logs are of the same event. Equal names are
+ * followed by the files' names, with as many folders as distinguish them.
  */
 fun namesBeside(logs: List<LogName>): List<String> {
     val isOneEvent = logs.mapNotNull { it.event }.distinct().size <= 1
@@ -26,7 +26,7 @@ fun namesBeside(logs: List<LogName>): List<String> {
 
 private val List<String>.areDistinct get() = distinct().size == size
 
-/** Returns [label] in at most [letters], shortened in the middle if necessary: matches of one event differ at their end. */
+/** Returns [label] in at most [letters] characters, shortened in the middle if necessary: matches of one event differ at their end. */
 fun shortLabel(label: String, letters: Int): String {
     if (label.length <= letters) return label
     val end = (letters - 1) / 2

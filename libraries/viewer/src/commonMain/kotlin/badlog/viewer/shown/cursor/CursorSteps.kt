@@ -4,15 +4,15 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * The places on x that the cursor steps to: those with a sample, each once.
+ * The places on x that the cursor steps to: places with a sample, each once.
  *
- * @param clocks every x at which there is a sample, see [badlog.core.analysis.XAxis.clocks]; may hold gaps, and may go backwards.
- *   Evaluated at the first step.
+ * @param clocks every x with a sample, see [badlog.core.analysis.XAxis.clocks]; may have gaps, and may go backwards. Evaluated at the
+ *   first step.
  */
 class CursorSteps(clocks: List<DoubleArray>) {
     private val places: List<Series> by lazy { clocks.map(::ascending).filter { it.size > 0 } }
 
-    /** Returns the place nearest to [x]; NaN where there are no samples. */
+    /** Returns the place nearest to [x]; NaN if there are no samples. */
     fun nearest(x: Double): Double {
         var nearest = Double.NaN
         for (clock in places) {
@@ -23,8 +23,8 @@ class CursorSteps(clocks: List<DoubleArray>) {
     }
 
     /**
-     * Returns the place [count] steps after [x], or before it if negative, but not beyond the last or the first. NaN if there are no
-     * samples.
+     * Returns the place [count] steps after [x], or before it if negative. The steps end at the last and the first place. NaN if there
+     * are no samples.
      */
     fun from(x: Double, count: Int): Double {
         if (places.isEmpty()) return Double.NaN

@@ -6,24 +6,24 @@ import badlog.core.analysis.XAxis
 import kotlin.math.abs
 
 /**
- * Decides which of many lines come first at a cursor.
+ * Decides which of many lines are first at a cursor.
  *
  * @param lines the lines, in their default order.
- * @param axis their x axis.
+ * @param axis the lines' x axis.
  */
 class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
     private val reach = reachOn(axis)
 
     /**
-     * The distance between the smallest and the largest number of each line; 0 for states, and if there are not two numbers. NaN until
+     * The difference between the largest and the smallest number of each line; 0 for states, and for fewer than two numbers. NaN until
      * needed.
      */
     private val ranges = DoubleArray(lines.size) { Double.NaN }
 
     /**
-     * Returns the lines at [x]: first those that changed within 0.1 s of it: states, then numbers by the part of their whole range by
-     * which they changed; then all others in order. A number counts as changed if that part is above 2 %, because otherwise noise would
-     * come first.
+     * Returns the lines at [x], the ones that changed within 0.1 s of it first: states, then numbers by their change as a fraction of
+     * their whole range. The others follow in order. A number counts as changed above 2 % of its range, because otherwise noise would be
+     * first.
      */
     fun at(x: Double): List<CursorValue> {
         val values = lines.indices.map { CursorValue(it, changeAt(it, x)) }
@@ -68,14 +68,14 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
     }
 
     private companion object {
-        /** Above every part of a range. */
+        /** The change of a state, larger than any fraction of a range. */
         const val STATE = 2.0
         const val SECONDS = 0.1
 
-        /** About as long, for rows logged in a robot's loop. */
+        /** The same reach in rows, for rows that are logged in a robot's loop. */
         const val ROWS = 5.0
 
-        /** A fraction of the range of an x that is not known to be a time. */
+        /** The reach as a fraction of the range of x, if x may not be a time. */
         const val PART = 0.001
 
         fun reachOn(axis: XAxis): Double {
@@ -94,11 +94,11 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
 /**
  * A line at a cursor.
  *
- * @property line its place among the lines.
- * @property change the part of its range by which it changed there; 0 if it did not change.
+ * @property line the index of the line.
+ * @property change the change at the cursor as a fraction of the line's range; 0 if there is none.
  */
 class CursorValue(val line: Int, val change: Double) {
-    /** Whether it changed there by more than noise. */
+    /** Whether the line changed by more than noise at the cursor. */
     val hasChanged: Boolean get() = change > NOISE
 
     private companion object {

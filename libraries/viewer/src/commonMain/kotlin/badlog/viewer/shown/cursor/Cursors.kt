@@ -6,58 +6,58 @@ import kotlin.math.abs
 /**
  * The places on x at which a person reads values. Immutable; each transition returns a new one.
  *
- * @property pinned the first cursor, A, which stays where it was put; null for none.
- * @property second the second one, B, with which A is compared; null for none, and whenever there is no A.
- * @property hover the pointer's current or last place; null for nowhere.
+ * @property pinned the first cursor, A, which stays where it was put; null if there is none.
+ * @property second the second cursor, B, for a comparison with A; null if there is none, and whenever there is no A.
+ * @property hover the current or last place of the pointer; null if there is none.
  */
 data class Cursors(val pinned: Double? = null, val second: Double? = null, val hover: Double? = null) {
-    /** Where values are read: at A, or otherwise under the pointer; null for nowhere. */
+    /** The place where values are read: A, or otherwise the pointer; null if there is neither. */
     val x: Double? get() = pinned ?: hover
 
     /** The cursors without the pointer, as a figure shows them. */
     val withoutPointer: Cursors get() = copy(hover = null)
 
-    /** Where a person looks for marks: under the pointer, or otherwise at A; null for nowhere. */
+    /** The place where a person looks for marks: the pointer, or otherwise A; null if there is neither. */
     val pointed: Double? get() = hover ?: pinned
 
-    /** Whether A stays where it is when the pointer moves. */
+    /** Whether A stays in place when the pointer moves. */
     val isPinned: Boolean get() = pinned != null
 
-    /** From A to B, or from B to A if B comes first; null unless both exist at different places. */
+    /** The range between A and B, whichever is first; null unless both exist at different places. */
     val between: Span?
         get() = if (pinned == null || second == null || pinned == second) null else Span(minOf(pinned, second), maxOf(pinned, second))
 
     /** Moves the pointer to [x]; neither A nor B moves. */
     internal fun hovering(x: Double): Cursors = copy(hover = x)
 
-    /** Removes the pointer, which left the graphs. If nothing is pinned, values are still read at its last place. */
+    /** Removes the pointer, which left the graphs. Without a pinned cursor, values are still read at its last place. */
     internal fun left(): Cursors = if (isPinned) copy(hover = null) else this
 
     internal fun pinnedAt(x: Double): Cursors = copy(pinned = x)
 
-    /** Handles a click at [x]: pins A there; a click on A, at most [reach] beside it, removes both cursors. */
+    /** Handles a click at [x], which pins A there. A click on A, at most [reach] beside it, removes both cursors. */
     internal fun clicked(x: Double, reach: Double): Cursors = if (isNear(pinned, x, reach)) Cursors(hover = x) else pinnedAt(x)
 
-    /** Handles a Shift-click at [x]: puts B there, or A if there is none; a click on B, at most [reach] beside it, removes B. */
+    /** Handles a Shift-click at [x], which puts B there, or A if there is none. A click on B, at most [reach] beside it, removes B. */
     internal fun shiftClicked(x: Double, reach: Double): Cursors = when {
         !isPinned -> pinnedAt(x)
         isNear(second, x, reach) -> copy(second = null)
         else -> copy(second = x)
     }
 
-    /** Pins A where values are read, and puts B there as well, to be [moved]; removes an existing B. */
+    /** Pins A where values are read, and puts B at the same place, for [moved]; removes an existing B. */
     internal fun withSecond(): Cursors = if (second == null) copy(pinned = x, second = x) else copy(second = null)
 
-    /** Moves A, or B if there is one, by [step], and pins it. If A has no place, it starts at [start]. */
+    /** Moves B by [step] if there is one; otherwise moves and pins A. Without a place, A starts at [start]. */
     internal fun moved(start: Double, step: (Double) -> Double): Cursors = when {
         second != null -> copy(second = step(second))
         else -> pinnedAt(x?.let(step) ?: start)
     }
 
-    /** The place of the cursor that [moved] moves; null for none. */
+    /** The place of the cursor that [moved] moves; null if there is none. */
     val moving: Double? get() = second ?: x
 
-    /** Removes what came last: B, or else the pin of A, or else the cursor. */
+    /** Removes the latest of them: B, otherwise the pin of A, otherwise the cursor. */
     internal fun cancelled(): Cursors = when {
         second != null -> copy(second = null)
         isPinned -> copy(pinned = null)
@@ -73,7 +73,7 @@ data class Cursors(val pinned: Double? = null, val second: Double? = null, val h
         /** The maximum distance, in CSS pixels or dp, at which a click is still on a cursor. */
         const val REACH: Double = 5.0
 
-        /** The same for a finger, in CSS pixels. */
+        /** The maximum distance for a finger, in CSS pixels or dp. */
         const val FINGER_REACH: Double = 24.0
     }
 }

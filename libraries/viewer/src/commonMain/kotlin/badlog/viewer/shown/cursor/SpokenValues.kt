@@ -5,8 +5,8 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * Returns what a screen reader says when a key has moved a cursor to [x], which is [place] as a text: the first values of [lines] there, as
- * many as anybody listens to.
+ * Returns the announcement of a screen reader when a key has moved a cursor to [x]: [place], the text of x, and the first values of
+ * [lines] there.
  */
 fun spokenAt(lines: List<GraphSeries>, x: Double, place: String): String {
     val values = lines.take(MOST_SPOKEN).mapNotNull { line ->

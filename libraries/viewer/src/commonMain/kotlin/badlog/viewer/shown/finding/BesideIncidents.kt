@@ -4,10 +4,10 @@ import badlog.rules.Finding
 import badlog.rules.incident.Incident
 
 /**
- * The findings that a list shows below the incidents: what an incident says already does not stand there again.
+ * The findings that a list shows below the incidents, without those that the incidents mention.
  *
- * @property outside those that belong to no incident, in their order.
- * @property within those that belong to one which does not mention them; lists fold them.
+ * @property outside the findings outside of all incidents, in their order.
+ * @property within the findings of an incident that does not mention them; lists fold them.
  */
 class BesideIncidents(found: List<Finding>, incidents: List<Incident>) {
     val outside: List<Finding>

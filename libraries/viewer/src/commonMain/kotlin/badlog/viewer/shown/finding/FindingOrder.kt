@@ -9,11 +9,11 @@ import badlog.viewer.text.word
 /**
  * A step of a person who goes through the findings with a key.
  *
- * @property place where it leads.
- * @property incident the incident that begins there; null if the finding belongs to none.
+ * @property place the target of the step.
+ * @property incident the incident that begins there; null if the finding does not belong to one.
  */
 class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?) {
-    /** What a screen reader says of it: the whole incident, or what was found at the place. */
+    /** The announcement of a screen reader: the whole incident, or the finding at the place. */
     val spoken: String
         get() = if (incident == null) {
             "${place.severity.word}: ${place.finding.rule}. ${place.finding.textAt(place.span)}"
@@ -23,8 +23,8 @@ class FindingStep(val place: FindingPlace<Finding>, val incident: Incident?) {
 }
 
 /**
- * The order in which keys go through the findings of [timeline]: first the [incidents], as they are listed, then what belongs to none, in
- * the order of time. What begins at one instant is one step, to the worst of it.
+ * The order in which keys go through the findings of [timeline]. The [incidents] are first, as they are listed; the other findings follow
+ * in the order of time. Findings that begin at one moment are one step, to the worst of them.
  */
 class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: List<Incident>) {
     private val ofIncidents = incidents.mapNotNull(::stepTo)
@@ -35,9 +35,9 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
     private val all = ofIncidents + others
 
     /**
-     * Returns the step that is [steps] after the one to [current], if the cursor is still at its place [x]. Otherwise the first step; after
-     * incidents, or where there are none, the next one after x, or the last one before it for a negative number. Not beyond the last or
-     * first step; null if there are none. An x that is NaN is not a place.
+     * Returns the step that is [steps] after the one to [current], if the cursor is still at its place [x]. Otherwise it is the first
+     * step. After incidents, or without them, it is the next one after x, or the last one before it for a negative number. The steps end
+     * at the last and first one; null if there are none. An x that is NaN is not a place.
      */
     fun beside(current: Finding?, x: Double, steps: Int): FindingStep? {
         val index = all.indexOfFirst { step ->

@@ -8,16 +8,16 @@ import badlog.viewer.text.countText
 import badlog.viewer.text.word
 
 /**
- * What was found in a log, for a person who searches it. The searched texts are made at the first search.
+ * The findings in a log, for a search. The searched texts are made at the first search.
  *
  * @property all the findings, the worst first.
- * @property incidents which of them belong together, the worst first.
+ * @property incidents the incidents among them, the worst first.
  */
 class FindingSearch(val all: List<Finding>, val incidents: List<Incident>) {
     private val texts by lazy { all.map { it.searchedText } }
     private val textsOfIncidents by lazy { incidents.map { it.searchedText } }
 
-    /** Returns what [query] finds of it, in the same order; all of it for an empty query. */
+    /** Returns the findings and incidents that match [query], in the same order; all of them for an empty query. */
     fun foundBy(query: Query): SearchedFindings {
         if (query.isEmpty) return SearchedFindings(this, all, incidents)
         return SearchedFindings(
@@ -29,21 +29,21 @@ class FindingSearch(val all: List<Finding>, val incidents: List<Incident>) {
 }
 
 /**
- * What a search leaves of what was found in a log.
+ * The findings in a log that match a search.
  *
- * @property findings the findings that it leaves.
- * @property incidents the incidents that it leaves.
+ * @property findings the matching findings.
+ * @property incidents the matching incidents.
  */
 class SearchedFindings internal constructor(private val whole: FindingSearch, val findings: List<Finding>, val incidents: List<Incident>) {
-    /** Those of [findings] that a list shows below [incidents]. */
+    /** The matching [findings] as a list shows them below [incidents]. */
     val beside: BesideIncidents = BesideIncidents(findings, incidents)
 
-    /** A sentence that says how much the search hides; empty if it hides nothing. */
+    /** A sentence with the numbers of hidden incidents and findings; empty if the search hides nothing. */
     val hidden: String = hiddenBySearch(whole.incidents.size - incidents.size, whole.all.size - findings.size)
 
     /**
-     * How many [findings] there are of each severity, the worst first, after the part of all that they are, unless they are all:
-     * `2 of 14: 1 error, 1 warning`. Empty if nothing was found in the log.
+     * The number of [findings] of each severity, the worst first: `1 error, 1 warning`. If the search hides some, their number precedes
+     * it: `2 of 14: 1 error, 1 warning`. Empty if nothing was found in the log.
      */
     val counts: String
         get() {
@@ -57,7 +57,7 @@ class SearchedFindings internal constructor(private val whole: FindingSearch, va
         }
 
     companion object {
-        /** What a list of findings says in place of [counts] after rules that found nothing. */
+        /** The text of a list of findings, in place of [counts], after rules that found nothing. */
         const val NOTHING: String = "Nothing was found."
     }
 }

@@ -7,8 +7,8 @@ import badlog.rules.incident.firstToSee
 import badlog.viewer.draw.mark.FindingPlace
 
 /**
- * Returns the step to what to see first of [findings] and of the [incidents] among them, the worst first, see [firstToSee]; null if nothing
- * was found. The place of what is about the whole log is NaN.
+ * Returns the step to the first thing to see among [findings] and [incidents], see [firstToSee]. Both have the worst first. Null if
+ * nothing was found. A finding about the whole log has the place NaN.
  */
 fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? {
     val first = firstToSee(findings, incidents) ?: return null
@@ -16,7 +16,7 @@ fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? 
     return FindingStep(first.begin.firstPlace, first.incident)
 }
 
-/** Returns the step to where [incident] begins; null if all of it is about the whole log. */
+/** Returns the step to the start of [incident]; null if all of it is about the whole log. */
 internal fun stepTo(incident: Incident): FindingStep? = (listOf(incident.first) + incident.sentences.map { it.finding })
     .firstOrNull { it.time.isFinite() }?.let { FindingStep(it.firstPlace, incident) }
 

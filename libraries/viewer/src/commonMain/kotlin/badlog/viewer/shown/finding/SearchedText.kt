@@ -9,14 +9,14 @@ import badlog.viewer.text.countText
 /** The text that a [Query] searches, in lower case: the rule, the severity and the message. */
 internal val Finding.searchedText: String get() = "$rule ${severity.name} $text".lowercase()
 
-/** The text that a [Query] searches, in lower case: everything that the incident says, and all findings that are part of it. */
+/** The text that a [Query] searches, in lower case: all texts of the incident, and all its findings. */
 internal val Incident.searchedText: String
     get() = "$name ${sentences.joinToString(" ") { it.text }} $next ${(causes + effects).joinToString(" ") { it.searchedText }}".lowercase()
 
-/** Returns whether this finds a finding or an incident with [searchedText]. */
+/** Returns whether this query matches a finding or an incident with [searchedText]. */
 internal fun Query.findsFound(searchedText: String): Boolean = matchesLowercase(searchedText, FINDING)
 
-/** Returns a sentence that says how many [incidents] and [findings] a search hides; empty if it hides none. */
+/** Returns a sentence with the number of [incidents] and [findings] that a search hides; empty if it hides none. */
 internal fun hiddenBySearch(incidents: Int, findings: Int): String = listOf("incident" to incidents, "finding" to findings)
     .filter { it.second > 0 }
     .joinToString(" and ") { (name, number) -> countText(number, name) }

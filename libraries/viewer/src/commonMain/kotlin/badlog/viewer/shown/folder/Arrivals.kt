@@ -5,53 +5,55 @@ import badlog.viewer.catalog.LogFound
 import badlog.viewer.text.countText
 
 /**
- * The logs that have come into a folder since somebody opened it, until they are dealt with: new files, and files that have grown since. A log
- * arrives once, when it is complete and the rules have run over it. Immutable; each transition returns a new one.
+ * The logs that have arrived in a folder since it was opened: new files, and files that have grown. They wait until a person has dealt
+ * with them. A log arrives once, when it is complete and the rules have run over it. Immutable; each transition returns a new one.
  *
- * @property waiting those not dealt with, in the order of arrival.
+ * @property waiting the logs that still wait, in the order of arrival.
  */
 class Arrivals<E : ListedLog> private constructor(private val known: Map<String, Long>?, val waiting: List<E>) {
     constructor() : this(null, emptyList())
 
-    /** Whether it is known which files were there before. */
+    /** Whether the earlier files are known. */
     val hasBegun: Boolean get() = known != null
 
-    /** The latest match of which a log has arrived; null if all are dealt with. */
+    /** The latest match with a waiting log; null if no log waits. */
     val latest: MatchRun<E>? get() = waiting.lastOrNull()?.let { last -> MatchRun(waiting.filter { it === last || isOfSameRun(it, last) }) }
 
-    /** Returns the same, where the files with these [sizes], by their paths, were there before. */
+    /** Returns the arrivals after the earlier files are known: their [sizes] by their paths. */
     fun begun(sizes: Map<String, Long>): Arrivals<E> = Arrivals(sizes, waiting)
 
-    /** Returns whether [log] was not there before, or was smaller, and has not arrived yet. */
+    /** Returns whether [log] is new or has another size than before, and has not arrived yet. */
     fun isNew(log: E): Boolean = known != null && known[log.path] != log.size && known[log.path] != ARRIVED
 
-    /** Returns what has arrived when the folder holds [entries]. */
+    /** Returns the arrivals when the folder has [entries]. */
     fun knowing(entries: List<E>): Arrivals<E> {
         if (known == null) return this
         val present = entries.associateBy { it.path }
         val arrived = entries.filter { it.found != null && it.isReadable && !it.isGray && isNew(it) }
-        // What was removed is gone. One that grows again is known as it was until the rules have run again.
+        // Removed logs are gone. A log that grows again stays as it was until the rules have run again.
         val before = waiting.mapNotNull { old -> present[old.path]?.let { if (it.found == null) old else it } }
         if (arrived.isEmpty() && before == waiting) return this
         return Arrivals(known + arrived.associate { it.path to ARRIVED }, before + arrived.sortedBy { it.modified })
     }
 
-    /** Returns the same without any that wait: somebody has dealt with them. */
+    /** Returns the arrivals without any waiting log, after a person has dealt with them. */
     fun dealtWith(): Arrivals<E> = if (waiting.isEmpty()) this else Arrivals(known, emptyList())
 
-    /** Returns the same without the log at [path], which somebody has opened. */
+    /** Returns the arrivals without the log at [path], which a person has opened. */
     fun without(path: String): Arrivals<E> {
         val left = waiting.filter { it.path != path }
         return if (left.size == waiting.size) this else Arrivals(known, left)
     }
 
     private companion object {
-        /** Stands for the size of a file that has arrived, which does not arrive again. */
+        /** Replaces the size of a file that has arrived, which does not arrive again. */
         const val ARRIVED = -1L
     }
 }
 
-/** Returns `Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33.`, and how many [others] did besides. */
+/**
+ * Returns `Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33.`, followed by the number of [others] that arrived, too.
+ */
 fun arrivalText(log: ListedLog, others: Int = 0): String {
     val rest = if (others == 0) "" else " ${countText(others, "other log", "other logs")} arrived, too."
     return "${log.title} arrived: ${outcomeOf(log.found)}$rest"

@@ -11,16 +11,16 @@ import badlog.viewer.text.dateText
 import badlog.viewer.text.isoText
 
 /**
- * Logs, and which of them are listed in which order.
+ * Logs, with the filter and the order of their list.
  *
  * @property entries all logs.
  * @property column the column by which they are sorted.
- * @property isDescending whether the largest comes first; missing values always come last.
- * @property filter words that must all be found in a listed log, regardless of case.
+ * @property isDescending whether the largest is first; missing values are always last.
+ * @property filter words that must all occur in a listed log, regardless of case.
  * @property hidesEmpty whether idle logs are hidden.
- * @property onlyErrors whether only logs are listed in which a rule found an error.
- * @property groupsEvents whether the logs of each event come together: first the event whose first log is sorted first.
- * @property folder their folder, whose own name is not searched.
+ * @property onlyErrors whether only logs with an error found by the rules are listed.
+ * @property groupsEvents whether the logs of each event are together: first the event with the log that is sorted first.
+ * @property folder the folder of the logs; its own name is not searched.
  */
 data class Listing<E : ListedLog>(
     val entries: List<E> = emptyList(),
@@ -42,16 +42,16 @@ data class Listing<E : ListedLog>(
             .let { sorted -> if (groupsEvents) sorted.groupBy { it.summary.match.event }.values.flatten() else sorted }
     }
 
-    /** The number of events that the logs are of. */
+    /** The number of different events of the logs. */
     val events: Int by lazy { entries.mapNotNullTo(HashSet()) { it.summary.match.event }.size }
 
     /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
 
-    /** How many of them are listed: `3 of 12 logs`, or `12 logs`. */
+    /** The number of listed logs: `3 of 12 logs`, or `12 logs`. */
     val count: String get() = countOf(visible.size, size, "log")
 
-    /** Why none of them is listed, as a sentence, though there are some. */
+    /** The reason why the list is empty, although there are logs, as a sentence. */
     val emptiness: String
         get() = when {
             filter.isNotBlank() -> "No log matches “${filter.trim()}”."
@@ -70,7 +70,7 @@ data class Listing<E : ListedLog>(
             }
         }
 
-    /** Sorted by [column]; the other way round when that is so already. */
+    /** Returns the logs sorted by [column]; in the opposite order if they are already. */
     fun sorted(column: LogColumn): Listing<E> = if (column == this.column) {
         copy(isDescending = !isDescending)
     } else {

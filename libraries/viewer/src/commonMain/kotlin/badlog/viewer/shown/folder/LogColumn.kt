@@ -11,12 +11,12 @@ import badlog.viewer.text.dateText
 /**
  * The columns of the table of logs.
  *
- * @property title its heading.
- * @property order the order of those logs that have it.
- * @property isNumber whether it is aligned to the right.
+ * @property title the heading.
+ * @property order the order of the logs with a value.
+ * @property isNumber whether the column is aligned to the right.
  * @property beginsDescending whether the first click sorts the largest to the top.
- * @property has returns whether a log has it at all.
- * @property text returns its text for people; null for a log that has none.
+ * @property has returns whether a log has a value.
+ * @property text returns the displayed text; null for a log without a value.
  */
 enum class LogColumn(
     val title: String,
@@ -109,5 +109,5 @@ enum class LogColumn(
     FILE("File", compareBy(NaturalOrder) { it.path }, text = { it.fileName }),
 }
 
-// Some servers do not say when a file was written.
+// Some servers do not report when a file was written.
 private fun isDated(log: ListedLog) = log.modified != 0L || log.summary.date.source != DateSource.FILE_TIME

@@ -12,13 +12,13 @@ import badlog.viewer.text.withUnit
 import badlog.viewer.text.word
 import kotlin.math.floor
 
-/** Whether the battery came near the voltage at which a roboRIO cuts outputs. */
+/** Whether the battery came near the voltage at which a roboRIO disables outputs. */
 val ListedLog.isNearBrownout: Boolean get() = (summary.batteryMinimum ?: Double.MAX_VALUE) < BROWNOUT_NEAR
 
-/** In V. */
+/** A voltage near a brownout, in V. */
 private const val BROWNOUT_NEAR = 7.0
 
-/** Returns `2:47`; null when it is not known. */
+/** Returns the duration as `2:47`; null if unknown. */
 fun durationText(log: ListedLog): String? {
     val duration = log.summary.duration ?: return null
     val seconds = secondsOf(duration, log.summary.xUnit) ?: return withUnit(numberText(duration), log.summary.xUnit)
@@ -27,16 +27,18 @@ fun durationText(log: ListedLog): String? {
     return minutesText(seconds, decimals = 0)
 }
 
-/** Returns `6.73 V`; null if no topic shows it. Rounded down, so that it does not look better than it was. */
+/**
+ * Returns the lowest battery voltage as `6.73 V`; null if no topic shows it. Rounded down, so that it does not look better than it was.
+ */
 fun batteryText(log: ListedLog): String? = log.summary.batteryMinimum?.let { "${fixedText(floor(it * 100 + 1e-6) / 100, 2)} V" }
 
-/** Returns the number of problems that matter; null if there are none. */
+/** Returns the number of errors and warnings; null if there are none. */
 fun problemText(log: ListedLog): String? = when {
     !log.isReadable -> "unreadable"
     else -> (log.summary.problems.errors + log.summary.problems.warnings).takeIf { it > 0 }?.toString()
 }
 
-/** How serious the worst of its problems that matter is; null if there are none. */
+/** The severity of the worst error or warning among its problems; null if there are none. */
 val ListedLog.problemSeverity: Severity?
     get() = when {
         !isReadable || summary.problems.errors > 0 -> Severity.ERROR
@@ -44,7 +46,7 @@ val ListedLog.problemSeverity: Severity?
         else -> null
     }
 
-/** Returns the problems in words, for a tip. */
+/** Returns the problems in words, for a tooltip. */
 fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.summary.problems) {
     listOfNotNull(
         counted(errors, "error"),
@@ -56,8 +58,8 @@ fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.su
 private fun counted(count: Int, what: String) = if (count == 0) null else countText(count, what)
 
 /**
- * Returns `Browned out +3`: the worst finding, and the number of others; null for nothing, `…` until rules have run, `–` if they cannot
- * run.
+ * Returns `Browned out +3`: the worst finding, and the number of others. Null if nothing was found or the log is idle, `…` until rules
+ * have run, `–` if they cannot run.
  */
 fun foundText(log: ListedLog): String? {
     if (log.isGray) return null
@@ -67,5 +69,5 @@ fun foundText(log: ListedLog): String? {
     return if (rules.size > 1) "${first.name} +${rules.size - 1}" else first.name
 }
 
-/** Returns everything that the rules found, one per line; empty for nothing. */
+/** Returns all findings of the rules, one per line; may be empty. */
 fun foundLines(log: ListedLog): String = log.found?.rules.orEmpty().joinToString("\n") { "${it.severity.word}: ${it.name}" }

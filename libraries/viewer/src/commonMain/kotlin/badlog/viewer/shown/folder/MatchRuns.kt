@@ -5,19 +5,19 @@ import badlog.viewer.catalog.ListedLog
 import kotlin.math.abs
 
 /**
- * Logs of one run of a match, such as those of the robot and of the Driver Station; or one log that is of no match.
+ * The logs of one run of a match, such as the robot's and the Driver Station's; or one log without a match.
  *
- * @property logs them all.
+ * @property logs the logs.
  */
 class MatchRun<E : ListedLog>(val logs: List<E>) {
-    /** The one with the worst finding; of several the one written last. */
+    /** The log with the worst finding; of several, the one written last. */
     val worst: E get() = logs.maxWith(compareBy({ it.found?.worst }, { it.modified }))
 
-    /** When the last of them began, in s since 1970. */
+    /** The time when the last of the logs began, in s since 1970. */
     val second: Long get() = logs.maxOf { it.summary.date.second }
 }
 
-/** Returns [logs] by their runs, the latest run first. A match that is replayed, or has the same number at another event, is another run. */
+/** Returns [logs] by their runs, the latest run first. A replayed match, or one with the same number at another event, is another run. */
 fun <E : ListedLog> runsOf(logs: List<E>): List<MatchRun<E>> {
     val (ofMatches, others) = logs.partition { it.summary.match.match != null }
     val runs = ofMatches.groupBy { it.summary.match.type to it.summary.match.number }.values.flatMap(::runsOfMatch)
@@ -25,7 +25,7 @@ fun <E : ListedLog> runsOf(logs: List<E>): List<MatchRun<E>> {
     return all.sortedWith(compareByDescending<MatchRun<E>> { it.second }.thenByDescending { it.worst.modified })
 }
 
-/** Returns the runs among [logs], which all have the type and the number of one match. */
+/** Returns the runs in [logs], which all have the type and the number of one match. */
 private fun <E : ListedLog> runsOfMatch(logs: List<E>): List<List<E>> {
     val runs = ArrayList<ArrayList<E>>()
     for (log in logs.sortedBy { it.summary.date.second }) {
@@ -41,11 +41,13 @@ fun isOfSameRun(one: ListedLog, other: ListedLog): Boolean {
     return isOfSameMatch && abs(one.summary.date.second - other.summary.date.second) < LONGEST_RUN
 }
 
-/** Returns whether [one] and [other] are the same match, as far as is known. */
+/** Returns whether [one] and [other] are the same match. An unknown event counts as the same. */
 fun isOfSameMatch(one: MatchOfLog, other: MatchOfLog): Boolean {
     if (one.match == null || one.type != other.type || one.number != other.number) return false
     return one.event == null || other.event == null || one.event == other.event
 }
 
-/** In s: a robot is switched on long before its match, and no match is played twice within it. */
+/**
+ * The maximum time between two logs of a run, in s. A robot is switched on long before its match, and no match is played twice within it.
+ */
 internal const val LONGEST_RUN = 3600L

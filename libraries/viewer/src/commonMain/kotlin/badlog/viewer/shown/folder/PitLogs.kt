@@ -4,17 +4,17 @@ import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogFound
 
 /**
- * What a pit looks at between two matches: of several logs of one match, the one with the worst finding.
+ * The logs for a pit between two matches: of several logs of one match, the one with the worst finding.
  *
  * @property last the log that began last.
- * @property before those before it, at most [MOST_BEFORE], the latest first.
+ * @property before the logs before it, at most [MOST_BEFORE], the latest first.
  */
 class PitLogs<E : ListedLog>(val last: E, val before: List<E>) {
     companion object {
-        /** As many logs as are beside each other on a screen that is read from two meters. */
+        /** The maximum number of earlier logs, beside each other on a screen that is read from two meters. */
         const val MOST_BEFORE: Int = 3
 
-        /** Returns those of [logs] that a pit looks at; null if there is nothing to see. */
+        /** Returns the pit's logs among [logs]; null if there is nothing to see. */
         fun <E : ListedLog> of(logs: List<E>): PitLogs<E>? {
             val latest = runsOf(logs.filter { it.isReadable && !it.isGray }).map { it.worst }
             return latest.firstOrNull()?.let { PitLogs(it, latest.drop(1).take(MOST_BEFORE)) }
@@ -29,22 +29,22 @@ fun verdictText(found: LogFound?): String = when {
     else -> found.verdict?.headline ?: "No errors, no warnings"
 }
 
-/** Returns why a pit view of [logs] shows none, as a sentence; [isReading] if some may still be read. */
+/** Returns the reason why a pit view of [logs] is empty, as a sentence; [isReading] if some may still be read. */
 fun pitEmptiness(logs: List<ListedLog>, isReading: Boolean): String = when {
     isReading -> "Reading the first logs…"
     logs.any { it.isReadable } -> "No log of an enabled robot yet."
     else -> "No log yet."
 }
 
-/** Returns when [log] was recorded, how long it is, and its lowest battery voltage, as far as that is known: `16 Mar 2024, 10:41 · 2:36 · 6.73 V`. */
+/** Returns the known facts of [log]: its date, its length and its lowest battery voltage, as in `16 Mar 2024, 10:41 · 2:36 · 6.73 V`. */
 fun pitFacts(log: ListedLog): String = listOfNotNull(LogColumn.DATE.text(log), durationText(log), batteryText(log)).joinToString(" · ")
 
-/** Returns the paths of those of [logs] of whose run there are others: the match alone does not tell them apart. */
+/** Returns the paths of the [logs] that share their run with others: the match alone does not distinguish them. */
 fun sameMatches(logs: List<ListedLog>): Set<String> =
     runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }
 
 /**
- * Returns those of [logs] that are readable and of robots. Tables of numbers count only if there is no other log: they may be of anything, and
+ * Returns the [logs] that are readable and of robots. Tables of numbers count only without other logs: they may be about anything, and
  * usually only the file's time shows how old they are.
  *
  * @param isOnlyOfLogs returns whether only logs have such a name.

@@ -3,8 +3,8 @@ package badlog.viewer.shown.outline
 import badlog.core.analysis.LogView
 
 /**
- * Returns the topic [name] of [view] with its counterpart, the target or actual value of the same thing, in the order in which they
- * share a graph: actual, then target. Only the name if there is no counterpart.
+ * Returns the topic [name] of [view] with its counterpart, the target or actual value of the same thing. They are in the order in which
+ * they share a graph: actual, then target. Only the name if no counterpart exists.
  */
 fun withCounterparts(view: LogView, name: String): List<String> {
     val all = view.recording.topics.map { TopicGroup(it.name, listOf(view.seriesOf(it))) }

@@ -12,11 +12,10 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * What is initially drawn of a log, and what is only listed: every topic that a graph or a list of events would show is in one of
- * these.
+ * The initially drawn and the only listed topics of a log. Every topic that a graph or a list of events would show is among them.
  *
- * @property folders what is drawn and listed by folder, the root folder first, in the order of the view.
- * @property constants topics that never change, with their values, in the order of the file.
+ * @property folders the drawn and listed content by folder, the root folder first, in the order of the view.
+ * @property constants the topics that never change, with their values, in the order of the file.
  * @property empty the topics without any logged value, in the order of the file.
  */
 class LogOutline(val folders: List<OutlineFolder>, val constants: List<ConstantTopic> = emptyList(), val empty: List<Topic> = emptyList())
@@ -24,8 +23,8 @@ class LogOutline(val folders: List<OutlineFolder>, val constants: List<ConstantT
 /**
  * A folder of an outline.
  *
- * @property folder what is initially shown of it.
- * @property listed its other graphs, which are drawn on request.
+ * @property folder the initially drawn part.
+ * @property listed the other graphs, which are drawn on request.
  */
 class OutlineFolder(val folder: Folder, val listed: List<Graph> = emptyList())
 
@@ -33,8 +32,8 @@ class OutlineFolder(val folder: Folder, val listed: List<Graph> = emptyList())
  * A topic that never changes.
  *
  * @property graph the graph that draws it.
- * @property text its value, with its unit.
- * @property exact the same with all digits.
+ * @property text the value, with its unit.
+ * @property exact the value with all digits, with its unit.
  */
 class ConstantTopic(val graph: Graph, val text: String, val exact: String) {
     /** The full name of the topic. */
@@ -42,17 +41,17 @@ class ConstantTopic(val graph: Graph, val text: String, val exact: String) {
 }
 
 /**
- * Returns the initial outline of [view]. A log with at most [MANY] graphs shows all that its attributes ask for. In a larger one, empty
- * and constant topics are not drawn; the parts of an array or struct share a graph, and so do target and actual of one thing, and the
- * states of a folder. Of the remaining graphs, only so many are drawn that, with those of a board, there are at most [MANY]: first those
- * of the signals of [vocabulary], then those that show several topics.
+ * Returns the initial outline of [view]. A log with at most [MANY] graphs shows all graphs that its attributes define. In a larger one,
+ * empty and constant topics are not drawn. The parts of an array or struct share a graph, and so do target and actual of one thing, and
+ * the states of a folder. The remaining graphs are limited to [MANY], together with a board's graphs: first graphs of the signals of
+ * [vocabulary], then graphs of several topics.
  *
  * @param kept names of graphs that are always drawn unchanged.
  */
 fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<String> = emptySet()): LogOutline {
     val all = view.folders.flatMap { it.graphs }
     if (all.size <= MANY) return LogOutline(view.folders.map { OutlineFolder(it) })
-    // In the order of the file: in a pose, x comes before the angle, although its folder does not.
+    // In the order of the file: in a pose, x is before the angle, but not its folder.
     val places = view.recording.topics.withIndex().associate { (place, topic) -> topic to place }
     val (asked, others) = all.sortedBy { places[it.series[0].topic] ?: 0 }.partition { it.name in kept }
     val (empty, present) = others.partition { graph -> graph.series.all { it.isEmpty } }
@@ -60,7 +59,7 @@ fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<String> = e
     val groups = asked.map { TopicGroup(it.name, it.series, it) } + withLanes(changing)
     val first = firstOf(groups, view, vocabulary, kept)
     val (drawn, undrawn) = groups.partition { it in first }
-    // A graph derived from a constant topic by an attribute is not a topic, but keeps its place.
+    // A graph that an attribute derives from a constant topic is not a topic, but keeps its place.
     val (derived, constant) = still.partition { group -> group.own != null && group.lines.any { it.isDerived } }
     return LogOutline(
         foldersOf(view, drawn.map { it.toGraph() }, (undrawn + derived).map { it.toGraph() }),
@@ -118,12 +117,12 @@ private fun foldersOf(view: LogView, drawn: List<Graph>, listed: List<Graph>): L
     }
 }
 
-/** The number of graphs that a person still looks through. */
+/** The maximum number of graphs that a person looks through. */
 const val MANY: Int = 60
 
-/** With more folders than this, the tree is initially closed. */
+/** The number of folders above which the tree is initially closed. */
 const val MANY_FOLDERS: Int = 24
 
-/** The number of initial graphs of a large log: a board above them has at most 24. */
+/** The maximum number of initial graphs of a large log; a board above them has at most 24. */
 private const val MOST = MANY - 24
 private const val OTHER = 3

@@ -4,21 +4,21 @@ import badlog.signals.vocabulary.TARGET_WORDS
 import badlog.signals.vocabulary.wordsOf
 
 /**
- * What the name of a topic is about, and whether the topic is its target or its actual value. Two topics are target and actual of one
- * thing if their [words] are the same and one of them [isTarget]:
+ * The meaning of a topic's name, and whether the topic is a target or an actual value. Two topics are target and actual of one thing if
+ * their [words] are the same and one of them [isTarget]:
  *
- * - A name is split into words, including those of its folders: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
- * - One word of [TARGET_WORDS] in it makes it a target; that word is dropped: *chassis front left speed*. A name with two is neither.
- * - One word of [ACTUALS] is dropped from any other name. *Current* is one only before the word it describes, as in *current angle*: at
+ * - A name is split into words, including the words of its folders: `Chassis/ActualFrontLeft/speed` is *chassis actual front left speed*.
+ * - One of the [TARGET_WORDS] makes it a target; that word is dropped: *chassis front left speed*. A name with two is neither.
+ * - One of the [ACTUALS] is dropped from any other name. *Current* counts only before the word it describes, as in *current angle*: at
  *   the end of a name, it means amperes.
  *
  * @property words the remaining words of the name, in lower case.
  * @property isTarget whether the name says that this is a target.
- * @property isBare whether the last part of the name says only that, as in `Arm/Goal`.
+ * @property isBare whether the last part of the name has no other meaning, as in `Arm/Goal`.
  */
 internal class TargetName private constructor(val words: List<String>, val isTarget: Boolean, val isBare: Boolean) {
     companion object {
-        /** Returns what [name] is about; null if that is not clear. */
+        /** Returns the meaning of [name]; null if it is not clear. */
         fun of(name: String): TargetName? {
             val words = wordsOf(name)
             val targets = words.indices.filter { words[it] in TARGET_WORDS }

@@ -8,14 +8,14 @@ import badlog.core.recording.PathName
 /**
  * Lines that belong in one graph.
  *
- * @property name its full name.
- * @property own the graph that attributes ask for, which stays unchanged; null for one that is put together here.
+ * @property name the full name.
+ * @property own the graph that attributes define, which stays unchanged; null for one that is put together here.
  * @property isTogether whether it shows more than one topic.
  */
 internal class TopicGroup(val name: String, val lines: List<GraphSeries>, val own: Graph? = null, val isTogether: Boolean = false) {
     val showsStates: Boolean get() = lines.all { it.states != null }
 
-    /** Whether any of its lines has two values that differ. */
+    /** Whether any of the lines has two different values. */
     val changes: Boolean by lazy { lines.any { everChanges(it.topic) } }
 
     val folder: String get() = PathName.folderOf(name)
@@ -33,7 +33,7 @@ private fun byMeaning(graphs: List<Graph>): List<TopicGroup> {
         val line = graph.series[0]
         val isPlain = graph.series.size == 1 && !graph.isVirtual && !graph.isFilled && !graph.includesZero
         if (!isPlain) {
-            // No topic has such a name, so nothing joins it.
+            // No topic has such a name, so that nothing is joined with it.
             val key = "${graph.name}\n${own.size}" to false
             own[key] = graph
             lines[key] = graph.series.toMutableList()
@@ -87,7 +87,10 @@ internal fun withTargets(groups: List<TopicGroup>): List<TopicGroup> {
     }
 }
 
-/** Returns the measured value in the folder of the bare target [target], such as `Arm/Angle` for `Arm/Goal`; null if there are several. */
+/**
+ * Returns the measured value in the folder of the bare target [target], such as `Arm/Angle` for `Arm/Goal`; null if there is not exactly
+ * one.
+ */
 private fun measuredIn(groups: List<TopicGroup>, things: List<TargetName?>, target: Int): Int? = groups.indices.singleOrNull { i ->
     val name = groups[i].name
     things[i]?.isTarget == false && groups[i].lines.size == 1 && fit(groups[i], groups[target]) &&
@@ -100,7 +103,7 @@ private fun fit(one: TopicGroup, other: TopicGroup): Boolean {
     return one.showsStates == other.showsStates && (unit == otherUnit || Units.isNone(unit) || Units.isNone(otherUnit))
 }
 
-/** The number of lines in one graph that people can still distinguish by hiding some. */
+/** The maximum number of lines in one graph that people can distinguish by hiding some. */
 internal const val MAX_LINES = 16
 
 private val MEASURED = setOf("position", "angle", "height", "velocity", "speed")

@@ -5,13 +5,12 @@ import badlog.core.recording.PathName
 import badlog.core.recording.Topic
 
 /**
- * Returns the name of the graph to which the part [topic] of an array or struct belongs; the topic's own name if it is not a
- * part:
+ * Returns the name of the graph that the part [topic] of an array or struct belongs to. It is the topic's own name if it is not a part:
  *
- * - The elements of an array share one: `axes[0]` and `axes[1]` become `axes`; the same applies to topics whose own names are
+ * - The elements of an array share one graph: `axes[0]` and `axes[1]` become `axes`. The same applies to topics with own names that are
  *   just numbers.
  * - The fields of a struct share one: x, y and angle of a pose, three speeds of a chassis.
- * - For swerve modules, the same field of all modules of a folder shares one: their speeds, their angles, their distances.
+ * - The same field of all swerve modules of a folder shares one: their speeds, their angles, their distances.
  */
 internal fun graphNameOf(topic: Topic): String {
     val name = topic.name
@@ -26,7 +25,7 @@ internal fun graphNameOf(topic: Topic): String {
     return owner
 }
 
-/** Returns the array that [name] is an element of, or null. */
+/** Returns the array with the element [name], or null. */
 private fun arrayOf(name: String): String? {
     val bracket = name.lastIndexOf('[')
     if (bracket >= 0 && name.endsWith(']') && isNumber(name.substring(bracket + 1, name.lastIndex))) return name.substring(0, bracket)
@@ -54,7 +53,7 @@ fun everChanges(topic: Topic): Boolean {
     return topic.texts.dictionary.size > 1 || (first != null && topic.samples.any { !it.isNaN() && it != first })
 }
 
-/** Whether it has nothing to draw. */
+/** Whether the line has nothing to draw. */
 internal val GraphSeries.isEmpty: Boolean get() = topic.texts.size == 0 && topic.samples.all { it.isNaN() }
 
 /** The structs of a log, and WPILib's equivalent messages. */

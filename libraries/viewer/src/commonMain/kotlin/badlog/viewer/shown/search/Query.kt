@@ -1,17 +1,17 @@
 package badlog.viewer.shown.search
 
 /**
- * What a person searches for, regardless of case:
+ * A person's search, regardless of case:
  *
- * - all words must occur, in any order, also in another form or as another word for the same thing, see [SAME_WORDS]; quoted words must
- *   occur together, exactly as written;
- * - `a | b` finds items with one or the other;
- * - `-c` excludes items with it;
- * - `is:` and `has:` ask for traits of the topic, see [Trait]; with any other word after the colon they are ordinary words.
+ * - All words must occur, in any order, also in another form or as another word for the same thing, see [SAME_WORDS]. Quoted words must
+ *   occur together, exactly as written.
+ * - `a | b` finds items with one or the other.
+ * - `-c` excludes items with it.
+ * - `is:` and `has:` search for traits of the topic, see [Trait]. With any other word after the colon they are ordinary words.
  *
- * While typing, incomplete parts have no effect: a sign without a word, and an empty alternative, are ignored.
+ * While typing, incomplete parts are ignored: a sign without a word, and an empty alternative.
  *
- * @property text what was typed.
+ * @property text the typed text.
  */
 class Query(val text: String) {
     private class Term(val isWanted: Boolean, val word: String, val trait: Trait?, val variants: List<String>) {
@@ -24,16 +24,16 @@ class Query(val text: String) {
         parts.filter { it.isNotEmpty() }
     }
 
-    /** The words that are searched for, in lower case and with their variants, for highlighting. */
+    /** The searched words, in lower case and with their variants, for highlighting. */
     val words: List<String> = alternatives.flatten().filter { it.isWanted && it.trait == null }.flatMap { listOf(it.word) + it.variants }
 
-    /** Whether nothing is searched for, so that everything is shown. */
+    /** Whether the search is empty, so that it matches everything. */
     val isEmpty: Boolean get() = alternatives.isEmpty()
 
-    /** Returns whether it finds [text] of something that has all of [traits]. */
+    /** Returns whether the search matches [text] of something that has all of [traits]. */
     fun matches(text: String, traits: Set<Trait> = emptySet()): Boolean = isEmpty || matchesLowercase(text.lowercase(), traits)
 
-    /** Returns the same for a text that is already in lower case, as texts that are searched on each keystroke should be. */
+    /** Returns whether the search matches [text], which is already in lower case. Texts for a search on each keystroke should be. */
     fun matchesLowercase(text: String, traits: Set<Trait> = emptySet()): Boolean {
         if (isEmpty) return true
         for (terms in alternatives) {
@@ -42,13 +42,13 @@ class Query(val text: String) {
         return false
     }
 
-    /** Returns whether it asks for [trait], so that it must be known. */
+    /** Returns whether the search uses [trait], which then must be known. */
     fun asksFor(trait: Trait): Boolean = alternatives.any { terms -> terms.any { it.trait == trait } }
 
     private companion object {
         private fun isBlank(char: Char) = char == ' ' || char == '\t'
 
-        /** Returns the terms of [text], in lower case; null for a bar between alternatives. */
+        /** Returns the terms of [text], which is in lower case; null for a bar between alternatives. */
         fun tokensOf(text: String): List<Term?> {
             val tokens = ArrayList<Term?>()
             var at = 0

@@ -1,6 +1,6 @@
 package badlog.viewer.shown.search
 
-/** Words for the same thing, of which a search for one finds the others; the glossary lists them. */
+/** Words for the same thing: a search for one of them also finds the others. The glossary lists them. */
 val SAME_WORDS: List<List<String>> = listOf(
     listOf("brownout", "browned out", "brown out"),
     listOf("autonomous", "auto"),
@@ -11,14 +11,14 @@ val SAME_WORDS: List<List<String>> = listOf(
     listOf("radio", "wireless", "wifi"),
 )
 
-/** Returns what a search for [word], in lower case, finds besides the word: other words for the same thing, and its stem. */
+/** Returns the further texts that a search for [word], in lower case, finds: other words for the same thing, and its stem. */
 internal fun variantsOf(word: String): List<String> {
     val stem = stemOf(word)
     return (SAME_WORDS.filter { word in it || stem in it }.flatten() + stem).distinct() - word
 }
 
 /**
- * Returns whether [variant] of a word occurs in [text]. Short ones count only where a word begins: a search for `heading` finds
+ * Returns whether [variant] of a word occurs in [text]. Short variants count only where a word begins: a search for `heading` finds
  * `Head Angle`, but not `overhead`.
  */
 internal fun occursIn(text: String, variant: String): Boolean {
@@ -32,14 +32,14 @@ private fun stemOf(word: String): String {
     if (word.any { it !in 'a'..'z' } || OTHER_ENDINGS.any { word.endsWith(it) }) return word
     val ending = ENDINGS.firstOrNull { word.endsWith(it) && word.length >= it.length + SHORTEST } ?: return word
     val stem = word.dropLast(ending.length)
-    // Slipping, but stalling and missed.
+    // As in slipping, but not in stalling and missed.
     val isDoubled = stem.length > SHORTEST && ending != "s" && stem.last() == stem[stem.length - 2] && stem.last() !in "aeioulsz"
     return if (isDoubled) stem.dropLast(1) else stem
 }
 
 private val ENDINGS = listOf("ing", "ed", "es", "s")
 
-/** A bus, a loss and a speed are neither plurals nor verbs. */
+/** Endings that are neither of plurals nor of verbs: a bus, a loss, a speed. */
 private val OTHER_ENDINGS = listOf("us", "ss", "is", "eed")
 private const val SHORTEST = 4
 private const val LONG = 5

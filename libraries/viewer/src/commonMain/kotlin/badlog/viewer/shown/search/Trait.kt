@@ -1,34 +1,34 @@
 package badlog.viewer.shown.search
 
 /**
- * What a search can ask for about a topic besides its name.
+ * A property of a topic that a search can use besides the name.
  *
- * @property word how a person writes it.
+ * @property word the word for it in a search.
  */
 enum class Trait(val word: String) {
-    /** Its values are states, or true and false. */
+    /** The values are states, or true and false. */
     STATE("is:state"),
 
-    /** Its values are numbers. */
+    /** The values are numbers. */
     NUMBER("is:number"),
 
-    /** Its values are texts that say what happened. */
+    /** The values are texts about what happened. */
     EVENT("is:event"),
 
-    /** It never changes. */
+    /** The topic never changes. */
     CONSTANT("is:constant"),
 
-    /** It has no logged values. */
+    /** The topic has no logged values. */
     EMPTY("is:empty"),
 
-    /** A finding is about it. */
+    /** A finding is about the topic. */
     FINDING("has:finding"),
     ;
 
     companion object {
         private val BY_WORD = entries.associateBy { it.word }
 
-        /** Returns the trait that [word], in lower case, asks for; null for an ordinary word. */
+        /** Returns the trait that [word], in lower case, stands for; null for an ordinary word. */
         fun of(word: String): Trait? = BY_WORD[word]
     }
 }

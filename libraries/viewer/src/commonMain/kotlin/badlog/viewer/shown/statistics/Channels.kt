@@ -13,25 +13,25 @@ import badlog.viewer.text.shortNames
 import badlog.viewer.text.withUnit
 
 /**
- * What a channel of the power distribution gave over a part of x; where a log does not show the channels, a motor.
+ * The load of a channel of the power distribution over a part of x. If a log does not show the channels, it is a motor.
  *
- * @property topic the topic of its current.
- * @property name the shortest name that tells it from the others.
- * @property charge its charge in ampere-hours; null if x is not time.
- * @property share its share of the charge of all, 0 to 1; null if they gave none.
- * @property peak its highest current, in amperes.
+ * @property topic the topic of the current.
+ * @property name the shortest name that distinguishes it from the others.
+ * @property charge the charge in ampere-hours; null if x is not time.
+ * @property share the fraction of the charge of all channels, 0 to 1; null if that is 0 or unknown.
+ * @property peak the highest current, in amperes.
  */
 class RankedChannel(val topic: String, val name: String, val charge: Double?, val share: Double?, val peak: Double) {
-    /** [charge] for people: `0.42 Ah`; `–` for none. */
+    /** The displayed [charge]: `0.42 Ah`; `–` if unknown. */
     val chargeText: String get() = charge?.let { withUnit(numberText(fixedText(it, DECIMALS).toDouble()), "Ah") } ?: NO_NUMBER
 
-    /** [share] in percent; `–` for none. */
+    /** The displayed [share] in percent; `–` if unknown. */
     val shareText: String get() = share?.let { withUnit(fixedText(it * PERCENT, 1), "%") } ?: NO_NUMBER
 
-    /** [peak] for people: `62.1 A`. */
+    /** The displayed [peak]: `62.1 A`. */
     val peakText: String get() = withUnit(numberText(peak), "A")
 
-    /** Returns the number by which it is ranked by [order]: its peak if its charge is not known. */
+    /** Returns the number for a ranking by [order]; the peak if the charge is unknown. */
     fun by(order: ChannelOrder): Double = if (order == ChannelOrder.CHARGE && charge != null) charge else peak
 
     private companion object {
@@ -41,31 +41,31 @@ class RankedChannel(val topic: String, val name: String, val charge: Double?, va
 }
 
 /**
- * By what channels are ranked.
+ * The quantity by which channels are ranked.
  *
- * @property title its label.
- * @property hint what it is, for those who do not know.
+ * @property title the label.
+ * @property hint an explanation for beginners.
  */
 enum class ChannelOrder(val title: String, val hint: String) {
-    /** By charge: what empties the battery. */
+    /** The charge, which empties the battery. */
     CHARGE("Charge", "Channels by charge: what empties the battery"),
 
-    /** By the highest current: what makes its voltage drop. */
+    /** The highest current, which makes the voltage drop. */
     PEAK("Peak", "Channels by their highest current: what makes the voltage drop"),
 }
 
 /**
- * The channels of a log, in whose [view] they are found.
+ * The channels of a log; [view] has their topics.
  *
- * @property what what they are: `Channel`, or `Motor` where a log does not show the channels.
+ * @property what the kind of channels: `Channel`, or `Motor` if a log does not show the channels.
  */
 class Channels private constructor(private val view: LogView, private val lines: List<Pair<GraphSeries, Double>>, val what: String) {
     private val names = shortNames(lines.map { (line, _) -> line.topic.name })
 
-    /** The names of their topics. */
+    /** The names of the channels' topics. */
     val topics: Set<String> = lines.mapTo(HashSet()) { (line, _) -> line.topic.name }
 
-    /** Returns those that gave anything within [parts] of x, by [order], the largest first. */
+    /** Returns the channels with any current within [parts] of x, by [order], the largest first. */
     fun ranked(parts: List<Span>, order: ChannelOrder): List<RankedChannel> {
         val hours = Units.secondsIn(view.xAxis.unit)?.let { it / SECONDS_PER_HOUR }
         val statistics = lines.map { (line, _) -> line.statistics(parts) }
@@ -79,10 +79,10 @@ class Channels private constructor(private val view: LogView, private val lines:
     }
 
     companion object {
-        /** Returns the channels of [view], whose topics [topics] knows; or else its motors. */
+        /** Returns the channels of [view], according to [topics]; without channels, its motors. */
         fun of(view: LogView, topics: SignalTopics): Channels {
             val channels = topics.of("channel current")
-            // A log may have them twice, from two libraries.
+            // Two libraries may log the same channels.
             val first = channels.firstOrNull()?.let { listOfName(it.topic) }
             val found = channels.filter { listOfName(it.topic) == first }.ifEmpty { topics.of("motor current") }
             val byName = view.recording.topics.associateBy { it.name }
@@ -95,7 +95,7 @@ class Channels private constructor(private val view: LogView, private val lines:
             )
         }
 
-        /** The name of the channel [topic] without its number. */
+        /** Returns the name of the channel [topic] without its number. */
         private fun listOfName(topic: String) = topic.filterNot { it.isDigit() }
 
         private const val SECONDS_PER_HOUR = 3600.0

@@ -7,14 +7,14 @@ import badlog.core.analysis.Span
 import badlog.viewer.choices.range.holdsUntil
 
 /**
- * How long a line had which values: each value counts as long as it holds, as for the statistics.
+ * The duration of each value of a line; each value counts as long as it holds, as for the statistics.
  *
  * @property values the values from the smallest to the largest, which the bins divide evenly.
  * @property shares the share of the time in each bin, 0 to 1, together 1.
  */
 class Histogram internal constructor(val values: Span, val shares: DoubleArray) {
     companion object {
-        /** What it shows, for people. */
+        /** A displayed explanation. */
         const val HINT: String = "How much of the time a value lasts"
 
         /** The sentence for a line without a histogram. */
@@ -23,8 +23,8 @@ class Histogram internal constructor(val values: Span, val shares: DoubleArray) 
         private const val BINS = 30
 
         /**
-         * Returns that of [line] over [parts] of x, which are in order, and over which it has [statistics]. Null if it has states, if it
-         * has only one value, or if x goes backwards.
+         * Returns the histogram of [line] over [parts] of x, which are in order; its [statistics] are over the same parts. Null if it has
+         * states, if it has only one value, or if x goes backwards.
          */
         fun of(line: GraphSeries, parts: List<Span>, statistics: SeriesStatistics): Histogram? {
             val values = Span(statistics.min, statistics.max)

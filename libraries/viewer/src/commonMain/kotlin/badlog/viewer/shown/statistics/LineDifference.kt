@@ -8,21 +8,21 @@ import kotlin.math.round
 import kotlin.math.sqrt
 
 /**
- * How one line differs from another, by time: a difference counts as long as it holds.
+ * The difference between two lines by time: each difference counts as long as it holds.
  *
  * @property mean the mean difference, the first line minus the second.
  * @property rms the root mean square of the difference: the usual measure of how well something follows its target.
  * @property largest the difference that is farthest from 0.
- * @property largestAt where on x that is.
- * @property lag how far the first line is behind the second on x, negative if it is ahead; null if no shift makes them fit much better.
+ * @property largestAt the x of that difference.
+ * @property lag the delay of the first line behind the second on x, negative if it is ahead; null if no shift makes them fit much better.
  */
 class LineDifference(val mean: Double, val rms: Double, val largest: Double, val largestAt: Double, val lag: Double?)
 
 /**
- * Returns how [one] differs from [other] within [parts] of x; null where they have no samples in common, or x goes backwards. Each sample
- * holds until the next one of its line, and the last one until [endOfOne] or [endOfOther].
+ * Returns the difference between [one] and [other] within [parts] of x; null if they have no samples in common, or x goes backwards. Each
+ * sample holds until the next one of its line, and the last one until [endOfOne] or [endOfOther].
  *
- * @param unit the unit of both: if one of them turns on from one end of a turn to the other, the shorter way around counts.
+ * @param unit the unit of both. If one of them wraps around from one end of a turn to the other, the shorter way around counts.
  */
 fun differenceOf(
     one: Series,
@@ -82,8 +82,8 @@ private inline fun forEachDifference(
 }
 
 /**
- * Returns the shift of at most a tenth of [part] at which the lines fit best, sampled at equal distances; null unless their squares then
- * differ less than half as much, or if the best shift is the largest.
+ * Returns the shift at which the lines fit best, at most a tenth of [part], sampled at equal distances. Null if the shift does not halve
+ * the mean square of the difference, or if the best shift is the largest.
  */
 private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double? {
     val step = part.width / SAMPLES
@@ -91,7 +91,7 @@ private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double?
     val first = sampled(one, part, step)
     val second = sampled(other, part, step)
 
-    /** Returns the mean square when the first line is [shift] samples behind. */
+    /** Returns the mean square of the difference if the first line is [shift] samples behind. */
     fun squareAt(shift: Int): Double {
         var sum = 0.0
         var count = 0
@@ -108,7 +108,7 @@ private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double?
     val best = squares.indices.minBy { squares[it] }
     if (best == MOST_SHIFT || best == 0 || best == squares.lastIndex || squares[best] > squares[MOST_SHIFT] * MUCH_BETTER) return null
     val (before, at, after) = listOf(squares[best - 1], squares[best], squares[best + 1])
-    // The vertex of the parabola through the three.
+    // The vertex of the parabola through the three values.
     val bend = before - 2 * at + after
     val fine = if (bend > 0) (before - after) / (2 * bend) else 0.0
     return (best - MOST_SHIFT + fine) * step
@@ -125,7 +125,7 @@ private fun sampled(series: Series, part: Span, step: Double): DoubleArray {
 
 private fun wrapped(difference: Double, turn: Double) = if (turn.isNaN()) difference else difference - turn * round(difference / turn)
 
-/** Returns a full turn in [unit]; NaN if it is not of angles, or neither line goes on from one end of the turn to the other. */
+/** Returns a full turn in [unit]; NaN if that is not a unit of angles, or neither line wraps around. */
 private fun turnOf(unit: String, one: Series, other: Series): Double {
     val turn = when (unit.trim().lowercase()) {
         "deg", "degree", "degrees", "°" -> DEGREES
@@ -136,10 +136,7 @@ private fun turnOf(unit: String, one: Series, other: Series): Double {
     return if (wraps(one, turn) || wraps(other, turn)) turn else Double.NaN
 }
 
-/**
- * Returns whether [series] stays within one [turn] and jumps by about that, as an angle does that goes on from one end of the turn to the
- * other.
- */
+/** Returns whether [series] wraps around: it stays within one [turn], and jumps by about that from one end to the other. */
 private fun wraps(series: Series, turn: Double): Boolean {
     var least = Double.POSITIVE_INFINITY
     var most = Double.NEGATIVE_INFINITY
@@ -155,10 +152,10 @@ private fun wraps(series: Series, turn: Double): Boolean {
 
 private const val DEGREES = 360.0
 
-/** How far a line has moved on meanwhile, as a share of the turn. */
+/** The maximum movement of a line during the jump, as a fraction of the turn. */
 private const val JUMP = 0.2
 
-/** A turn, and what rounding adds to it. */
+/** The largest range of an angle within a turn, as a fraction of the turn, with a tolerance for rounding. */
 private const val ROUNDED = 1.05
 private const val SAMPLES = 1000
 private const val MOST_SHIFT = 100

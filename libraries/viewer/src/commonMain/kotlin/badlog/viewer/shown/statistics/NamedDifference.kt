@@ -12,14 +12,14 @@ import badlog.viewer.text.withUnit
 import kotlin.math.abs
 
 /**
- * How a line of a graph differs from another one of it.
+ * The difference between two lines of a graph.
  *
  * @property one the first line.
  * @property other the line that is subtracted from it.
- * @param width the part of x that was looked at.
+ * @param width the length of the examined part of x.
  */
 class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val difference: LineDifference, private val width: Double) {
-    /** Returns its values for people, under [TITLES]; [offset] is added to the place. */
+    /** Returns the displayed values, under [TITLES]; [offset] is added to the place. */
     fun texts(axis: XAxis, offset: Double = 0.0): List<String> = with(difference) {
         listOf(
             withUnit(numberText(mean), one.unit),
@@ -30,16 +30,16 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
         )
     }
 
-    /** Returns the same to the last digit, without units; [offset] is added to the place. */
+    /** Returns the values to the last digit, without units; [offset] is added to the place. */
     fun exactTexts(offset: Double = 0.0): List<String> = with(difference) {
         listOf(exactText(mean), exactText(rms), exactText(largest), exactText(largestAt + offset), lag?.let(::exactText) ?: "–")
     }
 
     companion object {
-        /** The titles of what [texts] returns. */
+        /** The titles of the [texts]. */
         val TITLES: List<String> = listOf("mean", "RMS", "largest", "at", "lag")
 
-        /** What the titles mean, in one sentence each. */
+        /** The meanings of the titles, one sentence each. */
         val HINTS: List<String> = listOf(
             "the mean difference by time",
             "the root mean square of the difference: the usual measure of how well something follows",
@@ -48,11 +48,12 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
             "how far the line is behind the other, if shifting it makes them fit much better",
         )
 
-        /** More than anybody compares in one graph. */
+        /** The maximum number of differences that a graph shows. */
         const val MOST: Int = 6
 
         /**
-         * Returns how [lines], which are those of a graph, differ within [parts] of x: each from the first of its unit; at most [MOST].
+         * Returns the differences of a graph's [lines] within [parts] of x, at most [MOST]: between each line and the first one of its
+         * unit.
          */
         fun of(lines: List<GraphSeries>, parts: List<Span>): List<NamedDifference> {
             val width = parts.sumOf { it.width }

@@ -9,35 +9,35 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * How long and how often a lane was in a state.
+ * The time that a lane was in a state.
  *
- * @property state its name.
+ * @property state the name of the state.
  * @property time the length on x, in its unit.
  * @property share the fraction of the time in any state, 0 to 1; NaN if that time is 0.
- * @property count how often it was entered, including being in it at the start.
+ * @property count the number of times that the state was entered, including being in it at the start.
  */
 class StateTime(val state: String, val time: Double, val share: Double, val count: Int) {
     /** Returns [time] with the unit of [axis]. */
     fun timeText(axis: XAxis): String = lengthOn(axis, numberText(time))
 
-    /** [share] in percent; `–` for none. */
+    /** The displayed [share] in percent; `–` if unknown. */
     val shareText: String get() = withUnit(fixedText(share * 100, 1), "%")
 
-    /** Returns everything in one line: `true 4.2 s (2.7 %), 3 times`. */
+    /** Returns all values in one line: `true 4.2 s (2.7 %), 3 times`. */
     fun text(axis: XAxis): String = "$state ${timeText(axis)} ($shareText), $count ${if (count == 1) "time" else "times"}"
 
     companion object {
         /** The column titles for the lane's name and [state], [time], [share] and [count] in a table. */
         val TITLES: List<String> = listOf("Lane", "State", "Time", "Share", "Times")
 
-        /** The maximum number of listed states of a lane; nobody reads more. */
+        /** The maximum number of listed states of a lane; a longer list is not readable. */
         const val MOST: Int = 12
     }
 }
 
 /**
- * Returns how long and how often the lane was in each of [states], the names of these runs' states, from [from] to [to]; longest first,
- * without states that did not occur.
+ * Returns the time in each of [states] from [from] to [to]; longest first, without states that did not occur. [states] are the names of
+ * these runs' states.
  */
 fun StateRuns.timesOf(
     states: List<String>,
@@ -45,7 +45,10 @@ fun StateRuns.timesOf(
     to: Double = Double.POSITIVE_INFINITY,
 ): List<StateTime> = timesOf(states, listOf(Span(from, to)))
 
-/** Returns the same for several [parts] together, without what is between them. A state that spans two of them counts twice. */
+/**
+ * Returns the time in each of [states] in several [parts] together, without the gaps between them. A state that spans two parts counts
+ * twice.
+ */
 fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> {
     val times = HashMap<Int, Double>()
     val counts = HashMap<Int, Int>()

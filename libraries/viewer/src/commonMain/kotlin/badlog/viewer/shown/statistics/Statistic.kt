@@ -7,12 +7,12 @@ import badlog.viewer.text.countText
 import badlog.viewer.text.numberText
 
 /**
- * A number that describes the samples of a range. Statistics that could be weighted by samples or by time are weighted by
- * time: a value that holds longer has more weight, however often it was logged; see [badlog.core.analysis.SeriesStatistics].
+ * A number that describes the samples of a range. It is weighted by time rather than by samples where both are possible: a value that
+ * holds longer has more weight, however often it was logged; see [badlog.core.analysis.SeriesStatistics].
  *
- * @property title its label in front ends.
- * @property hint an explanation for those who do not know the title.
- * @property isCount whether it counts samples.
+ * @property title the label in front ends.
+ * @property hint an explanation for beginners.
+ * @property isCount whether it is a number of samples.
  */
 enum class Statistic(val title: String, val hint: String, val isCount: Boolean = false) {
     /** The smallest value. */
@@ -24,13 +24,13 @@ enum class Statistic(val title: String, val hint: String, val isCount: Boolean =
     /** The mean by time. */
     MEAN("mean", "the mean by time: each value counts as long as it holds"),
 
-    /** Below this for half of the time. */
+    /** The median by time: values are below it for half of the time. */
     MEDIAN("median", "below this for half of the time"),
 
-    /** Below this for 5 % of the time. */
+    /** The 5th percentile by time: values are below it for 5 % of the time. */
     PERCENTILE_5("5 %", "below this for 5 % of the time"),
 
-    /** Below this for 95 % of the time. */
+    /** The 95th percentile by time: values are below it for 95 % of the time. */
     PERCENTILE_95("95 %", "below this for 95 % of the time"),
 
     /** The standard deviation by time. */
@@ -55,7 +55,7 @@ enum class Statistic(val title: String, val hint: String, val isCount: Boolean =
     GAPS("gaps", "how many samples have no value", isCount = true),
     ;
 
-    /** Returns its value in [statistics]; NaN if there is none. */
+    /** Returns the value of this statistic in [statistics]; NaN if there is none. */
     fun of(statistics: SeriesStatistics): Double = when (this) {
         MIN -> statistics.min
         MAX -> statistics.max
@@ -72,10 +72,10 @@ enum class Statistic(val title: String, val hint: String, val isCount: Boolean =
         GAPS -> statistics.gaps.toDouble()
     }
 
-    /** Returns [value], one that [of] returned, for people: counts in full, other numbers with a few digits; `–` for none. */
+    /** Returns the displayed [value], a result of [of]: counts in full, other numbers with a few digits; `–` for NaN. */
     fun textOf(value: Double): String = if (isCount && !value.isNaN()) countText(value.toInt()) else numberText(value)
 
-    /** Its unit for a topic of [unit] over an x of [xUnit], null if that is not known; `ul` for none. */
+    /** Returns the unit of this statistic for a topic of [unit]; `ul` if it has none. [xUnit] is the unit of x, null if unknown. */
     fun unitOf(unit: String, xUnit: String?): String = when {
         isCount -> Topic.UNITLESS
         this != INTEGRAL -> unit
@@ -84,7 +84,7 @@ enum class Statistic(val title: String, val hint: String, val isCount: Boolean =
     }
 
     companion object {
-        /** The remark beside the statistics, so that nobody takes them for unweighted ones. */
+        /** The displayed remark that statistics are weighted by time. */
         const val BY_TIME: String = "Mean, median, percentiles and standard deviation are by time."
     }
 }

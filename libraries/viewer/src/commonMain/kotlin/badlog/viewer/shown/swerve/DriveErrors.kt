@@ -7,21 +7,21 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * How far the modules of a drive are from their targets over time, where that counts, see [condition].
+ * The errors of a drive's modules over time: their distances from their targets, where these count, see [condition].
  *
  * @property modules the lines of each module.
  */
 class DriveErrors private constructor(val modules: List<Lines>, private val knowsEnabled: Boolean) {
     /**
-     * The errors of the module [label] over x; each holds until the next one, NaN where it does not count.
+     * The errors of the module [label] over x. Each holds until the next one, NaN where it does not count.
      *
      * @property angle the angle minus its target, in degrees, -90 to 90: a module that runs backward instead of turning by half a turn
      *   follows its target.
-     * @property speed the speed minus its target, in m/s, with the sign of the way that the module points.
+     * @property speed the speed minus its target, in m/s, with its sign along the direction of the module.
      */
     class Lines internal constructor(val label: String, val angle: Series, val speed: Series, internal val course: TargetCourse)
 
-    /** When errors count, for people. */
+    /** The displayed condition under which errors count. */
     val condition: String
         get() = if (knowsEnabled) "Errors count while the robot is enabled and $WHEN" else "Errors count while $WHEN $ANY_TIME"
 
@@ -39,30 +39,38 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
         private const val WHEN = "the target of a module is 0.3 m/s or more, but not in the 0.2 s after its angle jumps."
         private const val ANY_TIME = "The log does not say when the robot was enabled."
 
-        /** In m/s: of a slower module, the direction says little. The same as for findings. */
+        /** The minimum speed in m/s, the same as for findings: the direction of a slower module means little. */
         private const val DRIVING = 0.3
 
-        /** No module follows a target at once that jumps by more, in degrees. */
+        /** The jump of a target, in degrees, that no module follows at once. */
         private const val JUMP = 20.0
 
-        /** How long a module may need to get to a target that has jumped, in s. */
+        /** The time in s that a module may need to reach a target after a jump. */
         private const val AFTER_JUMP = 0.2
 
         /**
-         * Returns those of [modules], whose targets are known.
+         * Returns the errors of [modules], which all have targets.
          *
-         * @param enabled null if the log does not show when the robot was enabled.
-         * @param end the end of the log, until which the last values of lines that hold their values hold.
+         * @param enabled the time when the robot was enabled; null if the log does not show it.
+         * @param end the end of the log, until which the last values hold if lines hold their values.
+         * @param second one second in the unit of x.
          */
-        internal fun of(modules: List<DriveModule>, enabled: List<Span>?, end: Double): DriveErrors = DriveErrors(
-            modules.map { module -> linesOf(module.label, module.actual, checkNotNull(module.target), enabled, end) },
+        internal fun of(modules: List<DriveModule>, enabled: List<Span>?, end: Double, second: Double): DriveErrors = DriveErrors(
+            modules.map { module -> linesOf(module.label, module.actual, checkNotNull(module.target), enabled, end, second) },
             knowsEnabled = enabled != null,
         )
 
-        private fun linesOf(label: String, actual: WheelLines, target: WheelLines, enabled: List<Span>?, end: Double): Lines {
+        private fun linesOf(
+            label: String,
+            actual: WheelLines,
+            target: WheelLines,
+            enabled: List<Span>?,
+            end: Double,
+            second: Double,
+        ): Lines {
             val lines = listOf(actual.angle, actual.speed, target.angle, target.speed)
             val series = lines.map { it.data }
-            // A log of changes has no sample where the robot is disabled, or an angle stays behind its target.
+            // A log of changes has no sample where the robot is disabled, or where an angle stays behind its target.
             val edges = enabled.orEmpty().flatMap { listOf(it.from, it.to) }.toDoubleArray()
             val last = if (lines.all { it.holds } && end.isFinite()) doubleArrayOf(end) else DoubleArray(0)
             val moments = Moments.of(series.map { it.x } + listOf(edges, last))
@@ -71,7 +79,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
             var span = 0
             val angle = DoubleArray(x.size)
             val speed = DoubleArray(x.size)
-            val course = TargetCourse(x)
+            val course = TargetCourse(x, second)
             var before = Double.NaN
             var jumped = Double.NEGATIVE_INFINITY
             for (i in x.indices) {
@@ -84,7 +92,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
                 val step = degreesOf(wantedAngle - before)
                 if (abs(step) > JUMP) jumped = x[i]
                 before = wantedAngle
-                val counts = isEnabled && wantedAngle.isFinite() && abs(wanted) >= DRIVING && x[i] >= jumped + AFTER_JUMP
+                val counts = isEnabled && wantedAngle.isFinite() && abs(wanted) >= DRIVING && x[i] >= jumped + AFTER_JUMP * second
                 course.add(counts, step)
                 val off = if (counts) actual.angleOf(at[0]) - wantedAngle else Double.NaN
                 angle[i] = degreesOf(off)
@@ -95,7 +103,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
             return Lines(label, Series(x, angle), Series(x, speed), course)
         }
 
-        /** Returns an angle of [radians] in degrees without its half turns, -90 to 90; NaN if it is not a number. */
+        /** Returns an angle of [radians] in degrees without its half turns, -90 to 90; NaN if it is not finite. */
         private fun degreesOf(radians: Double): Double {
             val degrees = (radians - PI * round(radians / PI)) * DEGREES / PI
             return if (degrees.isFinite()) degrees else Double.NaN

@@ -10,8 +10,8 @@ import kotlin.math.sin
 /**
  * One module of a [SwerveDrive].
  *
- * @property label its name for people, as in findings: `Front Left`, `Module 2`.
- * @property sign what tells it from the others in a drawing: `FL`, `2`.
+ * @property label the displayed name, as in findings: `Front Left`, `Module 2`.
+ * @property sign a short name in a drawing: `FL`, `2`.
  */
 class DriveModule internal constructor(
     val label: String,
@@ -21,27 +21,27 @@ class DriveModule internal constructor(
 ) {
     val sign: String = if (label.last().isDigit()) label.takeLastWhile { it.isDigit() } else label.filter { it.isUpperCase() }
 
-    /** Returns what its wheel does at [time]; null if that is unknown. */
+    /** Returns the measured velocity of the wheel at [time]; null if unknown. */
     fun actualAt(time: Double): WheelVector? = actual.vectorAt(time)
 
-    /** Returns what its wheel should do at [time]; null if that is unknown. */
+    /** Returns the target velocity of the wheel at [time]; null if unknown. */
     fun targetAt(time: Double): WheelVector? = target?.vectorAt(time)
 }
 
 /**
- * The velocity of a wheel over the ground, as the robot sees it, in m/s. A wheel that runs backward, pointing back, goes ahead.
+ * The velocity of a wheel over the ground, relative to the robot, in m/s. A wheel that points back and runs backward moves ahead.
  *
  * @property ahead the part toward the robot's front.
  * @property left the part toward its left.
  */
 class WheelVector internal constructor(val ahead: Double, val left: Double)
 
-/** The lines of a wheel: its speed times [meters] is in m/s, its angle times [radians] in rad, counterclockwise from straight ahead. */
+/** The lines of a wheel. Its speed times [meters] is in m/s, its angle times [radians] in rad, counterclockwise from straight ahead. */
 internal class WheelLines(val speed: GraphSeries, val angle: GraphSeries, private val meters: Double, private val radians: Double) {
-    /** Whether its samples are in the order of x. */
+    /** Whether the samples are in the order of x. */
     val isOrdered: Boolean get() = speed.data.isOrdered && angle.data.isOrdered
 
-    /** The highest speed, in m/s, apart from the few samples that are higher still, since these may be wrong; 0 if it never turned. */
+    /** The highest speed in m/s, except for the few highest samples, which may be wrong; 0 if the wheel never turned. */
     val fastest: Double by lazy {
         val turning = speed.data.y.filter { it.isFinite() && it != 0.0 }.map { abs(it) }.sorted()
         if (turning.isEmpty()) 0.0 else turning[(turning.lastIndex * HIGH).roundToInt()] * abs(meters)

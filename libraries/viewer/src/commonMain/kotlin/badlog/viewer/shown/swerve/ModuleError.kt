@@ -7,15 +7,15 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * How far a module was from its target over a part of x.
+ * The distance of a module from its target over a part of x.
  *
- * @property label the module's name for people.
- * @property angle the error of its angle; null if it did not drive, or its angle is not known.
- * @property speed the error of its speed; null if it did not drive, or its speed is not known.
+ * @property label the displayed name of the module.
+ * @property angle the error of the angle; null if the module did not drive, or its angle is unknown.
+ * @property speed the error of the speed; null if the module did not drive, or its speed is unknown.
  */
 class ModuleError internal constructor(val label: String, val angle: ErrorSize?, val speed: ErrorSize?, internal val target: Turning)
 
-/** What an error is measured in, with as many decimals as anybody reads. */
+/** The unit of an error, with a readable number of decimals. */
 internal enum class ErrorUnit(private val text: String, private val decimals: Int) {
     DEGREES("°", 1),
     SPEED(" m/s", 2),
@@ -23,7 +23,7 @@ internal enum class ErrorUnit(private val text: String, private val decimals: In
 
     fun textOf(value: Double): String = fixedText(value, decimals) + text
 
-    /** Returns the texts of both ends of a range, the unit once. */
+    /** Returns the texts of both ends of a range, with the unit once. */
     fun textOf(least: Double, most: Double): String {
         val number = fixedText(least, decimals)
         return if (number == fixedText(most, decimals)) textOf(most) else "$number to ${textOf(most)}"
@@ -33,11 +33,11 @@ internal enum class ErrorUnit(private val text: String, private val decimals: In
 /**
  * The size of an error over a part of x.
  *
- * @property rms its root mean square by time.
- * @property mean its mean by time.
- * @property meanSize the mean of its absolute values by time.
+ * @property rms the root mean square by time.
+ * @property mean the mean by time.
+ * @property meanSize the mean of the absolute values by time.
  * @property largest the error that is farthest from 0.
- * @property largestAt the x at which that begins.
+ * @property largestAt the x at which the largest error begins.
  */
 class ErrorSize private constructor(
     val rms: Double,
@@ -47,19 +47,19 @@ class ErrorSize private constructor(
     val largestAt: Double,
     private val unit: ErrorUnit,
 ) {
-    /** [rms] for people: `1.2° RMS`. */
+    /** The displayed [rms]: `1.2° RMS`. */
     val rmsText: String get() = "${unit.textOf(rms)} RMS"
 
-    /** [largest] for people: `largest -9.8°`. */
+    /** The displayed [largest]: `largest -9.8°`. */
     val largestText: String get() = "largest ${unit.textOf(largest)}"
 
-    /** Returns what a click on that does; [place] is its place for people. */
+    /** Returns the hint for a click on the largest error; [place] is its displayed place. */
     fun goText(place: String): String = "Go to the largest error, at $place"
 
     internal companion object {
         private const val BEYOND_ROUNDING = 1 + 1e-9
 
-        /** Returns the size of [error], which holds each value until the next one, within [part]; null if it has none. */
+        /** Returns the size of [error] within [part]; null if it has no values there. Each value holds until the next one. */
         fun of(error: Series, part: Span, unit: ErrorUnit): ErrorSize? {
             var time = 0.0
             var squares = 0.0

@@ -7,19 +7,19 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * Where a module is on its robot, as multiples of half the robot's length and width.
+ * The place of a module on its robot, as multiples of half the robot's length and width.
  *
- * @property ahead how far in front of the center; negative behind it.
- * @property left how far to the left of the center; negative to the right.
+ * @property ahead the distance in front of the center; negative behind it.
+ * @property left the distance to the left of the center; negative to the right.
  */
 internal class ModulePlace(val ahead: Double, val left: Double)
 
-/** Where these modules are, in their order. */
+/** The places of these modules, in their order. */
 internal val SwerveModules.places: List<ModulePlace> get() = corners?.map(CORNER_PLACES::get) ?: modulePlacesOf(labels.size)
 
 /**
- * Returns where [count] modules are, in their order. Logs do not say it. Four are at the corners, front before back, left before right;
- * three form a triangle with two in front; more are around a circle, clockwise from the front left.
+ * Returns the places of [count] modules, in their order, which logs do not contain. Four modules are at the corners, front before back,
+ * left before right. Three form a triangle with two in front; more are around a circle, clockwise from the front left.
  */
 internal fun modulePlacesOf(count: Int): List<ModulePlace> = when (count) {
     TRIANGLE.size -> TRIANGLE
@@ -28,7 +28,7 @@ internal fun modulePlacesOf(count: Int): List<ModulePlace> = when (count) {
 
     else -> {
         val turns = List(count) { PI / 4 - 2 * PI * it / count }
-        // The outermost ones are on the robot's edge, as the corners are: beyond it, their arrows would leave the picture.
+        // The outermost modules are on the robot's edge, as the corners are: beyond it, their arrows would leave the picture.
         val outermost = turns.maxOf { maxOf(abs(cos(it)), abs(sin(it))) }
         turns.map { ModulePlace(cos(it) / outermost, sin(it) / outermost) }
     }

@@ -1,21 +1,21 @@
 package badlog.viewer.shown.swerve
 
 /**
- * The moments in which something changes. A robot sends the values of a loop one after the other, so that their times differ by parts of a
- * millisecond; all changes of a loop are one moment, or a new target would be compared with an old measurement.
+ * The moments in which something changes. A robot sends the values of a loop one after the other, so that their times differ by parts of
+ * a millisecond. All changes of a loop are one moment; otherwise a new target would be compared with an old measurement.
  *
- * @property from when each moment begins, ascending.
- * @property until the last change of each.
+ * @property from the start of each moment, ascending.
+ * @property until the last change of each moment.
  */
 internal class Moments private constructor(val from: DoubleArray, val until: DoubleArray) {
     companion object {
-        /** Changes that are less apart are one moment, in s. */
+        /** The time in s below which two changes are one moment. */
         private const val CLOSE = 0.005
 
-        /** A moment is shorter than this also where changes are always close, in s. */
+        /** The maximum length of a moment in s, even if changes are always close. */
         private const val LONGEST = 0.01
 
-        /** Returns those of the changes in [lists], each of which is ascending. */
+        /** Returns the moments of the changes in [lists]. Each list is ascending. */
         fun of(lists: List<DoubleArray>): Moments {
             // The fields of a struct share an array, and arrays are only equal to themselves.
             val all = lists.distinct()

@@ -2,6 +2,7 @@ package badlog.viewer.shown.swerve
 
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
+import badlog.core.analysis.Units
 import badlog.core.analysis.enabledSpans
 import badlog.core.analysis.knowsEnabled
 import badlog.signals.swerve.DriveTopics
@@ -10,12 +11,12 @@ import badlog.signals.swerve.SwerveModules
 /**
  * The swerve drive of a log.
  *
- * @property modules its three to six modules, in the order of the log, or front before back, left before right.
+ * @property modules the three to six modules, in the order of the log, or front before back, left before right.
  */
 class SwerveDrive private constructor(private val view: LogView, val modules: List<DriveModule>, private val withoutTarget: List<String>) {
     private val isOrdered get() = modules.all { module -> listOfNotNull(module.actual, module.target).all { it.isOrdered } }
 
-    /** Why there are no [errors], in a sentence for people; null if there are. */
+    /** The displayed reason why there are no [errors], a sentence; null if there are. */
     val errorsLack: String? by lazy {
         when {
             withoutTarget.size == modules.size -> "This log has no targets of its modules, so their errors are not known."
@@ -25,13 +26,14 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
         }
     }
 
-    /** The highest speed of a wheel, actual or target, in m/s, apart from a few samples that are higher still; 0 if none turned. */
+    /** The highest speed of a wheel, actual or target, in m/s, except for the few highest samples; 0 if no wheel turned. */
     val fastest: Double by lazy { modules.maxOf { maxOf(it.actual.fastest, it.target?.fastest ?: 0.0) } }
 
-    /** How well the modules followed their targets; null if that is not known, see [errorsLack]. The first use reads all samples. */
+    /** The errors of the modules relative to their targets; null if unknown, see [errorsLack]. The first use reads all samples. */
     val errors: DriveErrors? by lazy {
         val enabled = if (view.knowsEnabled) view.enabledSpans().map { it.span } else null
-        if (errorsLack == null) DriveErrors.of(modules, enabled, view.xAxis.range?.endInclusive ?: Double.NaN) else null
+        val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)
+        if (errorsLack == null) DriveErrors.of(modules, enabled, view.xAxis.range?.endInclusive ?: Double.NaN, second) else null
     }
 
     companion object {
@@ -39,12 +41,12 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
         const val NONE: String =
             "This log has no swerve modules that badlog knows; log SwerveModuleState, or speed and angle of each module."
 
-        /** What the arrows mean. */
+        /** The displayed meaning of the arrows. */
         const val ARROWS: String = "Solid: actual. Outline: target."
 
         /**
-         * Returns the drive of [view]: the first modules that are measured, with targets of all of them, optimized ones if there are any. Null
-         * for none. It looks at names only.
+         * Returns the drive of [view]; null if there is none. It has the first measured modules, with targets if all of them have one;
+         * optimized targets are preferred. Only names are examined.
          */
         fun of(view: LogView): SwerveDrive? {
             val topics = view.recording.topics.associateBy { it.name }

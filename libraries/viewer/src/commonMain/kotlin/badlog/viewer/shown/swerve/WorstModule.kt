@@ -3,9 +3,9 @@ package badlog.viewer.shown.swerve
 import kotlin.math.abs
 
 /**
- * Returns which of [modules] is worse than the others, in sentences for people; that they are alike, if none is. Only a module that is
- * clearly worse is named: always naming one would send people to healthy ones. A module whose target turns farther than that of the others
- * has larger errors without being worse.
+ * Returns a displayed sentence that names the worst of [modules], or says that none is. Only a clearly worse module is named: always
+ * naming one would send people to healthy ones. A module with a target that turns farther than the others has larger errors without being
+ * worse.
  */
 fun worstModuleText(modules: List<ModuleError>): String {
     lackingText(modules)?.let { return it }
@@ -19,7 +19,7 @@ fun worstModuleText(modules: List<ModuleError>): String {
     }
 }
 
-/** Returns why [modules] cannot be compared; null if they can. */
+/** Returns the reason why [modules] cannot be compared; null if they can. */
 private fun lackingText(modules: List<ModuleError>): String? {
     val uncounted = modules.filter { it.target.time <= 0 }
     val withoutAngle = modules.filter { it.target.time > 0 && it.angle == null }
@@ -35,7 +35,7 @@ private fun lackingText(modules: List<ModuleError>): String? {
 }
 
 /**
- * Returns the sentence about the worst of [modules] by their [error]; null unless it is clearly worse than the second worst, by at least
+ * Returns the sentence about the worst of [modules] by their [error]. Null unless it is clearly worse than the second worst, by at least
  * [clear], and [isBad].
  */
 private fun sentenceOf(
@@ -53,31 +53,31 @@ private fun sentenceOf(
     return "${worst.label} has the largest $quantity error: ${unit.textOf(rms(worst))} RMS, the others $range."
 }
 
-/** Whether the angle error of this module is larger than that of [others] for another reason than that its target turns farther. */
+/** Whether this module's angle error is larger than in [others], for another reason than that its target turns farther. */
 private fun ModuleError.isWorseThan(others: List<ModuleError>): Boolean = isSteady || lag >= WORSE * others.maxOf { it.lag }
 
-/** How far its angle is behind its target for how far that turns, in s; infinite if that does not turn. */
+/** The delay of the module's angle behind its target, in s; infinite if the target does not turn. */
 private val ModuleError.lag: Double
     get() = (checkNotNull(angle).meanSize + RESOLUTION) * target.time / target.turned
 
-/** Whether its angle is always off in the same direction, more than one that is behind a target which turns in one direction. */
+/** Whether the angle is always off in the same direction. A delay behind a target that turns in one direction does not count. */
 private val ModuleError.isSteady: Boolean
     get() = with(checkNotNull(angle)) { abs(mean) >= STEADY * rms && abs(mean) * target.time >= SLOW * abs(target.net) }
 
 private const val WORSE = 1.5
 private const val ALIKE = 1.5
 
-/** What a difference is at least that anybody would look for, in degrees. */
+/** The smallest difference in degrees that is worth a search for its cause. */
 private const val CLEAR_DEGREES = 1.0
 
-/** The same in m/s. */
+/** The smallest difference in m/s that is worth a search for its cause. */
 private const val CLEAR_SPEED = 0.1
 
-/** What no sensor resolves is not a lag, in degrees. The same as for findings. */
+/** The resolution of sensors in degrees, which is not a delay. The same as for findings. */
 private const val RESOLUTION = 0.2
 
-/** The mean of a steady error is at least this part of its root mean square. */
+/** The minimum ratio of the mean of a steady error to its root mean square. */
 private const val STEADY = 0.8
 
-/** No healthy module is further behind its target, in s. */
+/** The maximum delay of a healthy module behind its target, in s. */
 private const val SLOW = 0.2

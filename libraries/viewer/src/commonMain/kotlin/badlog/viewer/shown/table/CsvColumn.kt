@@ -9,13 +9,13 @@ import badlog.signals.pose.lastAtOrBefore
 import badlog.viewer.text.exactText
 import badlog.viewer.text.unitText
 
-/** A column of CSV: its [title], and its [cell] in each row. */
+/** A column of CSV with its [title], and its [cell] in each row. */
 internal class CsvColumn(val title: String, val cell: (Int) -> String)
 
-/** Returns the cells of [topic] as logged, row by row. */
+/** Returns the column of [topic] with its logged cells, row by row. */
 internal fun loggedColumn(topic: Topic): CsvColumn {
     val isTruth = topic.kind == TopicKind.BOOLEAN
-    // Rows are requested one after another.
+    // The index of the next text, because rows are requested one after another.
     var next = 0
     return CsvColumn(titleOf(topic.name, topic.unit)) { row ->
         val rows = topic.texts.rows
@@ -30,7 +30,7 @@ internal fun loggedColumn(topic: Topic): CsvColumn {
     }
 }
 
-/** Returns the last value of [line] at or before each of [times]. */
+/** Returns the column of [line] with its last value at or before each of [times]. */
 internal fun heldColumn(line: GraphSeries, times: DoubleArray): CsvColumn {
     val name = if (line.isDerived) "[${line.name}]" else line.topic.name
     return CsvColumn(titleOf(name, line.unit)) { row ->
@@ -41,7 +41,10 @@ internal fun heldColumn(line: GraphSeries, times: DoubleArray): CsvColumn {
     }
 }
 
-/** Returns the events of [topic], each in the row it was logged in, or else the first of [times] that is not before it. */
+/**
+ * Returns the column of the events of [topic]. An event is in the row in which it was logged, or in the first of [times] that is not
+ * before it.
+ */
 internal fun eventColumn(view: LogView, topic: Topic, times: DoubleArray): CsvColumn {
     val texts = HashMap<Int, String>()
     val clock = Series(times, times)
@@ -54,14 +57,14 @@ internal fun eventColumn(view: LogView, topic: Topic, times: DoubleArray): CsvCo
 
 private fun titleOf(name: String, unit: String) = unitText(unit).let { if (it.isEmpty()) name else "$name ($it)" }
 
-/** Returns [number] as a cell, to its last digit; empty for none. */
+/** Returns [number] as a cell, to its last digit; empty for NaN. */
 internal fun cellOf(number: Double): String = when {
     number.isNaN() -> ""
     number.isInfinite() -> "$number"
     else -> exactText(number)
 }
 
-/** Returns [text] as a cell. */
+/** Returns [text] as a cell, quoted if necessary. */
 internal fun cellOf(text: String): String = if (text.any { it in SPECIAL }) "\"${text.replace("\"", "\"\"")}\"" else text
 
 private const val SPECIAL = ",\"\r\n"

@@ -9,8 +9,8 @@ import badlog.core.recording.TopicKind
 import kotlin.math.floor
 
 /**
- * A [CsvTable] in the making. Each [step] deals with one topic, since a log may have thousands of them, with a million samples each: between
- * steps, a page can respond and a task can be canceled.
+ * A [CsvTable] in the making. Each [step] handles one topic, because a log may have thousands of them, with a million samples each.
+ * Between steps, a page can respond and a task can be canceled.
  */
 class CsvDraft private constructor(private val view: LogView, private val span: Span?, private val events: List<Topic>) {
     private val steps = ArrayList<() -> Unit>()
@@ -19,7 +19,7 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
     private val columns = ArrayList<CsvColumn>()
     private var made: CsvTable? = null
 
-    /** From where to where the rows are, if the log has none of its own; null for nowhere. */
+    /** The range of the rows, if the log has none of its own; null if it is empty. */
     private val range: Span? = view.xAxis.range?.let { whole ->
         val from = maxOf(span?.from ?: whole.start, whole.start)
         val to = minOf(span?.to ?: whole.endInclusive, whole.endInclusive)
@@ -28,13 +28,13 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
     private var densest: GraphSeries? = null
     private var mostSamples = 0
 
-    /** How much of the work is done, from 0 to 1. */
+    /** The finished fraction of the work, from 0 to 1. */
     val share: Double get() = next.toDouble() / steps.size
 
     /** The table, once [step] has returned false. */
     val table: CsvTable get() = checkNotNull(made)
 
-    /** Does the next part of the work. Returns whether there was one. */
+    /** Does the next part of the work, and returns whether there was one. */
     fun step(): Boolean {
         if (next == steps.size) return false
         steps[next++]()
@@ -58,7 +58,7 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
         }
     }
 
-    /** Decides on the rows, which takes one step, and then makes a column per step. */
+    /** Lays out the rows, which takes one step, and then makes a column per step. */
     private fun layRows() {
         val positions = view.xAxis.positions
         val hasRows = positions.isNotEmpty()
@@ -73,15 +73,15 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
         steps += { made = CsvTable(view.xAxis.title, times, rows, columns, remark) }
     }
 
-    /** Returns the rows from the first to the last in [span]; where x is missing or goes backward, the rows between belong to it, too. */
+    /** Returns the rows from the first to the last in [span]. Rows between them belong to it even if x is missing or goes backward. */
     private fun rowsIn(positions: DoubleArray, span: Span): IntRange {
         val first = positions.indexOfFirst { it in span }
         return if (first < 0) IntRange.EMPTY else first..positions.indexOfLast { it in span }
     }
 
     /**
-     * Returns rows for topics that share none: one every 20 ms, as often as a robot's program runs, or one at each sample of a line
-     * that has more.
+     * Returns rows for topics that share none: one every 20 ms, as often as a robot's program runs, or one at each sample of a line that
+     * has more.
      */
     private fun timesFor(): Pair<DoubleArray, String> {
         val range = range ?: return DoubleArray(0) to ""
@@ -110,7 +110,7 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
             }
         }
 
-        /** Begins the same for [lines], some of [view]'s. */
+        /** Begins a table of [lines], which belong to [view], within [span]; null for all rows. */
         fun of(view: LogView, span: Span?, lines: List<GraphSeries>): CsvDraft = CsvDraft(view, span, emptyList()).apply {
             for (line in lines) steps += { add(line) }
             steps += ::layRows
@@ -118,7 +118,7 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
 
         private const val HELD = ", each with the last values before it"
 
-        /** In seconds. */
+        /** The time between two rows, in seconds. */
         private const val PERIOD = 0.02
         private const val MAX_CELLS = 40e6
 

@@ -5,11 +5,11 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 
 /**
- * A part of a log for a spreadsheet: x first, then a column for each line with its name and unit, then one for each topic of events. Rows
- * are those of the log; topics with times of their own have in each row the last value at or before it.
+ * A part of a log for a spreadsheet: x first, then a column for each line with its name and unit, then one for each topic of events. The
+ * rows are the log's; topics with times of their own have in each row the last value at or before it.
  *
  * @property rowCount the number of rows below the titles.
- * @property remark how the rows were made if the log has none, to append to a sentence; otherwise empty.
+ * @property remark the choice of rows if the log has none, to append to a sentence; otherwise empty.
  */
 class CsvTable internal constructor(
     xTitle: String,
@@ -22,7 +22,10 @@ class CsvTable internal constructor(
 
     val rowCount: Int get() = rows.last + 1 - rows.first
 
-    /** The line of titles. A byte order mark before it marks the text as UTF-8 if necessary: without it, Excel assumes something else. */
+    /**
+     * The line of titles. If it is not ASCII, a byte order mark before it marks the text as UTF-8: without it, Excel assumes something
+     * else.
+     */
     val header: String
         get() {
             val isAscii = titles.all { title -> title.all { it < '\u0080' } }
@@ -42,7 +45,7 @@ class CsvTable internal constructor(
         /** Returns a table of each topic of [view] that has samples, within [span]; null for all rows. */
         fun ofAll(view: LogView, span: Span? = null): CsvTable = CsvDraft.ofAll(view, span).finished()
 
-        /** Returns the same for [lines], some of [view]'s. */
+        /** Returns a table of [lines], which belong to [view], within [span]; null for all rows. */
         fun of(view: LogView, span: Span?, lines: List<GraphSeries>): CsvTable = CsvDraft.of(view, span, lines).finished()
     }
 }

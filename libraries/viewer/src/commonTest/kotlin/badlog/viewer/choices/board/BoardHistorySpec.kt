@@ -8,7 +8,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
 class BoardHistorySpec : FunSpec({
-    test("whatever was done is undone step by step, and redone") {
+    test("any changes are undone step by step, and redone") {
         checkAll(Arb.list(Arb.int(0..5), 0..40)) { deeds ->
             var history = BoardHistory()
             val boards = ArrayList<Board>().apply { add(history.now) }
@@ -48,7 +48,7 @@ class BoardHistorySpec : FunSpec({
         (steps in 50..200) shouldBe true
     }
 
-    test("what another tab changed stays when this one undoes: it adds and removes its own graphs only") {
+    test("undoing affects only the tab's own graphs, and keeps changes of another tab") {
         val read = Board().withGraph(listOf("A")).withGraph(listOf("B"))
         val history = BoardHistory(read).changed(read.withGraph(listOf("Mine")))
         val stored = read.without(read.graphs[0].id).withGraph(listOf("Theirs"))
@@ -66,7 +66,7 @@ class BoardHistorySpec : FunSpec({
         merged.undone().now shouldBe board
     }
 
-    test("what is changed everywhere is not undone, and a step of nothing else is none") {
+    test("renaming or removing a signal everywhere is not undone, and a step without another change disappears") {
         val one = Board().withGraph(listOf("A"))
         val history = BoardHistory(one).changed(one.withGraph(listOf("B"))).changed(one.withGraph(listOf("B")).withGraph(listOf("C")))
         val without = history.everywhere { withoutSignal("B") }

@@ -13,7 +13,7 @@ import io.kotest.property.checkAll
 class BoardLayoutSpec : FunSpec({
     val board = Board().withGraph(listOf("Arm/Angle", "Arm/Goal")).withYRange(1, Span(-1.5, 90.0))
 
-    test("a layout is read as it was written") {
+    test("a layout is read back as written") {
         checkAll(Arb.string(0..20)) { name ->
             val written = BoardLayout(Board().withGraph(listOf(name, "B")).withLineHidden(1, "B", true), Span(1.5, 90.25), listOf("$name = 1"))
             val read = boardLayoutOf("a", written.toJson())
@@ -25,7 +25,7 @@ class BoardLayoutSpec : FunSpec({
         boardLayoutOf("a", BoardLayout(Board()).toJson()).board shouldBe Board()
     }
 
-    test("a layout that the window has saved is read, except for what only the window has") {
+    test("a layout saved by the window is read, except for the window's own parts") {
         val file = """{
             "badlog-layout": 1,
             "graphs": [{"title": "Arm/Angle", "lines": ["Arm/Angle", "Arm/Goal"], "y": {"from": -1.5, "to": 90.0}}],
@@ -43,7 +43,7 @@ class BoardLayoutSpec : FunSpec({
         }
     }
 
-    test("what is not a layout is refused in a sentence that names the file") {
+    test("a file that is not a layout is refused in a sentence with its name") {
         for (text in listOf("[]", "{\"graphs\":[]}")) {
             shouldThrow<BoardException> { boardLayoutOf("my.json", text) }.message shouldBe
                 "my.json is not a layout, or is damaged; select a file that badlog has saved."
@@ -52,7 +52,7 @@ class BoardLayoutSpec : FunSpec({
             "my.json was saved by a newer badlog; update badlog to open it."
     }
 
-    test("a mistake in a layout is named with its line and column") {
+    test("a mistake in a layout is reported with its line and column") {
         val mistakes = listOf(
             "" to "my.json is not a layout, or is damaged in line 1, column 1; select a file that badlog has saved.",
             "{\n \"badlog-layout\": 1,\n}" to "my.json is not a layout, or is damaged in line 3, column 1; select a file that badlog has saved.",
@@ -64,7 +64,7 @@ class BoardLayoutSpec : FunSpec({
         for ((text, sentence) in mistakes) shouldThrow<BoardException> { boardLayoutOf("my.json", text) }.message shouldBe sentence
     }
 
-    test("the keys for kept layouts go through them in their order, round and round, and begin at either end") {
+    test("keys go through the kept layouts in their order, wrap around, and begin at either end") {
         val kept = listOf("Auto", "Drive", "Power")
         keptLayoutAfter(kept, null, 1) shouldBe "Auto"
         keptLayoutAfter(kept, null, -1) shouldBe "Power"

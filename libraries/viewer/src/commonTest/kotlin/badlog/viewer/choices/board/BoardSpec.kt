@@ -30,7 +30,7 @@ class BoardSpec : FunSpec({
         Arb.element("Arm/Angle", "t=1", "a,b;c", "~0041", "+", "Größe [m]", "\uD800", "\u2028", "角度", "\"quoted\"", "null", "\n"),
         Arb.element("I[0]", "I[1]", "I[2]", "I[11]", "I[01]", "I[0]/x", "I[1]/x", "I[1][0]", "[2]", "I[", "I[]", "I]0[", "I[-1]", "I[4294967297]", "I[2147483647]", "I:0:"),
     )
-    // Adding zero makes 0 of -0, whose sign JavaScript does not write.
+    // Adding zero makes 0 of -0: JavaScript does not write the sign of -0.
     val range = arbitrary { Span(Arb.numericDouble(-1e9, 1e9).bind() + 0.0, 2e9) }
     val graph = arbitrary {
         val lines = Arb.list(name, 0..5).bind().distinct()
@@ -54,7 +54,7 @@ class BoardSpec : FunSpec({
 
     fun Board.lines() = graphs.map { it.lines }
 
-    test("the ids that tabs know graphs by are read back, as far as each is there once") {
+    test("the ids of graphs are read back, if each occurs once") {
         val first = BoardGraph(70, "A", listOf("A"))
         val two = Board(listOf(first, first.copy(id = 2), first.copy(id = 90)))
         boardOfJson(two.toJson(haveIds = true)) shouldBe two
@@ -62,7 +62,7 @@ class BoardSpec : FunSpec({
         boardOfJson(Board(listOf(first, first)).toJson(haveIds = true)).graphs.map { it.id } shouldBe listOf(1, 2)
     }
 
-    test("a board that was written is read back the same, as JSON and as the text of an address") {
+    test("a written board is read back the same, as JSON and as the text of an address") {
         checkAll(board) {
             boardOfJson(it.toJson()) shouldBe it
             boardOfText(it.toText()) shouldBe it
@@ -70,7 +70,7 @@ class BoardSpec : FunSpec({
         }
     }
 
-    test("whatever a text holds, it is a board or refused in a sentence") {
+    test("any text is a board or refused in a sentence") {
         val pieces = Arb.element("{", "}", "\"graphs\":", "[", "]", "\"title\":\"a\"", "\"lines\":", "1e999", "null", ",", "~", "t=", "y=1:", ";", "h=9e9")
         val text = Arb.choice(Arb.string(0..40), Arb.list(pieces, 0..20).let { lists -> arbitrary { lists.bind().joinToString("") } })
         checkAll(text) {
@@ -98,7 +98,7 @@ class BoardSpec : FunSpec({
         }
     }
 
-    test("the graphs of a layout file of version 1 are read, whatever else is in it") {
+    test("the graphs of a layout file of version 1 are read, with any other content") {
         val file = """{"badlog-layout": 1, "graphs": [
             {"title": "Arm", "lines": ["Arm/Angle", "Arm/Goal"], "zero": true, "y": {"from": -1.5, "to": 90.0}},
             {"title": "Mode", "lines": ["Mode"], "y": {"from": 2.0, "to": 1.0}, "log": true}
@@ -109,7 +109,7 @@ class BoardSpec : FunSpec({
         )
     }
 
-    test("a board says its version; without one it is of version 1, and one of a newer badlog is not read as something else") {
+    test("a board has its version, one without is of version 1, and one of a newer badlog is refused") {
         val text = Board().withGraph(listOf("Mode")).toJson()
         text shouldBe """{"badlog-layout":1,"graphs":[{"title":"Mode","lines":["Mode"]}]}"""
         for (old in listOf(text, """{"graphs":[{"title":"Mode","lines":["Mode"]}]}""")) boardOfJson(old).lines() shouldBe listOf(listOf("Mode"))
@@ -117,7 +117,7 @@ class BoardSpec : FunSpec({
             "The graphs were saved by a newer badlog; update badlog to open them."
     }
 
-    test("a mistake is reported, with what to do") {
+    test("a mistake is reported with the next step") {
         val wrong = mapOf(
             """[]""" to "This is not an object of JSON; select a file that badlog has saved.",
             """{"graphs":"all"}""" to "The graphs are damaged: “graphs” is not a list; select a file that badlog has saved.",
@@ -152,11 +152,11 @@ class BoardSpec : FunSpec({
         }
     }
 
-    test("the elements of an array as links named them before they were ranges are read") {
+    test("elements of an array in older links are read") {
         boardOfText("Modules~005b0~005d/speed,Modules~005b1~005d/speed").lines() shouldBe listOf(listOf("Modules[0]/speed", "Modules[1]/speed"))
     }
 
-    test("whatever is done to a board, its graphs have ids of their own, and lines, each once") {
+    test("after any changes, a board's graphs have unique ids, and lines, each once") {
         checkAll(Arb.list(Arb.int(0..9), 0..30), Arb.list(Arb.element("A", "B", "C", "D"), 30..30)) { deeds, names ->
             var now = Board()
             deeds.forEachIndexed { i, deed ->
@@ -179,7 +179,7 @@ class BoardSpec : FunSpec({
         }
     }
 
-    test("graphs are joined, separated, moved and take the heights that there are") {
+    test("graphs are joined, separated and moved, and have possible heights") {
         val two = Board().withGraph(listOf("A", "B")).withGraph(listOf("B", "C"))
         two.joined(1, 2).lines() shouldBe listOf(listOf("A", "B", "C"))
         two.joined(1, 1) shouldBe two
@@ -207,7 +207,7 @@ class BoardSpec : FunSpec({
         board.withSharedY(1, true).withYRange(1, null).graphs[0].sharesY shouldBe true
     }
 
-    test("three heights have names, and any number of pixels is one of them") {
+    test("three heights have names, and any number of pixels has the nearest one") {
         GraphHeight.of(null) shouldBe GraphHeight.MEDIUM
         GraphHeight.entries.map { GraphHeight.of(it.pixels) } shouldBe GraphHeight.entries
         GraphHeight.of(120) shouldBe GraphHeight.SMALL
@@ -220,7 +220,7 @@ class BoardSpec : FunSpec({
             listOf(BoardGraph(1, "A", listOf("A", "B"), hidden = setOf("B")))
     }
 
-    test("lines over each other are another graph than the same lines over time, and have no such graphs of their own") {
+    test("lines over each other are another graph than the same lines over time") {
         val over = Board().withGraph(listOf("A", "B")).withXy(1, true)
         over.has(BoardGraph(0, "A", listOf("A", "B"))) shouldBe false
         over.has(over.graphs[0]) shouldBe true
@@ -230,7 +230,7 @@ class BoardSpec : FunSpec({
         over.withXy(1, false).showsSame(Board().withGraph(listOf("A", "B"))) shouldBe true
     }
 
-    test("swapped axes draw the first line over the second, with what was visible of each; twice is once") {
+    test("swapped axes draw the first line over the second, with the visible range of each, and swapping twice undoes it") {
         val over = Board().withGraph(listOf("A", "B")).withXy(1, true).withPlane(1, Span(0.0, 1.0), Span(5.0, 7.0))
         val swapped = over.withSwappedAxes(1)
         swapped.graphs.single().run { listOf(lines, xRange, yRange) } shouldBe listOf(listOf("B", "A"), Span(5.0, 7.0), Span(0.0, 1.0))
@@ -239,7 +239,7 @@ class BoardSpec : FunSpec({
         over.withXy(1, false).graphs.single().canSwapAxes(emptyList()) shouldBe false
     }
 
-    test("what draws a signal goes with it, and takes its new name") {
+    test("removing or renaming a signal changes all its graphs") {
         val board = Board().withGraph(listOf("Power")).withGraph(listOf("Power", "Other")).withGraph(listOf("Other"))
         board.withoutSignal("Power").lines() shouldBe listOf(listOf("Other"), listOf("Other"))
         val renamed = board.renamed("Power", "P")

@@ -18,7 +18,7 @@ class DefaultBoardSpec : FunSpec({
         defaultBoard(timedView(setting)).graphs.size shouldBe 1
     }
 
-    test("states of a folder that follow one another share a graph, in which each has a lane") {
+    test("consecutive states of a folder share a graph, with a lane for each") {
         val view = bagView(listOf("Time|xaxis", "A/Mode", "A/On", "A/Angle", "Gear"), listOf("0,auto,true,1,LOW", "1,teleop,false,2,HIGH"))
         defaultBoard(view).graphs.map { it.title to it.lines } shouldBe listOf(
             "Gear" to listOf("Gear"),

@@ -24,12 +24,12 @@ class EvidenceBoardSpec : FunSpec({
         linesOf(view, "Mode", "A/Voltage", "On", "B/Voltage") shouldBe listOf(listOf("A/Voltage", "B/Voltage"), listOf("Mode", "On"))
     }
 
-    test("texts, topics without samples, repeated names and topics that are not in the log are left out") {
+    test("texts, topics without samples, repeated names and unknown topics are omitted") {
         linesOf(view, "Said", "Empty", "A/Voltage", "Nothing", "A/Voltage") shouldBe listOf(listOf("A/Voltage"))
         boardOf(view, listOf("Said")).graphs shouldBe emptyList()
     }
 
-    test("however much evidence there is, its graphs fit a screen") {
+    test("any amount of evidence fits on a screen") {
         val names = (1..40).map { "Motors/Left $it" }
         val many = bagView(names, listOf(names.joinToString(",") { "1" }))
         boardOf(many, names).graphs.single().run {
@@ -39,12 +39,12 @@ class EvidenceBoardSpec : FunSpec({
         }
     }
 
-    test("what shows several things is named by them, wherever they are") {
+    test("a graph of several topics is named after them, in any folder") {
         boardOf(view, listOf("A/Voltage")).graphs.single().title shouldBe "A/Voltage"
         boardOf(view, listOf("A/Voltage", "B/Voltage")).graphs.single().title shouldEndWith "A/Voltage, B/Voltage"
     }
 
-    test("poses are paths on the field, whose headings have a graph of their own") {
+    test("poses are paths on the field, and their headings have a graph of their own") {
         val view = timedView(*(poseTopics("Pose") + poseTopics("Target Pose")).toTypedArray())
         val board = evidenceBoard(view, view.recording.topics.map { it.name }, SignalVocabulary.NONE)
         board.graphs.map { it.isXy to it.lines.size } shouldBe listOf(true to 4, false to 2)

@@ -8,7 +8,7 @@ import io.kotest.matchers.shouldBe
 class FittedBoardSpec : FunSpec({
     val board = Board().withGraph(listOf("A", "B")).withLineHidden(1, "B", true).withGraph(listOf("C"))
 
-    test("a board is fitted to a log that lacks topics, and says which") {
+    test("a board for a log that lacks topics names them") {
         val fitted = board.fittedTo { it == "A" }
         fitted.board.graphs.map { it.lines } shouldBe listOf(listOf("A"))
         fitted.board.graphs[0].hidden shouldBe emptySet()
@@ -18,7 +18,7 @@ class FittedBoardSpec : FunSpec({
         board.fittedTo { true }.board.showsSame(board) shouldBe true
     }
 
-    test("the lines of each graph of a log are found again, those that are derived, too") {
+    test("the lines of each graph of a log are found again, including derived ones") {
         val view = bagView(listOf("Time|xaxis", "A/Speed|delta", "A/Mode", "B|join:A/Speed"), listOf("0,1,auto,3", "1,2,teleop,4", "2,4,off,5"))
         val lines = BoardLines(view)
         val graphs = view.folders.flatMap { it.graphs }

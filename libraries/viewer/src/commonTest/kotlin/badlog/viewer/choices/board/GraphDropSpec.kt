@@ -8,7 +8,7 @@ class GraphDropSpec : FunSpec({
 
     fun Board.lines() = graphs.map { it.lines.joinToString("+") }
 
-    test("a drop near the top of a graph is above it, near its foot below it, and between them into it") {
+    test("a graph is dropped above another near its top, below it near its bottom, and into it between") {
         board.dropped(3, onto = 1, share = 0.1).lines() shouldBe listOf("C", "A", "B")
         board.dropped(3, onto = 1, share = 0.9).lines() shouldBe listOf("A", "C", "B")
         board.dropped(3, onto = 1, share = 0.5).lines() shouldBe listOf("A+C", "B")
@@ -16,13 +16,13 @@ class GraphDropSpec : FunSpec({
         board.dropped(1, onto = 3, share = 0.1).lines() shouldBe listOf("B", "A", "C")
     }
 
-    test("dropped on itself, or where it already is, a graph changes nothing") {
+    test("a graph that is dropped on itself, or where it is, changes nothing") {
         for (share in listOf(0.0, 0.5, 1.0)) board.dropped(2, onto = 2, share = share) shouldBe board
         board.dropped(2, onto = 1, share = 0.9) shouldBe board
         board.dropped(2, onto = 3, share = 0.1) shouldBe board
     }
 
-    test("a graph that no longer exists, or is dropped on nothing, changes nothing") {
+    test("a graph that no longer exists, or has no drop target, changes nothing") {
         board.dropped(7, onto = 1, share = 0.5) shouldBe board
         board.dropped(7, onto = 1, share = 0.9) shouldBe board
         board.dropped(1, onto = 7, share = 0.5) shouldBe board

@@ -12,12 +12,12 @@ import io.kotest.property.checkAll
 class GraphTitlesSpec : FunSpec({
     fun boardOf(vararg titles: String) = Board(titles.mapIndexed { i, title -> BoardGraph(i + 1, title, listOf("$title/$i")) })
 
-    test("equal titles are numbered from the second on, and a number that a title has anyway is not given again") {
+    test("equal titles are numbered from the second on, without using an existing number") {
         boardOf("A/Speed", "Path", "A/Speed", "Path (2)", "Path").titles shouldContainExactly
             listOf("A/Speed", "Path", "A/Speed (2)", "Path (2)", "Path (3)")
     }
 
-    test("a short title has as much of its path as tells it from the others, and equal ones are numbered") {
+    test("a short title has as much of its path as distinguishes it, and equal ones are numbered") {
         boardOf("Drive/Left/Speed", "Arm/Angle", "Drive/Right/Speed", "Arm/Angle").shortTitles shouldContainExactly
             listOf("Left/Speed", "Angle", "Right/Speed", "Angle (2)")
     }
@@ -28,7 +28,7 @@ class GraphTitlesSpec : FunSpec({
         Board().withGraph(listOf("Arm/a, b")).shortTitles shouldContainExactly listOf("a, b")
     }
 
-    test("the title of a graph is the one on its board, and its own if it is on none") {
+    test("the title of a graph is the one on its board, or its own if it is not on one") {
         val board = boardOf("Path", "Path")
         board.titleOf(board.graphs[1]) shouldBe "Path (2)"
         Board().titleOf(board.graphs[1]) shouldBe "Path"

@@ -10,7 +10,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 
-/** What several tabs or windows do with one remembered board. */
+/** The actions of several tabs or windows on one remembered board. */
 class MergedBoardSpec : FunSpec({
     class Store(var board: Board) {
         var lastId = 1000
@@ -28,14 +28,14 @@ class MergedBoardSpec : FunSpec({
 
         fun change(step: Board.() -> Board) = take { changed(now.step()) }
 
-        /** As a window does, which writes after a pause. */
+        /** Writes after a pause, as a window does. */
         fun later(step: BoardHistory.() -> BoardHistory) {
             history = history.step()
         }
 
         fun save() {
             history = history.mergedWith(store.board, known)
-            // As a file is written and read.
+            // Writes and reads the board, as a file does.
             known = boardOfJson(history.now.toJson(haveIds = true))
             store.board = known
         }
@@ -47,11 +47,11 @@ class MergedBoardSpec : FunSpec({
     val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..5).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..40)
     val start = Board().withGraph(listOf("A")).withGraph(listOf("B", "C")).withGraph(listOf("D"))
 
-    test("whatever tabs do in turn, each change stays, and of two of the same thing the later one counts") {
+    test("after any actions of tabs, each change stays, and the later of two changes of one thing counts") {
         checkAll(deeds) { all ->
             val store = Store(start)
             val tabs = List(3) { Tab(store) }
-            // What the last writer of each part of each graph wanted.
+            // The last written value of each part of each graph.
             val wanted = LinkedHashMap(start.graphs.associate { it.title to it.copy(id = 0) })
             all.forEachIndexed { i, deed ->
                 val tab = tabs[deed.tab]
@@ -62,7 +62,7 @@ class MergedBoardSpec : FunSpec({
                     tab.change { withGraph(listOf("New $i")) }
                     wanted["New $i"] = BoardGraph(0, "New $i", listOf("New $i"))
                 }
-                // What another tab has removed, this one does not change: that would bring it back.
+                // This tab does not change a graph that another one has removed: that would bring it back.
                 if (seen == null || title == null || before == null) return@forEachIndexed
                 when (deed.kind) {
                     1 -> {
@@ -72,7 +72,7 @@ class MergedBoardSpec : FunSpec({
 
                     2 -> {
                         tab.change { resized(seen.id, deed.value) }
-                        // What shows the same is not a change.
+                        // A board that shows the same is not a change.
                         if (seen.height != deed.value) wanted[title] = before.copy(height = deed.value)
                     }
 
@@ -101,7 +101,7 @@ class MergedBoardSpec : FunSpec({
 
     fun Board.idOf(title: String) = checkNotNull(named(title)).id
 
-    /** What a tab does with the graph of a title, and whether that is on a board. */
+    /** A tab's change of the graph with a title, and whether that is on a board. */
     class Edit(val what: String, val done: Board.(String) -> Board, val isDone: Board.(String) -> Boolean)
 
     val edits = listOf(
@@ -114,7 +114,7 @@ class MergedBoardSpec : FunSpec({
     )
 
     for (mine in edits) {
-        test("a tab that ${mine.what} a graph keeps what another tab did with another one, in any order") {
+        test("a tab that ${mine.what} a graph keeps another tab's changes of other graphs, in any order") {
             for (theirs in edits) {
                 for (isFirst in listOf(true, false)) {
                     val store = Store(Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C")))
@@ -132,7 +132,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("undoing in one tab takes back its own changes, and none of another's") {
+    test("undoing in one tab undoes its own changes, and none of another's") {
         checkAll(Arb.list(Arb.int(0..7), 0..30)) { all ->
             val store = Store(start)
             val tabs = List(2) { Tab(store) }
@@ -153,7 +153,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("undoing leaves what another tab did with the same graph, also where this one did the same before") {
+    test("undoing keeps another tab's changes of the same graph, even after the same change here") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         val id = start.graphs[0].id
@@ -164,7 +164,7 @@ class MergedBoardSpec : FunSpec({
         store.board.graphs[0].lines shouldBe listOf("A", "E")
     }
 
-    test("undoing before it is remembered takes back nothing of another's, whatever is changed after it") {
+    test("undoing before the board is remembered undoes nothing of another's, whatever is changed after it") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         val (first, second, third) = start.graphs.map { it.id }
@@ -184,14 +184,14 @@ class MergedBoardSpec : FunSpec({
         store.board.graphs.map { it.height } shouldBe listOf(200, 300, 70)
     }
 
-    test("whenever tabs remember what they do and undo, they end with the same board, and undo only their own") {
+    test("tabs end with the same board, whenever they remember, and undo only their own changes") {
         val own = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..6).bind(), Arb.int(0..6).bind(), Arb.int(60..600).bind()) }, 0..60)
         checkAll(own) { all ->
             val store = Store(start)
             val tabs = List(3) { Tab(store) }
             for (deed in all) {
                 val tab = tabs[deed.tab]
-                // Each tab has a graph of its own, of which nobody else takes anything back.
+                // Each tab has a graph of its own, and no other tab undoes anything in it.
                 val id = start.graphs[deed.tab].id
                 when (deed.kind) {
                     0 -> tab.later { changed(now.withGraph(listOf("New ${deed.tab} ${deed.value}"))) }
@@ -203,7 +203,7 @@ class MergedBoardSpec : FunSpec({
                     else -> tab.save()
                 }
             }
-            // What each has done and undone of its own is what is there in the end.
+            // At the end, the boards have each tab's own changes that it has not undone.
             val wanted = tabs.mapIndexed { i, tab -> tab.board.graphs.filter { it.id == start.graphs[i].id || "New $i" in it.title }.map { it.copy(id = 0) }.toSet() }
             repeat(2) { tabs.forEach(Tab::save) }
             tabs.map { it.board }.toSet().size shouldBe 1
@@ -212,7 +212,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("tabs that begin with the same graphs know them as the same, also in another order and beside others") {
+    test("tabs that begin with the same graphs recognize them, in any order and beside others") {
         fun begun(vararg lines: String) = Board(lines.map { BoardGraph(0, it, listOf(it)) }).identifiedByLines()
         val (mine, theirs) = begun("A", "B", "C") to begun("C", "B", "D")
         mine.graphs.takeLast(2).map { it.id }.toSet() shouldBe theirs.graphs.take(2).map { it.id }.toSet()
@@ -223,7 +223,7 @@ class MergedBoardSpec : FunSpec({
             listOf("C" to 200, "B" to 100, "D" to null)
     }
 
-    test("a change of what a log can show leaves the graphs and lines that it cannot show") {
+    test("a change of the part that a log can show keeps the graphs and lines that it cannot show") {
         val whole = start.withGraph(listOf("Hidden"))
         val shown = whole.fittedTo { it != "Hidden" && it != "C" }.board
         val changed = BoardHistory(whole) { 77 }.changed(shown.moved(3, -2).resized(2, 90).withGraph(listOf("E")), shown).now
@@ -231,7 +231,7 @@ class MergedBoardSpec : FunSpec({
         changed.graphs[3].height shouldBe 90
     }
 
-    test("a graph that was never on the board is another one, even if it has the id of one that is gone") {
+    test("a graph that was never on the board is another one, even if it has the id of a removed one") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         mine.change { without(3) }

@@ -30,7 +30,7 @@ class PathBoardSpec : FunSpec({
         pathGraphs(poses, Query("voltage")) shouldBe emptyList()
     }
 
-    test("a log without a driven path, or one of a robot that stood still, has none") {
+    test("a log without a driven path, or of a robot that stood still, has no path") {
         pathBoard(timedView(*poseTopics("Vision/Pose").toTypedArray())) shouldBe Board()
         val still = poseTopics("Pose").map { it.copy(samples = DoubleArray(2)) }
         pathBoard(timedView(*still.toTypedArray())) shouldBe Board()

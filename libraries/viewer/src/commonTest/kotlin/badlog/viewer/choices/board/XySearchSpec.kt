@@ -25,14 +25,14 @@ class XySearchSpec : FunSpec({
         titles("battery over battery") shouldBe listOf("Battery/Voltage over Battery/Current", "Battery/Current over Battery/Voltage")
     }
 
-    test("without two searches around the word there is none") {
+    test("without two searches around the word “over” nothing is offered") {
         for (text in listOf("", "over", "volt", "volt over", "volt over ", " over volt", "volt over - ", "overload", "turnover", "a over b over c")) {
             titles(text) shouldBe emptyList()
         }
         titles("overload over turnover") shouldBe listOf("Overload over Turnover/Rate")
     }
 
-    test("of thousands of pairs a few are offered") {
+    test("only a few of thousands of pairs are offered") {
         val many = List(2_000) { "Motor $it/Current" }
         xyGraphs(many, "motor over motor") shouldHaveSize 20
     }

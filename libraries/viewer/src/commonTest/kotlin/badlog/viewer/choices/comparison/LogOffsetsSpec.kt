@@ -14,7 +14,7 @@ class LogOffsetsSpec : FunSpec({
 
     fun LogOffsets<String>.offset(log: String, open: String = "open") = of(log, open, moments)
 
-    test("the aligned moment of every log stands where it stands in the open one") {
+    test("the aligned moment of every log is at its place in the open one") {
         checkAll(places, places) { from, otherFrom ->
             val both = mapOf(1 to LogMoments(from, from + 3), 2 to LogMoments(otherFrom, otherFrom + 7))
             otherFrom + LogOffsets<Int>(Alignment.START).of(2, 1, both) shouldBe (from plusOrMinus 1e-6)
@@ -22,17 +22,17 @@ class LogOffsetsSpec : FunSpec({
         }
     }
 
-    test("a log that does not show when it was enabled begins with the others") {
+    test("a log that does not show when it was enabled starts with the others") {
         LogOffsets<String>(Alignment.ENABLED).offset("third") shouldBe 4.0
         LogOffsets<String>(Alignment.START).of("unread", "open", moments) shouldBe 2.0
     }
 
-    test("as logged, nothing moves; the open log never does") {
+    test("without alignment, nothing moves, and the open log never does") {
         LogOffsets<String>(Alignment.NONE).offset("other") shouldBe 0.0
         for (alignment in Alignment.entries) LogOffsets<String>().alignedBy(alignment, "open", moments).offset("open") shouldBe 0.0
     }
 
-    test("alignment by hand begins where everything stands") {
+    test("manual alignment begins with the current offsets") {
         for (alignment in Alignment.entries) {
             val before = LogOffsets<String>().alignedBy(alignment, "open", moments)
             val after = before.alignedBy(Alignment.MANUAL, "open", moments)
@@ -41,7 +41,7 @@ class LogOffsetsSpec : FunSpec({
         }
     }
 
-    test("a log stands where it is moved to, and the same two stand alike whichever is open") {
+    test("a log is at its moved place, and two logs keep their difference whichever is open") {
         checkAll(places, places) { first, second ->
             val moved = LogOffsets<String>().moved("other", first, "open", moments).moved("other", second, "open", moments)
             moved.offset("other") shouldBe (second plusOrMinus 1e-6)
@@ -51,14 +51,14 @@ class LogOffsetsSpec : FunSpec({
         LogOffsets<String>().moved("open", 3.0, "open", moments) shouldBe LogOffsets()
     }
 
-    test("an offset is typed with a point or a comma, and shown without dust") {
+    test("an offset is typed with a point or a comma, and shown without rounding errors") {
         offsetOf(" -1,25 ") shouldBe -1.25
         offsetOf("fast") shouldBe null
         offsetOf("Infinity") shouldBe null
         offsetText(0.1 + 0.2) shouldBe "0.3"
     }
 
-    test("steps lead to the left and to the right, and leave no dust") {
+    test("steps go to the left and to the right, without rounding errors") {
         OFFSET_STEPS.map { it.label } shouldContainExactly listOf("-1", "-.1", "-.02", "+.02", "+.1", "+1")
         OFFSET_STEPS.map { it.hintFor("Q42") }.drop(4) shouldContainExactly listOf("Move Q42 by +0.1", "Move Q42 by +1")
         val moved = LogOffsets<String>(Alignment.NONE).moved("other", 0.1 + 0.2, "open", moments)

@@ -16,7 +16,7 @@ class FormulaSpec : FunSpec({
     val view = bagView(listOf("Time|xaxis", "System/Battery Voltage", "PDP/Total Current"), listOf("0,12,1", "1,11,2", "2,10,3"))
     val vocabulary = LogViewSignals(view).vocabulary
 
-    test("an invalid formula does not affect the others, and of equal ones there is one") {
+    test("an invalid formula does not affect the others, and only one of equal ones counts") {
         val definitions = listOf("A = Arm/Angle + 1", power, "Nothing", power, "B = Power / 2")
         val formulas = formulasOf(definitions, view.withVirtualTopics(definitions))
         formulas.map { it.definition } shouldContainExactly definitions
@@ -32,12 +32,12 @@ class FormulaSpec : FunSpec({
         nameIn("= 3") shouldBe null
     }
 
-    test("formulas that are added replace those of the same name and leave the others") {
+    test("added formulas replace the ones with the same name and keep the others") {
         joined(listOf("A = 1", "B = 2"), listOf("B = 3", "C = 4")) shouldContainExactly listOf("A = 1", "B = 3", "C = 4")
         joined(listOf("A = 1"), emptyList()) shouldContainExactly listOf("A = 1")
     }
 
-    test("names are suggested for what was typed of them") {
+    test("names are suggested for a typed part") {
         fun names(text: String) = Suggestions.of(text, text.length, vocabulary).names
         names("Volt") shouldBe emptyList()
         names("P = volt") shouldBe listOf("System/Battery Voltage")
@@ -52,7 +52,7 @@ class FormulaSpec : FunSpec({
         (found.from to found.until) shouldBe (9 to 12)
     }
 
-    test("whatever was typed, a suggestion replaces a part before the cursor") {
+    test("for any typed text, a suggestion replaces a part before the cursor") {
         checkAll(Arb.string(0..30), Arb.int(0..34)) { typed, place ->
             val text = "P = $typed"
             val cursor = place.coerceAtMost(text.length)

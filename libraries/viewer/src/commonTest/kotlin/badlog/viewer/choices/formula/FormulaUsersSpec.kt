@@ -10,19 +10,19 @@ class FormulaUsersSpec : FunSpec({
     val view = bagView(listOf("Time|xaxis", "A"), listOf("0,1", "1,2"))
     val formulas = formulasOf(definitions, view.withVirtualTopics(definitions))
 
-    test("a formula is used by those that name its topic, directly or through others, in their order") {
+    test("the users of a formula name its topic, directly or through others, in their order") {
         formulas.usersOf("Sum = A + 1") shouldBe listOf("Twice = Sum * 2", "Again = Twice + Other")
         formulas.usersOf("Again = Twice + Other") shouldBe emptyList()
         formulas.usersOf("not one of them = 1") shouldBe emptyList()
     }
 
-    test("a formula that others need is not removed, and the sentence says which need it") {
+    test("a formula that others need is not removed, and the sentence names the others") {
         formulas.reasonToKeep("Twice = Sum * 2") shouldBe "“Again = Twice + Other” needs it; remove that first."
         formulas.reasonToKeep("Sum = A + 1") shouldBe "“Twice = Sum * 2”, “Again = Twice + Other” need it; remove that first."
         formulas.reasonToKeep("Again = Twice + Other") shouldBe null
     }
 
-    test("a formula that others need keeps its name, but may be calculated in another way") {
+    test("a formula that others need keeps its name, but its expression may change") {
         formulas.reasonToKeepName("Twice = Sum * 2", "Double = Sum * 2") shouldBe "“Again = Twice + Other” needs this name; change that first."
         formulas.reasonToKeepName("Twice = Sum * 2", "Twice [m] = Sum * 2.0") shouldBe null
         formulas.reasonToKeepName("Again = Twice + Other", "New = Twice + Other") shouldBe null

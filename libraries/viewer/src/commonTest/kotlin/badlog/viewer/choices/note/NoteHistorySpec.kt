@@ -18,7 +18,7 @@ class NoteHistorySpec : FunSpec({
         return maxOf("2026-03-07T14:05:${thousandths.take(2)}.${thousandths.drop(2)}Z", last.orEmpty())
     }
 
-    /** What a tab does that shows these notes. */
+    /** The changes of a tab that shows these notes. */
     fun NoteHistory.changed(step: Notebook.() -> Notebook) = changesTo(Notebook(notes).step().notes, notes, "Ada", ::time) {
         "id-${clock++}"
     }
@@ -30,7 +30,7 @@ class NoteHistorySpec : FunSpec({
     class Deed(val tab: Int, val kind: Int, val note: Int)
     val deeds = Arb.list(arbitrary { Deed(Arb.int(0..2).bind(), Arb.int(0..3).bind(), Arb.int(0..5).bind()) }, 0..40)
 
-    test("whatever tabs of a page and its copies do in turn, each note is there once, with its latest text, unless it was removed last") {
+    test("after any actions of tabs and copies, each note exists once, with its latest text, unless it was removed last") {
         checkAll(deeds) { all ->
             clock = 0
             var stored = emptyList<NoteChange>()
@@ -42,7 +42,7 @@ class NoteHistorySpec : FunSpec({
                 val tab = tabs[deed.tab]
                 val seen = tab.notes.getOrNull(deed.note)
                 val made = when {
-                    // A copy is opened, in which the notes are that the tab showed.
+                    // A copy is opened with the notes that the tab showed.
                     deed.kind == 3 -> emptyList<NoteChange>().also { given[(deed.tab + 1) % 3] = tab }
 
                     deed.kind == 0 -> tab.changed { begun(10.0 + i).typed("new $i").kept() }.also { wanted[10.0 + i] = "new $i" }
@@ -63,7 +63,7 @@ class NoteHistorySpec : FunSpec({
         }
     }
 
-    test("two notes at one moment are two, and a text that both wrote is there once") {
+    test("two notes at one moment are two, and a text that both tabs wrote exists once") {
         val before = NoteHistory.of(start, emptyList())
         val one = before.changed { with(notes + Note(9.0, "mine") + Note(9.5, "both")) }
         val other = before.changed { with(notes + Note(9.0, "theirs") + Note(9.5, "both")) }
@@ -74,18 +74,18 @@ class NoteHistorySpec : FunSpec({
             listOf(Note(9.0, "theirs"), Note(9.5, "both"))
     }
 
-    test("a new note with the text that another of its moment began with is another note") {
+    test("a new note with the first text of another one at its moment is another note") {
         val changed = NoteHistory.of(start, emptyList()).let { it.after(it.changed { changing(start[0]).typed("x").kept() }) }
         changed.after(changed.changed { begun(1.0).typed("a").kept() }).notes.take(2) shouldBe listOf(Note(1.0, "x"), Note(1.0, "a"))
     }
 
-    test("a removed note is back when somebody writes it once more") {
+    test("a removed note is back when it is written once more") {
         val removed = NoteHistory.of(start, emptyList()).let { it.after(it.changed { without(start[0]) }) }
         removed.notes shouldBe start.drop(1)
         removed.after(removed.changed { begun(1.0).typed("a").kept() }).notes shouldBe start
     }
 
-    test("what nobody is to read any more is in no line, and a note is known by the same origin on every platform") {
+    test("removed texts are in no line, and a note has the same origin on every platform") {
         val history = NoteHistory.of(listOf(Note(1.0, "secret"), Note(2.0, "wrong")), emptyList())
         val made = history.changed { without(Note(1.0, "secret")).changing(Note(2.0, "wrong")).typed("right").kept() }
         val lines = history.after(made).changes.joinToString("\n") { it.toLine() }
@@ -94,7 +94,7 @@ class NoteHistorySpec : FunSpec({
         history.after(made).changes.map { it.origin } shouldBe listOf("-906277200", "113405357")
     }
 
-    test("an older badlog, which knows notes by their texts, reads the same notes") {
+    test("an older badlog, which identifies notes by their texts, reads the same notes") {
         val history = NoteHistory.of(start, emptyList())
         val first = history.changed { changing(start[0]).typed("a1").kept() }
         val second = history.after(first).let { it.changed { changing(Note(1.0, "a1")).typed("a2").kept().without(start[1]) } }

@@ -10,7 +10,7 @@ import kotlin.random.Random
 class NoteLinesSpec : FunSpec({
     val time = "2026-03-07T14:05:12.345Z"
 
-    test("a change is a line, and lines that are damaged or of a newer badlog cost only themselves") {
+    test("a change is a line, and only lines that are damaged or of a newer badlog are lost") {
         val hit = NoteChange("1", time, "Ada", Note(93.7, "hit by “254”\n\"hard\""), isRemoved = false)
         hit.toLine() shouldBe """{"id":"1","time":"$time","by":"Ada","do":"write","x":93.7,"text":"hit by “254”\u000a\"hard\""}"""
         val gone = hit.copy(id = "2", isRemoved = true)
@@ -20,7 +20,7 @@ class NoteLinesSpec : FunSpec({
 
     fun notesOf(beginning: List<Note>, changes: List<NoteChange>) = NoteHistory.of(beginning, changes).notes
 
-    test("notes of today’s files are a beginning: they stay until a line removes them, and come back when one writes them") {
+    test("older notes are a beginning: they stay until a line removes them, and come back when one writes them") {
         val old = listOf(Note(1.0, "a"), Note(2.0, "b"))
         val removed = NoteChange("1", time, "Ada", old[0], isRemoved = true)
         val again = NoteChange("2", time.replace("12.345", "12.346"), "Ben", old[0], isRemoved = false)
@@ -31,7 +31,7 @@ class NoteLinesSpec : FunSpec({
         notesOf(listOf(Note(-0.0, "a")), listOf(atZero)) shouldBe emptyList()
     }
 
-    test("whatever three laptops wrote, in any order and with lines twice, the notes are the same") {
+    test("lines of three laptops give the same notes in any order and with repetitions") {
         checkAll(Arb.int(), Arb.int(0..40)) { seed, length ->
             val random = Random(seed)
             val laptops = List(3) { laptop ->

@@ -12,20 +12,20 @@ import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
 class NotesJsonSpec : FunSpec({
-    test("notes are read as they were written, in the order of x") {
+    test("notes are read back as written, in the order of x") {
         val notes = Arb.list(Arb.pair(Arb.double(), Arb.string(1..50)), 0..20)
             // JavaScript writes -0 as 0.
             .map { all -> all.filter { it.first.isFinite() && it.second.isNotBlank() }.map { Note(it.first + 0.0, it.second) } }
         checkAll(100, notes) { notesOfJson(it.toJson()) shouldBe it.sortedBy { note -> note.x } }
     }
 
-    test("what a newer badlog adds is passed over, and what it changes is refused") {
+    test("additions of a newer badlog are ignored, and its changes refused") {
         notesOfJson("""{"notes":[{"x":1.5,"text":"hit","color":"red"}],"author":"A"}""") shouldBe listOf(Note(1.5, "hit"))
         shouldThrow<NotesException> { notesOfJson("""{"version":2,"notes":[]}""") }.message shouldBe
             "The notes were saved by a newer badlog; update badlog."
     }
 
-    test("what is not notes says what is wrong with it") {
+    test("a text without notes is refused with the mistake") {
         for ((text, message) in listOf(
             "" to "This is not an object of JSON.",
             "{}" to "“notes” is not a list.",

@@ -13,11 +13,11 @@ import io.kotest.property.checkAll
 class ViewportSpec : FunSpec({
     val whole = Viewport(Span(0.0, 100.0))
 
-    test("a zoom leaves the place under the pointer where it is") {
+    test("a zoom keeps the place under the pointer") {
         whole.scaled(0.5, 20.0).visible shouldBe Span(10.0, 60.0)
     }
 
-    test("whatever is requested, the visible range stays within the recording and goes forward") {
+    test("for any request, the visible range stays within the recording and goes forward") {
         checkAll(Arb.double(), Arb.double(), Arb.double()) { from, to, factor ->
             val seen = whole.showing(from, to).scaled(factor, from).shifted(to).visible
             seen.from shouldBeGreaterThanOrEqual 0.0
@@ -39,14 +39,14 @@ class ViewportSpec : FunSpec({
         dragged.back().visible shouldBe whole.full
     }
 
-    test("a place out of sight is brought into sight, one in sight moves nothing") {
+    test("an invisible place becomes visible, and a visible one moves nothing") {
         val zoomed = whole.showing(10.0, 20.0)
         zoomed.revealing(15.0) shouldBe zoomed
         zoomed.revealing(80.0).visible shouldBe Span(75.0, 85.0)
         zoomed.revealing(Double.NaN) shouldBe zoomed
     }
 
-    test("when the recording grows, its end stays in sight if it was") {
+    test("when the recording grows, its end stays visible if it was") {
         whole.grown(Span(0.0, 110.0)).visible shouldBe Span(0.0, 110.0)
         whole.showing(90.0, 100.0).grown(Span(0.0, 110.0)).visible.from shouldBe (100.0 plusOrMinus 1e-9)
         whole.showing(10.0, 20.0).grown(Span(0.0, 110.0)).visible shouldBe Span(10.0, 20.0)
@@ -57,7 +57,7 @@ class ViewportSpec : FunSpec({
         whole.showing(50.0, 60.0).grown(Span(0.0, 5.0)).visible shouldBe Span(0.0, 5.0)
     }
 
-    test("forward undoes back, until something else is shown") {
+    test("forward undoes back, until another range is shown") {
         val zoomed = whole.showing(10.0, 50.0).showing(20.0, 30.0)
         zoomed.back().back().forward().visible shouldBe Span(10.0, 50.0)
         zoomed.back().back().forward().forward() shouldBe zoomed
@@ -65,7 +65,7 @@ class ViewportSpec : FunSpec({
         zoomed.forward() shouldBe zoomed
     }
 
-    test("a step zooms around the cursor if it is in sight, otherwise around the middle, and a step out undoes it") {
+    test("a step zooms around a visible cursor, otherwise around the middle, and a step out undoes it") {
         whole.zoomed(1, 20.0).visible.from shouldBe (20.0 / 3 plusOrMinus 1e-9)
         whole.zoomed(1, Double.NaN).zoomed(-1, null).visible.width shouldBe (100.0 plusOrMinus 1e-9)
     }

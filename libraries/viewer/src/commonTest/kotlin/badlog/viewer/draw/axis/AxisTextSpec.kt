@@ -22,7 +22,7 @@ class AxisTextSpec : FunSpec({
         texts(1_710_585_600.0, 100.0, 10, 2).shouldContainExactly("1710585600", "1710585700")
     }
 
-    test("of numbers that do not fit either way, the beginning is left out") {
+    test("numbers that do not fit either way lose their beginning") {
         texts(1_710_585_600.0, 100.0, 8, 2).shouldContainExactly("…0585600", "…0585700")
     }
 
@@ -43,7 +43,7 @@ class AxisTextSpec : FunSpec({
         }
     }
 
-    test("a step of one or two digits shows how many decimals its multiples need") {
+    test("the number of decimals follows from a step of one or two digits") {
         decimalsOf(0.25) shouldBe 2
         decimalsOf(2.5) shouldBe 1
         decimalsOf(25.0) shouldBe 0

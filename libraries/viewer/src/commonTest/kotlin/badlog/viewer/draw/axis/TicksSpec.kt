@@ -24,7 +24,7 @@ class TicksSpec : FunSpec({
         of(11.7, 12.4, 4).step shouldBe 0.2
     }
 
-    test("any range has at most one tick more than asked for, ascending and within the range") {
+    test("any range has at most one tick more than requested, ascending and within the range") {
         checkAll(Arb.double(-1e300, 1e300), Arb.double(0.0, 1e300), Arb.int(1..20)) { from, width, most ->
             val ticks = of(from, from + width, most).values
             ticks.size shouldBeLessThanOrEqual most + 1
@@ -34,7 +34,7 @@ class TicksSpec : FunSpec({
         }
     }
 
-    test("each number beside an axis is written exactly, so that they are as even as they stand") {
+    test("each number beside an axis is exact, so that its text is as even as its place") {
         for ((least, most) in listOf(0.0 to 1.0, -3.0 to 7.0, 0.0 to 12.7, -1.0 to 1.0, 0.0 to 0.002, 99.0 to 99.5)) {
             for (height in listOf(120.0, 240.0)) {
                 val ticks = Ticks.ofY(Span(least, most), height)
@@ -44,15 +44,15 @@ class TicksSpec : FunSpec({
         }
     }
 
-    test("what is not a range has no ticks") {
+    test("an empty or infinite range has no ticks") {
         of(1.0, 1.0, 5).values.size shouldBe 0
         of(Double.NaN, 1.0, 5).values.size shouldBe 0
         of(0.0, Double.POSITIVE_INFINITY, 5).values.size shouldBe 0
     }
 
-    test("whatever is shown, no two ticks read the same, none is too long, and each reads as its place") {
+    test("in any range, tick texts differ, are short enough, and are read back as their places") {
         checkAll(Arb.double(-1e9, 1e9), Arb.double(-12.0, 12.0), Arb.double(10.0, 2_000.0)) { from, decades, room ->
-            // As narrow as a visible range can become.
+            // The narrowest visible range.
             val width = maxOf(10.0.pow(decades), abs(from) * 1e-11)
             for ((ticks, letters) in listOf(Ticks.ofX(Span(from, from + width), room) to 12, Ticks.ofY(Span(from, from + width), room) to 8)) {
                 ticks.texts.shouldBeUnique()

@@ -5,17 +5,17 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 
 class YLimitsSpec : FunSpec({
-    test("values that never go below 0 get no room there") {
+    test("values that never go below 0 have no margin there") {
         limitsFor(0.1, 10.0, includesZero = false).from shouldBe 0.0
     }
 
-    test("a line of nothing but 0 does not lie on the frame's edge") {
+    test("a line that is always 0 is not on the frame's edge") {
         val limits = limitsFor(0.0, 0.0, includesZero = true)
         limits.from shouldBeLessThan 0.0
         0.0 shouldBeLessThan limits.to
     }
 
-    test("0 is included if it must be") {
+    test("0 is included if required") {
         val above = limitsFor(11.0, 12.0, includesZero = true)
         above.from shouldBe 0.0
         12.0 shouldBeLessThan above.to

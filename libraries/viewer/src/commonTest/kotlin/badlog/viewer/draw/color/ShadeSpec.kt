@@ -8,7 +8,7 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import kotlin.math.pow
 
-/** How far apart two colors are in brightness, from 1 to 21, as the guidelines for accessible pages count it. */
+/** The contrast of two colors, from 1 to 21, as the guidelines for accessible pages define it. */
 private fun contrast(one: Int, other: Int): Double {
     val brightness = listOf(one, other).map { color ->
         val (red, green, blue) = listOf(16, 8, 0).map { shift ->
@@ -20,7 +20,7 @@ private fun contrast(one: Int, other: Int): Double {
     return (brightness.max() + 0.05) / (brightness.min() + 0.05)
 }
 
-/** [share] of [color] over [ground]. */
+/** The color of [color] with the opacity [share] over [ground]. */
 private fun mixed(color: Int, ground: Int, share: Double): Int {
     var mixed = 0
     for (shift in listOf(16, 8, 0)) {
@@ -31,7 +31,7 @@ private fun mixed(color: Int, ground: Int, share: Double): Int {
 }
 
 class ShadeSpec : FunSpec({
-    test("style sheets get all digits of a color, and of an opacity however small") {
+    test("style sheets get all digits of a color, and of any opacity") {
         cssColor(0x0B62C4) shouldBe "#0b62c4"
         cssColor(0xFF, 0.5) shouldBe "#0000ff7f"
         cssColor(0xFFFFFF, 0.05) shouldBe "#ffffff0c"
@@ -41,7 +41,7 @@ class ShadeSpec : FunSpec({
     for (isDark in listOf(false, true)) {
         val theme = if (isDark) "dark" else "light"
 
-        test("text can be read on all that it stands on, in the $theme theme") {
+        test("text is readable on all its backgrounds, in the $theme theme") {
             val behind = listOf(Shade.SURFACE, Shade.PAGE, Shade.RAISED)
             val soft = mapOf(Shade.ERROR to Shade.ERROR_SOFT, Shade.WARNING to Shade.WARNING_SOFT, Shade.ACCENT to Shade.ACCENT_SOFT)
             for (text in listOf(Shade.TEXT, Shade.MUTED, Shade.ACCENT, Shade.EVENT, Shade.ERROR, Shade.WARNING)) {
@@ -50,7 +50,7 @@ class ShadeSpec : FunSpec({
             contrast(Shade.STATE_TEXT.of(isDark), Shade.STATE_OFF.of(isDark)) shouldBeGreaterThan 7.0
         }
 
-        test("the state of a lane can be read in every color, in the $theme theme") {
+        test("the state of a lane is readable in every color, in the $theme theme") {
             for (index in 0 until LINE_COLORS) {
                 val ground = mixed(lineColor(index, isDark), Shade.SURFACE.of(isDark), stateOpacity(isDark))
                 contrast(Shade.STATE_TEXT.of(isDark), ground) shouldBeGreaterThan 4.5
@@ -64,11 +64,11 @@ class ShadeSpec : FunSpec({
                 contrast(Shade.TEXT.of(isDark), ground) shouldBeGreaterThan 7.0
                 for (index in 0 until LINE_COLORS) contrast(lineColor(index, isDark), ground) shouldBeGreaterThan 2.0
             }
-            // Blue against yellow, which people distinguish who cannot distinguish green from red.
+            // Blue against yellow: people who cannot distinguish green from red can distinguish these.
             (grounds[0] and 0xFF) shouldBeLessThan (grounds[1] and 0xFF) - 15
         }
 
-        test("no two of the lines' colors are the same, and all are seen on a graph, in the $theme theme") {
+        test("the lines' colors all differ, and are visible on a graph, in the $theme theme") {
             val colors = List(LINE_COLORS) { lineColor(it, isDark) }
             colors.shouldBeUnique()
             for (color in colors) contrast(color, Shade.SURFACE.of(isDark)) shouldBeGreaterThan 2.5

@@ -18,13 +18,13 @@ class CurveSpec : FunSpec({
         curve.isDense shouldBe false
     }
 
-    test("samples out of sight do not stretch the y axis") {
+    test("invisible samples do not stretch the y axis") {
         val curve = Curve(ramp(100) { if (it == 13) 1e6 else 1.0 })
         curve.draw(10.0, 12.0, PixelColumns(100))
         curve.max shouldBe 1.0
     }
 
-    test("between two samples the line is still drawn, cut a little beyond what is visible") {
+    test("the line between two samples is still drawn, and ends a little beyond the visible range") {
         val curve = Curve(Series(doubleArrayOf(0.0, 1000.0), doubleArrayOf(0.0, 1000.0)))
         curve.draw(500.0, 501.0, PixelColumns(100))
         curve.points() shouldBe listOf(499.0 to 499.0, 502.0 to 502.0)
@@ -64,7 +64,7 @@ class CurveSpec : FunSpec({
         curve.max shouldBe 9.0
     }
 
-    test("a value that holds is a step, and the last one continues until the end") {
+    test("a held value is a step, and the last one continues until the end") {
         val series = Series(doubleArrayOf(1.0, 3.0, 4.0), doubleArrayOf(5.0, 7.0, Double.NaN))
         val curve = Curve(series, holdsUntil = 9.0)
         curve.draw(0.0, 10.0, PixelColumns(100))
@@ -83,7 +83,7 @@ class CurveSpec : FunSpec({
         open.min to open.max shouldBe (5.0 to 7.0)
     }
 
-    test("many samples that hold stay level over a stretch without any") {
+    test("many held samples stay level over a stretch without any") {
         val x = DoubleArray(20_000) { if (it < 10_000) it * 1e-3 else 90 + it * 1e-3 }
         val curve = Curve(Series(x, DoubleArray(20_000) { if (it < 10_000) 0.0 else 1.0 }), holdsUntil = 110.0)
         curve.draw(0.0, 110.0, PixelColumns(110))

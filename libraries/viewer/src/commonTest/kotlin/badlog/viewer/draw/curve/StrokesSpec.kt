@@ -20,7 +20,7 @@ class StrokesSpec : FunSpec({
     fun Strokes.strokes() = List(count) { i -> (startOf(i) until endOf(i) step 2).map { points[it] to points[it + 1] } }
     fun Strokes.dotList() = (0 until dotsSize step 2).map { dots[it] to dots[it + 1] }
 
-    test("strokes are what lies between the gaps, whole and in order, however often the arrays were used before") {
+    test("strokes are the whole points between gaps, in order, also when the arrays are reused") {
         val strokes = Strokes()
         checkAll(Arb.list(Arb.element(0.0, 1.0, 7.0, Double.NaN, Double.POSITIVE_INFINITY), 0..60), Arb.int(1..50)) { y, columns ->
             val curve = curveOf(y, columns)
@@ -46,7 +46,7 @@ class StrokesSpec : FunSpec({
         strokes.strokes().single().size shouldBe 4
     }
 
-    test("a scale found later is the same as one known before") {
+    test("a scale applied later gives the same strokes as one known before") {
         val curve = curveOf(listOf(1.0, 3.0, Double.NaN, 1e300), 100)
         val x = Scale.ofX(Span(0.0, 3.0), 90.0, left = 10.0)
         val y = Scale.ofY(Span(0.0, 4.0), 40.0)
@@ -57,7 +57,7 @@ class StrokesSpec : FunSpec({
         }
         once.strokes() shouldBe twice.strokes()
         once.dotList() shouldBe twice.dotList()
-        // Far out of sight is near enough to be drawn.
+        // A place far outside the screen is still near enough to be drawn.
         once.strokes() shouldBe listOf(listOf(10.0 to 30.0, 40.0 to 10.0), listOf(100.0 to -2000.0))
     }
 })

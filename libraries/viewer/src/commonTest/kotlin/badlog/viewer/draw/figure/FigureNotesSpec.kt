@@ -28,7 +28,7 @@ class FigureNotesSpec : FunSpec({
             "a.bag · 2.000 – 12.000 s · cursor at 3.000 s · B at 5.500 s, Δ 2.5"
     }
 
-    test("the notes name what was found in the visible range, the worst first, with its values there") {
+    test("the notes name the findings in the visible range, the worst first, with their values there") {
         val found = notes(
             Span(2.0, 12.0),
             Cursors(),
@@ -40,7 +40,7 @@ class FigureNotesSpec : FunSpec({
         found.map { it.head + " " + it.text } shouldBe listOf("error · 4.000 s Again: second", "warning · 1.000 s Lasting: all of it")
     }
 
-    test("of many findings some are named, and the others counted") {
+    test("many findings are named in part, and the rest is counted") {
         val many = notes(Span(0.0, 10.0), Cursors(), *Array(11) { finding("Rule $it", Severity.NOTE, Span(1.0, 2.0)) })
         many.findings.size shouldBe FigureNotes.MAX_NAMED
         many.moreFindings shouldBe 3

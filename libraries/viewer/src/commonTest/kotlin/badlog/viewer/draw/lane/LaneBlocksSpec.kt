@@ -20,7 +20,7 @@ class LaneBlocksSpec : FunSpec({
         return List(reused.size) { Triple(reused.left[it], reused.right[it], reused.states[it]) }
     }
 
-    test("long states are drawn in their true length") {
+    test("long states are drawn with their true length") {
         blocks(101, 200.0) { if (it < 50) 0 else 1 } shouldBe listOf(Triple(0.0, 100.0, 0), Triple(100.0, 200.0, 1))
     }
 
@@ -30,15 +30,15 @@ class LaneBlocksSpec : FunSpec({
         blocks.count { it.third == 0 } shouldBe 2
     }
 
-    test("a dropout of one row is visible, too") {
+    test("a dropout of one row is also visible") {
         blocks(10_001, 1000.0) { if (it == 6000) 0 else 1 }.last() shouldBe Triple(600.0, 602.0, 0)
     }
 
-    test("the last row can be seen when it alone differs") {
+    test("a last row that alone differs is visible") {
         blocks(10_001, 1000.0) { if (it == 10_000) 1 else 0 }.last() shouldBe Triple(998.0, 1000.0, 1)
     }
 
-    test("of several states in one pixel, the rarest is visible, whichever comes first") {
+    test("the rarest of several states in one pixel is visible, whichever is first") {
         val rareLast = blocks(100_001, 1000.0) { if (it in 50_000..50_009) (if (it == 50_005) 2 else 1) else 0 }
         rareLast.last() shouldBe Triple(500.0, 502.0, 2)
         val rareFirst = blocks(100_001, 1000.0) { if (it in 50_000..50_009) (if (it == 50_000) 2 else 1) else 0 }

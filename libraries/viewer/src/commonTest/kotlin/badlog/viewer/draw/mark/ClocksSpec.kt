@@ -17,7 +17,7 @@ class ClocksSpec : FunSpec({
         return Clocks(LogView.of(view.recording.copy(topics = topics, values = values)), match)
     }
 
-    test("the time of day continues from the log's start, past midnight, too, beside the match clock") {
+    test("the time of day continues from the log's start, also past midnight, beside the match clock") {
         clocks("2024-03-09 14:02:31 UTC").textAt(94.6) shouldBe "Teleop 1:23 · 14:03:55"
         clocks("2024-03-14T23:59:58").dayAt(13.0) shouldBe "00:00:01"
         clocks("2024-03-14T23:59:58.900").dayAt(10.2) shouldBe "23:59:59"

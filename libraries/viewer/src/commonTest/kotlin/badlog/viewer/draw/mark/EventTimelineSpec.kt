@@ -29,7 +29,7 @@ class EventTimelineSpec : FunSpec({
         listOf("2,homed,", "1,,stopped", "3,jammed,Started", ",lost,", "5,,"),
     )
 
-    test("events of all topics are in the order of x, those without x last") {
+    test("events of all topics are in the order of x, and the ones without x last") {
         events.texts() shouldContainExactly listOf("1 stopped", "2 homed", "3 jammed", "3 Started", "null lost")
         events.placedCount shouldBe 4
     }
@@ -53,13 +53,13 @@ class EventTimelineSpec : FunSpec({
         EventTimeline.NONE.nearest(1.0) shouldBe -1
     }
 
-    test("places are sorted without losing which was first") {
+    test("sorting keeps the order of events at the same place") {
         checkAll(Arb.list(Arb.double(), 0..40)) { places ->
             stableOrder(places.toDoubleArray()).toList() shouldBe places.indices.sortedBy { places[it] }
         }
     }
 
-    test("100,000 events are all there, are found, and cost no more marks than there are pixels") {
+    test("100,000 events are complete, are found, and cost no more marks than there are pixels") {
         val many = timeline(List(100_000) { ((it * 7919L) % 100_000).toDouble() to "event ${it % 1000}" })
         many.x.toList().shouldBeSorted()
         many.matching(Query("event 77")).size shouldBe 1900
@@ -68,7 +68,7 @@ class EventTimelineSpec : FunSpec({
         marks.size shouldBeLessThanOrEqual 51
     }
 
-    test("each event in sight has a mark at its pixel, each mark has an event, and a serious one is visible in any crowd") {
+    test("each visible event has a mark at its pixel, each mark has an event, and a serious one is visible in any crowd") {
         checkAll(Arb.list(Arb.numericDouble(0.0, 10.0), 1..60), Arb.int(1..40)) { places, width ->
             val serious = places.indices.filter { it % 7 == 3 }
             val all = timeline(places.mapIndexed { i, x -> x to if (i in serious) "[WARN] $i" else "ok $i" })
@@ -77,7 +77,7 @@ class EventTimelineSpec : FunSpec({
             marks.place(all, span, width.toDouble(), 1.0)
             val pixels = List(marks.size) { marks.pixelOf(it) }
 
-            // The parser has rounded the places, which it read from text.
+            // The parser has rounded the places while reading the text.
             fun pixelsOf(indices: List<Int>) = indices.map { all.x[it] }.filter { it in span }.map { floor((it - 2.0) / 6.0 * width) }.distinct()
             pixels shouldBe pixelsOf((0 until all.size).toList())
             val seriousPixels = pixelsOf((0 until all.size).filter { "WARN" in all.textOf(it) })
@@ -88,7 +88,7 @@ class EventTimelineSpec : FunSpec({
         }
     }
 
-    test("what calls itself an error or a warning is serious, whatever precedes it") {
+    test("a text that begins with error or warning is serious, after any signs") {
         fun isSerious(text: String) = timeline(listOf(1.0 to text)).areSerious(0, 1)
         listOf("ERROR: brownout", "[warning] low", "  Fatal", "severe", "(critical) x").map(::isSerious) shouldBe List(5) { true }
         listOf("no error", "_error", "erro", "12 warnings").map(::isSerious) shouldBe List(4) { false }

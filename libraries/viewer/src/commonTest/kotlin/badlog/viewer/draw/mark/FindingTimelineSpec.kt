@@ -29,13 +29,13 @@ class FindingTimelineSpec : FunSpec({
         Finding("", Arb.enum<Severity>().bind(), Span(from.toDouble(), from + Arb.int(0..20).bind().toDouble()))
     }
 
-    test("the worst comes first, and findings about the whole log before those with a place") {
+    test("the worst finding is first, and findings about the whole log before the ones with a place") {
         timeline.worstFirst.map { it.name } shouldContainExactly listOf("Whole", "Early", "Middle", "Late")
         timeline.places.map { it.finding.name } shouldContainExactly listOf("Early", "Middle", "Early", "Late")
         timeline.count(Severity.ERROR) shouldBe 2
     }
 
-    test("within a finding, steps go from the place at the cursor or otherwise its first, and stop at the ends") {
+    test("steps within a finding begin at the cursor's place, or otherwise the first one, and stop at the ends") {
         fun step(steps: Int, x: Double) = timeline.within(early, x, steps)?.span?.from
         step(1, 21.0) shouldBe 60.0
         step(1, 60.0) shouldBe 60.0
@@ -45,7 +45,7 @@ class FindingTimelineSpec : FunSpec({
         timeline.within(whole, 1.0, 1) shouldBe null
     }
 
-    test("what is near a place is found, however many places are before it") {
+    test("findings near a place are found, however many places are before it") {
         checkAll(Arb.list(found, 0..40), Arb.int(-10..110), Arb.int(0..5)) { list, x, distance ->
             val near = timelineOf(list).at(x.toDouble(), distance.toDouble())
             val expected = list.filter { x >= it.spans[0].from - distance && x <= it.spans[0].to + distance }
@@ -54,7 +54,7 @@ class FindingTimelineSpec : FunSpec({
         timeline.at(Double.NaN, 1.0) shouldBe emptyList()
     }
 
-    test("the mark nearest to the pointer is found, otherwise the worst that lasts there") {
+    test("a pointer finds the nearest mark, otherwise the worst finding that lasts there") {
         timeline.pointedAt(51.5, 1.0, all)?.name shouldBe "Middle"
         timeline.pointedAt(25.0, 0.1, all)?.name shouldBe "Early"
         timeline.pointedAt(5.0, 1.0, all) shouldBe null
@@ -62,7 +62,7 @@ class FindingTimelineSpec : FunSpec({
         timeline.at(90.0, 0.5).map { it.name } shouldContainExactly listOf("Middle", "Late")
     }
 
-    test("pixels over which something was found have the severity of the worst") {
+    test("pixels with findings have the severity of the worst") {
         val marks = FindingMarks()
         marks.place(timeline, all, 100.0, 1.0)
         List(marks.runCount) { Triple(marks.runFrom(it).toInt(), marks.runTo(it).toInt(), marks.runSeverity(it)) } shouldContainExactly listOf(
@@ -77,10 +77,10 @@ class FindingTimelineSpec : FunSpec({
         marks.runCount + marks.size shouldBe 0
     }
 
-    /** What remains of [pixels], which ascend, without those that would hide the one before. */
+    /** The [pixels], which ascend, without those that would hide the one before. */
     fun apart(pixels: List<Double>, distance: Double) = pixels.fold(emptyList<Double>()) { kept, pixel -> if (kept.isEmpty() || pixel - kept.last() >= distance) kept + pixel else kept }
 
-    test("places that begin in sight have the glyph of their severity, the worst drawn last; glyphs and lines keep their distance") {
+    test("visible starts have the glyph of their severity, the worst drawn last, and glyphs and lines keep their distance") {
         val marks = FindingMarks()
         checkAll(Arb.list(found, 0..40), Arb.int(1..200), Arb.int(1..3)) { list, columns, onePixel ->
             marks.place(timelineOf(list), all, columns * onePixel.toDouble(), onePixel.toDouble())

@@ -23,7 +23,7 @@ class ModeTimelineSpec : FunSpec({
 
     val match = timelineOf(Triple(2.0, 17.0, RobotMode.AUTONOMOUS), Triple(19.0, 154.0, RobotMode.TELEOP), Triple(400.0, 410.0, RobotMode.TELEOP))
 
-    test("modes are those that the vocabulary's topics show, and only enabled if none shows autonomous") {
+    test("modes follow from the vocabulary's topics, and are only “enabled” if no topic shows autonomous") {
         val view = bagView(listOf("Time|xaxis", "E", "A"), listOf("0,0,0", "1,1,1", "2,1,0", "3,0,0"))
         fun LogView.modesOf(modes: ModeTopics) = ModeTimeline.of(identified(null, modes)).spans.map { it.span to it.mode }
         view.modesOf(ModeTopics(flag("E"), flag("A"))) shouldBe
@@ -49,7 +49,7 @@ class ModeTimelineSpec : FunSpec({
         ModeTimeline.of(before).spans.map { it.mode } shouldBe listOf(RobotMode.TEST)
     }
 
-    test("the match clock counts from when the robot was enabled, through the pause between the phases, and starts over in the next match") {
+    test("the match clock counts from the first enabling, also during the pause between phases, and restarts in the next match") {
         match.clockAt(2.0) shouldBe "Auto 0:00"
         match.clockAt(16.99) shouldBe "Auto 0:14"
         match.clockAt(18.0) shouldBe "Disabled 0:16"
@@ -62,7 +62,7 @@ class ModeTimelineSpec : FunSpec({
         ModeTimeline(match.spans, null).clockAt(3.0) shouldBe null
     }
 
-    test("bands are where the robot was enabled, and what is shorter than a pixel gets one") {
+    test("bands show when the robot was enabled, and a shorter one than a pixel gets one") {
         val bands = ModeBands()
         bands.place(match, Span(0.0, 512.0), 64.0)
         List(bands.size) { Triple(bands.leftOf(it), bands.rightOf(it), bands.modeOf(it)) } shouldBe listOf(
@@ -87,7 +87,7 @@ class ModeTimelineSpec : FunSpec({
         bands.size shouldBe 1
     }
 
-    test("however often a robot is enabled, there are no more bands than pixels, in order, and no visible one is lost") {
+    test("for any number of spans, there are at most as many bands as pixels, in order, and no visible one is lost") {
         val bands = ModeBands()
         checkAll(Arb.list(Arb.numericDouble(0.001, 3.0), 0..300), Arb.int(1..50), Arb.numericDouble(-5.0, 100.0), Arb.numericDouble(0.01, 300.0)) { gaps, width, from, length ->
             var x = 0.0

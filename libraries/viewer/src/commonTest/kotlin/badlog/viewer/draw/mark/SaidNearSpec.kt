@@ -13,7 +13,7 @@ class SaidNearSpec : FunSpec({
 
     fun said(x: Double, visible: Span) = saidNear(x, visible, notes, events)?.let { it.x to it.text }
 
-    test("a cursor points at the nearest note, or else at the nearest event, within a part of the screen") {
+    test("a cursor points at the nearest note, otherwise at the nearest event, within a part of the screen") {
         val visible = Span(0.0, 100.0)
         said(10.5, visible) shouldBe (10.0 to "homed")
         said(20.0, visible) shouldBe (20.1 to "Look here.")
@@ -22,7 +22,7 @@ class SaidNearSpec : FunSpec({
         said(Double.NaN, visible) shouldBe null
     }
 
-    test("the closer a person looks, the closer they must point") {
+    test("the reach of a cursor shrinks with the visible range") {
         said(10.5, Span(10.0, 20.0)) shouldBe null
         said(10.05, Span(10.0, 20.0)) shouldBe (10.0 to "homed")
     }

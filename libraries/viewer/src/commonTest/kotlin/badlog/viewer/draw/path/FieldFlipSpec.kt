@@ -39,7 +39,7 @@ class FieldFlipSpec : FunSpec({
         flip.heading(0.0) shouldBe (PI plusOrMinus 1e-12)
     }
 
-    test("the fields of 2023 and 2024 are mirrored, others turned around") {
+    test("the fields of 2023 and 2024 are mirrored, others rotated") {
         fun flipped(year: String) = FieldOrigin.RED.flipIn(view("Start Time" to "$year-03-16T11:52:30"))!!.of(1.0, 2.0)
         for (year in listOf("2022", "2025", "2026")) flipped(year) shouldBe (Field.LENGTH - 1 to Field.WIDTH - 2)
         for (year in listOf("2023", "2024")) flipped(year) shouldBe (Field.LENGTH - 1 to 2.0)
@@ -60,7 +60,7 @@ class FieldFlipSpec : FunSpec({
         }
     }
 
-    test("an arrow of a swerve module goes through the mirror as the robot does") {
+    test("an arrow of a swerve module is mirrored as the robot is") {
         val arrow = ModuleArrow(doubleArrayOf(1.0, 2.0, 3.0, 4.0), isTarget = false)
         arrow.flipped(FieldFlip(isMirrored = true)).places.toList() shouldBe listOf(Field.LENGTH - 1, 2.0, Field.LENGTH - 3, 4.0)
     }

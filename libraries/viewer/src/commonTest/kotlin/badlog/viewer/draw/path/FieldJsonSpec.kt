@@ -10,7 +10,7 @@ import io.kotest.matchers.shouldBe
 class FieldJsonSpec : FunSpec({
     val text = """{"game":"A","field-image":"a.png","field-corners":{"top-left":[100,50],"bottom-right":[900,450]},"field-size":[50,25],"field-unit":"foot"}"""
 
-    test("size, corners and picture are read, and where the picture lies on the field") {
+    test("size, corners and picture are read, with the picture's place on the field") {
         val field = fieldOfJson(text)
         field.length shouldBe (15.24 plusOrMinus 1e-9)
         field.width shouldBe (7.62 plusOrMinus 1e-9)
@@ -22,7 +22,7 @@ class FieldJsonSpec : FunSpec({
         Plane(Span(0.0, 10.0), Span(0.0, 5.0)).boxOf(Plane(Span(-1.0, 9.0), Span(1.0, 6.0)), 100.0, 50.0).toList() shouldBe listOf(-10.0, -10.0, 100.0, 50.0)
     }
 
-    test("a field with its picture in it is read back as it was") {
+    test("a field with its embedded picture is read back the same") {
         val field = fieldOfJson(text)
         val again = fieldOfJson(fieldJson(field.withPicture("data:image/png;base64,AAAA")))
         again.length shouldBe (field.length plusOrMinus 1e-9)
@@ -30,7 +30,7 @@ class FieldJsonSpec : FunSpec({
         again.image.source shouldBe "data:image/png;base64,AAAA"
     }
 
-    test("a mistake is reported, with what to do") {
+    test("a mistake is reported with the next step") {
         fun sentence(old: String, new: String) = shouldThrow<FieldException> { fieldOfJson(text.replace(old, new)) }.message
         sentence(text, "[1]") shouldBe "It is not a JSON object; select the field’s .json file."
         sentence("[100,50]", "[100]") shouldBe "“top-left” is not a pair of numbers; write it as [x, y]."

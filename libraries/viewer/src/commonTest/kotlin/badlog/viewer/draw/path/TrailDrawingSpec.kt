@@ -43,7 +43,7 @@ class TrailDrawingSpec : FunSpec({
         return strokes
     }
 
-    /** How far ([x], [y]) is from all that was drawn. */
+    /** The distance of ([x], [y]) from everything that was drawn. */
     fun Strokes.distanceTo(x: Double, y: Double): Double {
         var least = Double.POSITIVE_INFINITY
         for (i in 0 until dotsSize step 2) least = minOf(least, sqrt((dots[i] - x) * (dots[i] - x) + (dots[i + 1] - y) * (dots[i + 1] - y)))
@@ -61,7 +61,7 @@ class TrailDrawingSpec : FunSpec({
         return least
     }
 
-    test("a path that covers most of a picture is dense, and drawn with thin lines; one of a few strokes is not") {
+    test("a path that covers most of a picture is dense, with thin lines, and one of a few strokes is not") {
         fun isDense(samples: Int): Boolean {
             val times = DoubleArray(samples) { it.toDouble() }
             val trail = Trail(times, DoubleArray(samples) { 10 + 9.5 * sin(it * 0.0137) }, DoubleArray(samples) { 6 + 5.5 * cos(it * 0.0191) })
@@ -86,7 +86,7 @@ class TrailDrawingSpec : FunSpec({
         }
     }
 
-    test("what is drawn is drawn in the order of the samples") {
+    test("samples are drawn in their order") {
         checkAll(Arb.list(place, 0..200)) { places ->
             val strokes = drawn(places, isJoined = true)
             val samples = places.map { (x, y) -> plane.xScale(WIDTH.toDouble()).placeOf(x) to plane.yScale(HEIGHT.toDouble()).placeOf(y) }

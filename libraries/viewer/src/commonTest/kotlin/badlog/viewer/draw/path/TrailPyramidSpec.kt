@@ -53,7 +53,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    /** The pixels that every sample from [start] until [end], and every way between two of them, is in. */
+    /** The pixels of every sample from [start] until [end], and of every way between two of them. */
     fun allPixels(trail: Trail, start: Int, end: Int, plane: Plane, isJoined: Boolean): BooleanArray {
         val pixels = BooleanArray(WIDTH * HEIGHT)
         val x = plane.xScale(WIDTH.toDouble())
@@ -82,7 +82,7 @@ class TrailPyramidSpec : FunSpec({
         return pixels
     }
 
-    /** The number of pixels of [one] that are more than a pixel away from those of [other]. */
+    /** The number of pixels of [one] that are more than a pixel away from all pixels of [other]. */
     fun missing(one: BooleanArray, other: BooleanArray): Int = one.indices.count { i ->
         one[i] && (-1..1).none { down ->
             (-1..1).any { right ->
@@ -93,7 +93,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    test("skipping blocks gives the same picture, to a pixel, as drawing every sample: at any zoom, of any part of the time") {
+    test("skipping blocks and drawing every sample give the same picture, to a pixel, at any zoom and for any time") {
         checkAll(Arb.int(), Arb.boolean()) { seed, isJoined ->
             val trail = walk(seed)
             val drawing = TrailDrawing(TrailPyramid(trail))
@@ -114,7 +114,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    test("a scribble that fills areas is drawn in rows of pixels, the same ones, and in fewer strokes than it has samples") {
+    test("a scribble that fills areas is drawn in the same rows of pixels, with fewer strokes than samples") {
         val trail = DoubleArray(150_000) { it.toDouble() }.let { times ->
             Trail(times, DoubleArray(times.size) { 1 + sin(it * 0.0131) }, DoubleArray(times.size) { 1 + cos(it * 0.0173) })
         }
@@ -129,7 +129,7 @@ class TrailPyramidSpec : FunSpec({
         missing(pixelsOf(strokes), expected) shouldBe 0
     }
 
-    test("very many dots are drawn as the rows of pixels that they are in, fewer ones each in its place") {
+    test("very many dots are drawn as rows of pixels, and fewer ones each at its place") {
         val random = Random(1)
         fun drawn(count: Int): Pair<Strokes, BooleanArray> {
             val trail = DoubleArray(count) { it.toDouble() }.let { times ->
@@ -152,7 +152,7 @@ class TrailPyramidSpec : FunSpec({
             for (column in columns) pixels[y + column] = true
             expected[y + columns.first] shouldBe true
             expected[y + columns.last] shouldBe true
-            // Dots are so wide that the gaps between them cannot be seen.
+            // Dots are so wide that the gaps between them are invisible.
             columns.windowed(3).count { gap -> gap.none { expected[y + it] } } shouldBe 0
         }
         expected.indices.filter { expected[it] && !pixels[it] }.shouldBeEmpty()
@@ -163,7 +163,7 @@ class TrailPyramidSpec : FunSpec({
         dots.dotsSize / 2 shouldBe dots.dots.take(dots.dotsSize).chunked(2) { (x, y) -> floor(x) to floor(y) }.toSet().size
     }
 
-    test("every sample is visited once and in order if nothing may be skipped, and blocks end at their last sample") {
+    test("without skipping, every sample is visited once and in order, and blocks end at their last sample") {
         checkAll(Arb.int(0..5000), Arb.int(0..5000)) { one, other ->
             val start = minOf(one, other)
             val end = maxOf(one, other)
@@ -183,7 +183,7 @@ class TrailPyramidSpec : FunSpec({
         }
     }
 
-    test("with strides, a line misses no sample by more than was asked, and skips most of a smooth path") {
+    test("with strides, a line is as near to each sample as required, and skips most of a smooth path") {
         fun most(trail: Trail, bendX: Double, bendY: Double): Int {
             val pyramid = TrailPyramid(trail)
             val visited = ArrayList<Int>()
@@ -206,7 +206,7 @@ class TrailPyramidSpec : FunSpec({
         most(smooth, 1e-9, 1e-9) shouldBe count
     }
 
-    test("for a small part of the plane, few samples of a long path are looked at") {
+    test("a small part of the plane examines few samples of a long path") {
         val count = 1_000_000
         val trail = Trail(
             DoubleArray(count) { it.toDouble() },
@@ -221,7 +221,7 @@ class TrailPyramidSpec : FunSpec({
         looks shouldBeLessThan count / 20
     }
 
-    test("the time of the nearest place is the one that a search of all places finds") {
+    test("the time of the nearest place is the result of a search of all places") {
         checkAll(Arb.int(), Arb.int(0..700)) { seed, start ->
             val trail = walk(seed)
             val random = Random(seed)

@@ -31,7 +31,7 @@ class XyPictureSpec : FunSpec({
     /** A robot that drives for 2 s along x from [x], 1 m from the wall. */
     fun drive(x: Double, start: Double = 0.0) = view(pathTopics("Pose", Triple(start, x, 1.0), Triple(start + 1, x + 1, 1.0), Triple(start + 2, x + 2, 1.0)))
 
-    /** The volts of a battery of so many [ohms]. */
+    /** The voltages of a battery with this resistance in [ohms]. */
     fun battery(ohms: Double) = timedView(
         timedTopic("Current", *Array(50) { it * 1.0 to it * 4.0 }).copy(unit = "A"),
         timedTopic("Voltage", *Array(50) { it * 1.0 to 12 - it * 4 * ohms }),
@@ -39,7 +39,7 @@ class XyPictureSpec : FunSpec({
 
     fun picture(lines: List<String>, vararg logs: XyLog) = XyPicture(lines, FieldOrigin.BLUE, logs.toList())
 
-    /** What [draw] draws, on a frame of 400 by 200 pixels, primitive by primitive. */
+    /** The text of [draw] on a frame of 400 by 200 pixels, primitive by primitive. */
     fun XyPicture.drawn(colors: PenColors = PenColors.LIGHT, draw: XyPicture.(XyFrame) -> Unit): List<String> {
         val pen = SvgPen({ text, letters, _ -> text.length * letters / 2 })
         draw(XyFrame(pen, seen(null, 400.0, 200.0).shouldNotBeNull(), 400.0, 200.0, colors))
@@ -48,7 +48,7 @@ class XyPictureSpec : FunSpec({
 
     fun colorOf(index: Int) = "#" + (PenColors.LIGHT.line(index) and 0xFFFFFF).toString(16).padStart(6, '0')
 
-    test("a log alone has the colors and names of its traces, with their places at both cursors") {
+    test("a single log has the colors and names of its traces, with their places at both cursors") {
         val alone = picture(pose, log(drive(2.0), "Q1"))
         val entry = alone.parts.single().entries.single()
         entry.title shouldBe "Pose"
@@ -61,7 +61,7 @@ class XyPictureSpec : FunSpec({
         entry.textAt(Cursors(pinned = 8.0, second = 9.0)) shouldBe ""
     }
 
-    test("a compared log has its own colors and its name, and is at the cursor where its offset puts it") {
+    test("a compared log has its own colors and its name, and its places at the cursor follow its offset") {
         val both = picture(pose, log(drive(2.0), "Q1"), log(drive(10.0, start = 100.0), "Q2", offset = -100.0))
         val (own, other) = both.parts.map { it.entries.single() }
         listOf(own, other).map { it.title } shouldContainExactly listOf("Pose", "Pose (Q2)")
@@ -73,7 +73,7 @@ class XyPictureSpec : FunSpec({
         both.legend(setOf(pose[0]), Cursors()) shouldBe emptyList()
     }
 
-    test("the path of each log is drawn in its color, faintly where it is not visible, and its robot at the cursor") {
+    test("the path of each log has its color, faint outside the visible range, with the robot at the cursor") {
         val both = picture(pose, log(drive(2.0), "Q1"), log(drive(10.0, start = 100.0), "Q2", offset = -99.0))
         fun strokes(visible: Span, color: Int, isFaint: Boolean): Int {
             val drawn = both.drawn { draw(it, emptySet(), visible, ground = null) }
@@ -89,7 +89,7 @@ class XyPictureSpec : FunSpec({
         (0..1).map { robots(Cursors(pinned = 0.5), it) } shouldContainExactly listOf(1, 0)
     }
 
-    test("the field and the planes show all logs, and the field alone keeps its shape") {
+    test("the field and the planes show all logs, and only the field keeps its shape") {
         val far = picture(pose, log(drive(2.0), "Q1"), log(drive(20.0), "Q2"))
         far.isField shouldBe true
         far.full.shouldNotBeNull().x.to shouldBe (22.3 plusOrMinus 1e-9)
@@ -106,14 +106,14 @@ class XyPictureSpec : FunSpec({
         }
     }
 
-    test("a log that lacks the lines, or in which they are no path, is left out, and the others keep their colors") {
+    test("a log without the lines, or without a path, is omitted, and the others keep their colors") {
         fun pair(unit: String) = view(listOf("Pose X", "Pose Y").map { timedTopic(it, 0.0 to 1.0, 1.0 to 2.0).copy(unit = unit) })
         val several = picture(listOf("Pose X", "Pose Y"), log(pair("m"), "Q1"), log(drive(2.0), "Q2"), log(pair("rpm"), "Q3"), log(pair("m"), "Q4"))
         several.parts.map { it.index } shouldContainExactly listOf(0, 3)
         several.legend(emptySet(), Cursors()).map { it.text to it.color } shouldContainExactly listOf("Pose" to 0, "Pose (Q4)" to 3)
     }
 
-    test("the results of two logs are below each other, and called after them") {
+    test("the results of two logs are below each other, with the logs' names") {
         val batteries = picture(amperesAndVolts, log(battery(0.01), "Q1"), log(battery(0.03), "Q2"))
         val notes = batteries.drawn { draw(it, emptySet(), Span(0.0, 49.0), ground = null) }.filter { "Resistance" in it }
         notes.map { it.substringAfter('>') } shouldContainExactly listOf("Resistance 10.0 mΩ (Q1)", "Resistance 30.0 mΩ (Q2)")
@@ -123,7 +123,7 @@ class XyPictureSpec : FunSpec({
         alone.map { it.substringAfter('>') } shouldContain "Resistance 10.0 mΩ"
     }
 
-    test("where a compared robot left its plan is said at the time that the axis shows") {
+    test("a compared robot's departure is reported with the time that the axis shows") {
         fun run(start: Double, leavesAt: Int): LogView {
             val plan = List(100) { Triple(start + it / 10.0, minOf(it, 60) / 10.0, 2.0) }
             val driven = plan.mapIndexed { i, (time, x, _) -> Triple(time, x, if (i >= leavesAt) 2 + (i - leavesAt) / 10.0 else 2.0) }
@@ -135,7 +135,7 @@ class XyPictureSpec : FunSpec({
             listOf("Left the plan at 4.600 s, by up to 2.00 m (Q1)", "Left the plan at 12.600 s, by up to 4.00 m (Q2)")
     }
 
-    test("a place belongs to the time of the open log, where that is drawn") {
+    test("a place belongs to the open log's time where it is drawn") {
         val both = picture(pose, log(drive(2.0), "Q1"), log(drive(10.0), "Q2"))
         fun XyPicture.at(x: Double) = timeAt(x, 1.0, 0.1, 0.1, reach = 5.0, Span(0.0, 20.0), before = null)
         both.at(3.1) shouldBe 1.0

@@ -23,7 +23,7 @@ class XyPlotSpec : FunSpec({
 
     fun timed(topics: List<Topic>) = timedView(*topics.toTypedArray())
 
-    test("a graph of a pose's x and y is its path on the field, with the robot where it was") {
+    test("a graph of a pose's x and y is its path on the field, with the robot at the cursor") {
         val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0), Triple(1.0, 4.0, 3.0)))
         val plot = view.plot("Pose/translation/x", "Pose/translation/y")!!
         plot.isField shouldBe true
@@ -32,16 +32,16 @@ class XyPlotSpec : FunSpec({
         driven.headingAt(0.5) shouldBe (PI / 2 plusOrMinus 1e-12)
         driven.textAt(1.0, isField = true) shouldBe "4.00, 3.00 m · 90°"
         driven.textAt(-1.0, isField = true) shouldBe ""
-        // It faces up the field: its front is above its middle.
+        // The robot faces up the field: its front is above its middle.
         driven.robotAt(0.0).takeLast(2).map { (it * 100).toInt() / 100.0 } shouldBe listOf(2.0, 3.75)
     }
 
-    test("of any two other topics, the numbers at the cursor have six digits, however small they are") {
+    test("the numbers of any two other topics at the cursor have six digits, however small they are") {
         val view = timed(listOf(timedTopic("Gain", 0.0 to 0.000123456789), timedTopic("Current", 0.0 to 1234567.0)))
         view.plot("Gain", "Current")!!.traces.single().textAt(0.0, isField = false) shouldBe "0.000123457, 1234567"
     }
 
-    test("a reset of the pose is a gap in the path, not a drive across the field, and a correction is none") {
+    test("a reset of the pose is a gap in the path, and a correction is not") {
         val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0), Triple(0.02, 2.1, 3.0), Triple(0.04, 9.0, 5.0), Triple(0.06, 9.1, 5.0), Triple(0.08, 9.5, 5.0)))
         val driven = view.plot("Pose/translation/x", "Pose/translation/y")!!.driven!!
         driven.trail.x.map { "$it" } shouldBe listOf(2.0, 2.1, Double.NaN, 9.0, 9.1, 9.5).map { "$it" }
@@ -60,14 +60,14 @@ class XyPlotSpec : FunSpec({
         plot.traces.map { it.color } shouldBe listOf(2, 1, 0)
     }
 
-    test("a plan that is an array is drawn where its elements are at the moment") {
+    test("a plan in an array is drawn at the places of its elements at the moment") {
         val view = timed(pathTopics("Trajectory[0]", Triple(0.0, 1.0, 1.0)) + pathTopics("Trajectory[1]", Triple(0.0, 2.0, 2.0), Triple(1.0, Double.NaN, Double.NaN)))
         val plan = view.plot("Trajectory[0]/translation/x", "Trajectory[0]/translation/y")!!.traces.single()
         plan.chainAt(0.5).toList() shouldBe listOf(1.0, 1.0, 2.0, 2.0)
         plan.chainAt(1.0).toList() shouldBe listOf(1.0, 1.0)
     }
 
-    test("before and after a log, nothing of it has a place, also where another one goes on; until its end, the last place counts") {
+    test("before and after a log, its traces have no place, and until its end the last place counts") {
         val names = listOf("Pose", "Target Pose", "Trajectory[0]", "Trajectory[1]")
         val paths = names.flatMap { pathTopics(it, Triple(0.0, 1.0, 2.0), Triple(1.0, 3.0, 2.0)) }
         val view = timed(paths + timedTopic("Voltage", 0.0 to 12.0, 5.0 to 11.0))
@@ -102,7 +102,7 @@ class XyPlotSpec : FunSpec({
         plot.arrowsAt(-1.0) shouldBe emptyList()
     }
 
-    test("three modules are arrows too: two in front, one behind") {
+    test("three modules are arrows, too: two in front, one behind") {
         val states = List(3) { i -> listOf(timedTopic("Measured[$i]/speed", 0.0 to 4.0), timedTopic("Measured[$i]/angle/value", 0.0 to 0.0)) }
         val view = timed(pathTopics("Pose", Triple(0.0, 2.0, 3.0)) + states.flatten())
         val modules = swerveModulesOf(view.recording.topics)
@@ -112,7 +112,7 @@ class XyPlotSpec : FunSpec({
         plot.arrowsAt(0.0)[2].places.take(4).zip(listOf(2.0, 2.7, 2.0, 3.7)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
     }
 
-    test("a moment is drawn as the robot with its middle, its plan as an outline, and vision as a dot; nothing of what is hidden, or at no time") {
+    test("a moment shows the robot with its center, its plan as an outline, and vision as a dot, but nothing hidden") {
         val names = listOf("Pose", "Target Pose", "Vision/Pose")
         val view = timed(names.flatMap { pathTopics(it, Triple(0.0, 1.0, 2.0)) })
         val plot = view.plot(*names.flatMap { listOf("$it/translation/x", "$it/translation/y") }.toTypedArray())!!
@@ -126,7 +126,7 @@ class XyPlotSpec : FunSpec({
         plot.marksAt(Double.NaN, emptySet()) shouldBe emptyList()
     }
 
-    test("volts and amperes give the same resistance on whichever axes they are, also where samples are scattered") {
+    test("volts and amperes have the same resistance on either axis, also if samples are scattered") {
         val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016 + it % 3 * 0.1}" }
         val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
         val whole = Span(0.0, 50.0)
@@ -135,7 +135,7 @@ class XyPlotSpec : FunSpec({
         view.plot("Voltage", "Current")!!.lineFit(whole)!!.text("V", "A") shouldBe over
     }
 
-    test("other lines are drawn over the first one; volts over amperes give the resistance") {
+    test("other lines are drawn over the first one, and volts over amperes show the resistance") {
         val rows = List(50) { "$it,${it * 4},${12 - it * 4 * 0.016}" }
         val view = bagView(listOf("Time|xaxis", "Current", "Voltage"), rows)
         val plot = view.plot("Current", "Voltage")!!
@@ -150,7 +150,7 @@ class XyPlotSpec : FunSpec({
         view.plot("Gone", "Voltage").shouldBeNull()
     }
 
-    test("the pointer finds the time whose place on the path is nearest to it, and at a crossing the one nearest to the cursor") {
+    test("the pointer finds the time of the nearest place on the path, and at a crossing the one nearest to the cursor") {
         val there = List(11) { Triple(it.toDouble(), it.toDouble(), 2.0) }
         val back = List(11) { Triple(11.0 + it, 10.0 - it, 2.0) }
         val view = timed(pathTopics("Pose", *(there + back).toTypedArray()))
@@ -161,7 +161,7 @@ class XyPlotSpec : FunSpec({
         at(3.1, 7.0, null).isNaN() shouldBe true
     }
 
-    test("the moment at which the robot leaves its plan is found, but staying where a plan has ended is not leaving it") {
+    test("the robot's departure from its plan is found, but not its stay at the plan's end") {
         val plan = List(100) { Triple(it / 10.0, minOf(it, 60) / 10.0, 2.0) }
         val driven = List(100) { i -> Triple(i / 10.0, minOf(i, 60) / 10.0, if (i >= 40) 2 + (i - 40) / 10.0 else 2.0) }
         val plot = timed(pathTopics("Pose", *driven.toTypedArray()) + pathTopics("Target", *plan.toTypedArray()))

@@ -44,12 +44,12 @@ class SvgPenSpec : FunSpec({
         svg shouldContain "fill=\"var(--line)\">A<"
     }
 
-    test("what has a title shows it under the pointer, whatever is in it") {
+    test("a title is shown under the pointer, whatever its characters") {
         val svg = SvgPen({ _, _, _ -> 0.0 }).apply { titled("a < b") { rectangle(0.0, 0.0, 1.0, 1.0, BLUE) } }.document(1.0, 1.0, WHITE)
         svg shouldContain "<g><title>a &lt; b</title><path d=\"M0 0h1v1h-1z\" fill=\"#0000ff\"/></g></svg>"
     }
 
-    test("what is empty leaves no element") {
+    test("an empty drawing leaves no element") {
         drawn {
             segments(Points(), BLUE, 1.0)
             shapes(Points(), 3, BLUE)
@@ -57,7 +57,7 @@ class SvgPenSpec : FunSpec({
         } shouldBe ""
     }
 
-    test("a move and a clip hold only for what is drawn in them") {
+    test("a move and a clip apply only to the drawing within them") {
         val svg = drawn {
             moved(10.0, 20.0) { clip(0.0, 0.0, 5.0, 5.0) { rectangle(1.0, 1.0, 1.0, 1.0, BLUE) } }
             rectangle(1.0, 1.0, 1.0, 1.0, BLUE)
@@ -66,7 +66,7 @@ class SvgPenSpec : FunSpec({
         svg shouldContain "<path d=\"M1 1h1v1h-1z\" fill=\"#0000ff\"/>"
     }
 
-    test("a clip in another one shows what is in both, of texts, too; nothing if they have nothing in common") {
+    test("a nested clip shows the common part, also of texts, and nothing if there is none") {
         val svg = drawn {
             clip(0.0, 0.0, 8.0, 8.0) {
                 moved(5.0, 2.0) { clip(0.0, 0.0, 10.0, 3.0) { text("A", 0.0, 0.0, 10.0, BLUE) } }
@@ -81,7 +81,7 @@ class SvgPenSpec : FunSpec({
             "<path d=\"M1 1h1v1h-1z\" fill=\"#0000ff\" clip-path=\"url(#cut1)\"/>"
     }
 
-    test("an area begins with the first sample that is not alone") {
+    test("an area begins with the first sample that is not isolated") {
         val curve = Curve(Series(doubleArrayOf(0.0, 1.0, 2.0, 3.0, 4.0), doubleArrayOf(1.0, Double.NaN, 1.0, 2.0, Double.NaN)), holdsUntil = null)
         curve.draw(0.0, 4.0, PixelColumns(4))
         drawn { areas(Strokes().apply { trace(curve, Scale.NONE, Scale.NONE) }, baseline = 5.0, BLUE) } shouldBe
@@ -99,7 +99,7 @@ class SvgPenSpec : FunSpec({
         svg shouldBe "<text x=\"5\" y=\"6.5\" font-size=\"10\" text-anchor=\"end\" font-weight=\"bold\" fill=\"#0000ff\">A</text>"
     }
 
-    test("no text can leave its element, or make a document that is not XML") {
+    test("no text can leave its element, or break the XML") {
         // As a literal, it would not survive an incremental compilation to JavaScript.
         val half = Char(0xD834)
         drawn { text("<a>&\"\u0001\uD834\uDD1E$half", 0.0, 0.0, 1.0, BLUE) } shouldContain ">&lt;a>&amp;&quot;\uFFFD\uD834\uDD1E\uFFFD<"
@@ -110,7 +110,7 @@ class SvgPenSpec : FunSpec({
         }
     }
 
-    test("a text that is too long is cut at its end, or in its middle") {
+    test("a long text is cut at its end, or in its middle") {
         val pen = pen()
         pen.fittedStart("Elevator", 40.0, letters = 10.0) shouldBe "Elevator"
         pen.fittedStart("Elevator", 30.0, letters = 10.0) shouldBe "Eleva…"

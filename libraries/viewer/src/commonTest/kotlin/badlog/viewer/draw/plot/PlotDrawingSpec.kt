@@ -20,7 +20,7 @@ import badlog.viewer.shown.cursor.Cursors
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-/** What a plot draws, primitive by primitive, with letters of a fixed width. */
+/** The text of a drawn plot, primitive by primitive, with letters of a fixed width. */
 class PlotDrawingSpec : FunSpec({
     val colors = PenColors.LIGHT
     val frame = PlotMargins.frameOf(width = 276, height = 132, Span(0.0, 10.0), density = 1.0)
@@ -56,7 +56,7 @@ class PlotDrawingSpec : FunSpec({
         )
     }
 
-    test("lanes have their states' names where they fit, and their own names beside them, if there are several") {
+    test("lanes have their states' names where they fit, and their own names beside them if there are several") {
         val runs = StateRuns(Series(doubleArrayOf(0.0, 5.0), doubleArrayOf(0.0, 1.0)), end = 10.0)
         val blocks = LaneBlocks().apply { place(runs, frame.shown, frame.width, density = 1.0) }
         val lane = PlotLane("Intake/Deployed", listOf("false", "true"), blocks)
@@ -74,7 +74,7 @@ class PlotDrawingSpec : FunSpec({
         )
     }
 
-    test("an event has a head and a line, in a crowd a tick; an error keeps both, and its line is stronger") {
+    test("an event has a head and a line, or in a crowd a tick, and an error keeps both, with a stronger line") {
         val rows = listOf("2,auto", "5,chatter", "5.125,ERROR: brownout", "5.25,chatter")
         val events = EventTimeline.of(bagView(listOf("Time|xaxis", "Log|log"), rows).folders.flatMap { it.eventLogs })
         val line = "fill=\"none\" stroke-linejoin=\"round\" stroke-width=\"1\"/>"

@@ -44,7 +44,7 @@ class PlotOfGraphSpec : FunSpec({
 
     val look = BoardGraph(1, "Graph", emptyList())
 
-    test("lines of one unit share an axis, which fits them; the second unit has its own on the right") {
+    test("lines of one unit share an axis that fits them, and the second unit has its own on the right") {
         val made = plot(look, line("V", 10.0, color = 3), line("A", 1000.0, color = 4), line("V", 20.0, color = 5))
         made.axes.map { it.side to it.unit } shouldBe listOf(AxisSide.LEFT to "V", AxisSide.RIGHT to "A")
         made.lines.map { it.axis } shouldBe listOf(0, 1, 0)
@@ -54,7 +54,7 @@ class PlotOfGraphSpec : FunSpec({
         made.lines[2].strokes.points[1] shouldBe (72.0 plusOrMinus 1e-9)
     }
 
-    test("a part of y that a person has selected is shown, the other axis shows the same part of its own") {
+    test("a selected part of y is shown, and the other axis shows the same part of its own range") {
         val whole = plot(look, line("V", 10.0), line("A", 1000.0))
         val half = whole.axes[0].shown.run { Span(from, from + width / 2) }
         val lower = plot(look.copy(yRange = half), line("V", 10.0), line("A", 1000.0))
@@ -62,14 +62,14 @@ class PlotOfGraphSpec : FunSpec({
         lower.axes[1].shown.to shouldBe (whole.axes[1].shown.run { from + width / 2 } plusOrMinus 1e-9)
     }
 
-    test("graphs that share their limits fit what is seen in all of them, unit by unit") {
+    test("graphs with shared limits fit the visible samples of all of them, unit by unit") {
         val seen = mapOf("V" to SeenOfUnit("V", -100.0, 100.0))
         val made = plot(look, line("V", 10.0), line("A", 1000.0), shared = seen)
         made.axes[0].shown.run { from < -100 && to > 100 } shouldBe true
         made.axes[1].shown.from shouldBe 0.0
     }
 
-    test("lanes take what they need below lines, at most half, and everything without lines") {
+    test("lanes take their height below lines, at most half, and all of it without lines") {
         plot(look, line("V", 10.0), lanes = 1).laneShare shouldBe 0.25
         plot(look, line("V", 10.0), lanes = 5).laneShare shouldBe 0.5
         plot(look, lanes = 1).laneShare shouldBe 1.0
@@ -78,7 +78,7 @@ class PlotOfGraphSpec : FunSpec({
         strokes.points[1] shouldBe (54.0 plusOrMinus 1e-9)
     }
 
-    test("the dot of a cursor is on the line, moved with it, and nowhere beside the frame") {
+    test("the cursor's dot is on the line, moves with it, and is never outside the frame") {
         val one = line("V", 10.0)
         val late = line("V", 10.0, offset = 2.0)
         val made = plot(look.copy(yRange = Span(0.0, 10.0)), one, late)
@@ -91,7 +91,7 @@ class PlotOfGraphSpec : FunSpec({
         fun paths(cursor: Double) = SvgPen({ text, letters, _ -> text.length * letters / 2 })
             .apply { drawSamples(frame, made, listOf(one, late), cursor, PenColors.LIGHT) }
             .document(100.0, 72.0, PenColors.LIGHT[Shade.SURFACE]).split("<path").size
-        // Each is a dot on a larger one in the color of the background.
+        // Each dot is on top of a larger one in the color of the background.
         paths(7.0) - paths(11.0) shouldBe 4
         paths(1.0) - paths(11.0) shouldBe 2
     }

@@ -13,7 +13,7 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
-/** What is drawn of parts of x, and of their bar, primitive by primitive, with letters of a fixed width. */
+/** The text of drawn parts of x, and of the bar of x, primitive by primitive, with letters of a fixed width. */
 class RangeDrawingSpec : FunSpec({
     val colors = PenColors.LIGHT
     val frame = PlotFrame(0.0, 0.0, 200.0, 40.0, Span(0.0, 10.0))
@@ -23,7 +23,7 @@ class RangeDrawingSpec : FunSpec({
 
     fun finding(vararg spans: Span) = Finding("Brownout", Severity.ERROR, topic = null, "It browned out.", time = 4.0, spans.toList(), spans.size, timeUnit = "s")
 
-    test("a selection is a band between those of its edges that are visible") {
+    test("a selection is a band between its visible edges") {
         drawn { drawSelection(frame, Span(5.0, 20.0), colors) } shouldContainExactly listOf(
             """<path d="M100 0h100v40h-100z" fill="#0b62c4" fill-opacity="0.16"/>""",
             """<path d="M100 0L100 40" stroke="#0b62c4" fill="none" stroke-linejoin="round" stroke-width="1"/>""",
@@ -34,7 +34,7 @@ class RangeDrawingSpec : FunSpec({
         )
     }
 
-    test("the time of a finding is shaded, between two edges if it lasts, and a moment is an edge") {
+    test("the time of a finding is shaded between two edges if it lasts, and a moment is one edge") {
         fun edges(finding: Finding) = drawn { drawFinding(frame, finding, colors) }.last().substringAfter("d=\"").substringBefore('"')
         edges(finding(Span(2.0, 4.0))) shouldBe "M80 0L80 40M40 0L40 40"
         edges(finding(Span(2.0, 2.1))) shouldBe "M40 0L40 40"
@@ -42,7 +42,7 @@ class RangeDrawingSpec : FunSpec({
         drawn { drawFinding(frame, finding(Span(2.0, 4.0), Span(20.0, 30.0)), colors) } shouldHaveSize 2
     }
 
-    test("what is beside the visible part of a log is shaded, and a wide part has handles") {
+    test("everything beside the visible part of a log is shaded, and a wide part has handles") {
         val wide = drawn { drawVisible(frame, Span(2.0, 5.0), colors) }
         wide.take(2) shouldContainExactly listOf(
             """<path d="M0 0h40v40h-40z" fill="#f4f5f7" fill-opacity="0.65"/>""",
@@ -54,7 +54,7 @@ class RangeDrawingSpec : FunSpec({
         narrow.first() shouldContain "h97.6"
     }
 
-    test("the numbers of the bar of the x axis make room for its title, whose end stays, and a flag stays within its ends") {
+    test("the numbers of the x axis' bar leave room for the whole title, and a flag stays within the bar") {
         val bar = drawn { drawXBar(frame, "Time (s)", colors) }
         bar.filter { it.startsWith("<text") }.map { it.substringAfter('>') } shouldContainExactly listOf("Time (s)", "0", "5")
         drawn { drawXBar(frame, "Seconds since the robot was started", colors) } shouldContain

@@ -13,7 +13,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 
-/** What the picture of a swerve drive draws, primitive by primitive, with letters of a fixed width. */
+/** The text of a swerve drive's picture, primitive by primitive, with letters of a fixed width. */
 class DrivePictureSpec : FunSpec({
     fun states(name: String, count: Int, angle: Double) = List(count) { i ->
         listOf(
@@ -32,7 +32,7 @@ class DrivePictureSpec : FunSpec({
 
     fun driveOf(vararg topics: List<Topic>) = SwerveDrive.of(timedView(*topics.toList().flatten().toTypedArray()))!!
 
-    test("three modules without targets: a solid arrow for each, two in front and one behind; to the left is to the left") {
+    test("three modules without targets have a solid arrow each, two in front and one behind, with left to the left") {
         fun signAt(x: String, y: String, sign: String): List<String> {
             val text = """<text x="$x" y="$y" font-size="11" text-anchor="middle" font-weight="bold""""
             return listOf(
@@ -57,7 +57,7 @@ class DrivePictureSpec : FunSpec({
         )
     }
 
-    test("targets are outlines below what is done, which points 10° more to the left") {
+    test("targets are outlines below the measured arrows, which point 10° more to the left") {
         drawn(driveOf(states("Measured", 4, PI / 18), states("Target", 4, 0.0)), cursor = 5.0).drop(4).take(2) shouldBe listOf(
             """<path d="M101.6 62.1L101.6 59.35L107.23 59.35L97.1 39.1L86.98 59.35L92.6 59.35L92.6 62.1z" """ +
                 """stroke="#0b62c4" fill="none" stroke-linejoin="round" stroke-width="1.5"/>""",
@@ -65,7 +65,7 @@ class DrivePictureSpec : FunSpec({
         )
     }
 
-    test("errors are a line of each module below the robot, with the cursor") {
+    test("errors are a line for each module below the robot, with the cursor") {
         val graph = drawn(driveOf(states("Measured", 4, PI / 18), states("Target", 4, 0.0)), cursor = 5.0).drop(24)
         graph.first() shouldBe """<text x="46" y="242.85" font-size="11" fill="#596477">Angle minus its target"""
         val lines = graph.filter { it.startsWith("""<path d="M46 256.67L288 256.67""") }
@@ -74,7 +74,7 @@ class DrivePictureSpec : FunSpec({
         graph.filter { "<text" in it }.map { it.substringAfter('>') } shouldBe listOf("Angle minus its target", "0", "5", "10 °")
     }
 
-    test("without a cursor, there are no arrows, and the picture says where to point; in the dark theme, in its colors") {
+    test("without a cursor, there are no arrows, and the picture says where to point, in the dark theme's colors") {
         val picture = drawn(driveOf(states("Measured", 3, 0.0)), cursor = null, PenColors.DARK)
         picture.first() shouldBe """<path d="M97.1 62.1L202.9 62.1L202.9 167.9L97.1 167.9z" fill="#232b35"/>"""
         picture.size shouldBe 14

@@ -10,7 +10,7 @@ import io.kotest.matchers.shouldBe
 class OverviewGesturesSpec : FunSpec({
     val part = Span(40.0, 60.0)
 
-    test("an edge moves alone, and stops at the other") {
+    test("an edge moves alone, and stops at the other one") {
         val plot = TestPlot(part)
         val gestures = OverviewGestures(plot)
         gestures.gripAt(pointer(400)) shouldBe OverviewGrip.LEFT
@@ -21,7 +21,7 @@ class OverviewGesturesSpec : FunSpec({
         (plot.visible.width < 1e-3) shouldBe true
     }
 
-    test("the visible range moves as a whole, and a drag beside it selects a new one; one step back undoes each") {
+    test("the visible range moves as a whole, a drag beside it selects a new one, and one step back undoes each") {
         val plot = TestPlot(part)
         val gestures = OverviewGestures(plot)
         gestures.press(pointer(500))
@@ -38,7 +38,7 @@ class OverviewGesturesSpec : FunSpec({
         plot.place.range.back().visible shouldBe Span(60.0, 80.0)
     }
 
-    test("a click beside the visible range moves it there, one inside it does not, and both pin the cursor") {
+    test("a click beside the visible range moves it there, a click inside does not, and both pin the cursor") {
         val plot = TestPlot(part)
         val gestures = OverviewGestures(plot)
         gestures.stroke(pointer(500))
@@ -49,7 +49,7 @@ class OverviewGesturesSpec : FunSpec({
         plot.place.cursors.pinned shouldBe 80.0
     }
 
-    test("a double click shows everything, and Escape takes back a drag") {
+    test("a double click shows everything, and Escape undoes a drag") {
         val plot = TestPlot(part)
         val gestures = OverviewGestures(plot)
         gestures.press(pointer(500))

@@ -19,7 +19,7 @@ import io.kotest.property.checkAll
 class PlotGesturesSpec : FunSpec({
     fun over(plot: TestPlot, isAxis: Boolean = false) = PlotGestures(plot, isAxis)
 
-    test("a drag shows what it has covered, in either direction, and no more than the frame") {
+    test("a drag shows the dragged range, in either direction, limited to the frame") {
         for (places in listOf(listOf(200, 400), listOf(400, 200))) {
             val plot = TestPlot()
             over(plot).stroke(pointer(places[0]), pointer(300), pointer(places[1]))
@@ -32,7 +32,7 @@ class PlotGesturesSpec : FunSpec({
         plot.visible shouldBe Span(80.0, 100.0)
     }
 
-    test("while a drag covers something, that is shown, the cursor follows, and nothing is zoomed yet") {
+    test("a drag shows its range, moves the cursor, and zooms nothing until its end") {
         val plot = TestPlot()
         val gestures = over(plot)
         gestures.press(pointer(200))
@@ -45,14 +45,14 @@ class PlotGesturesSpec : FunSpec({
         plot.place.range.isZoomed shouldBe false
     }
 
-    test("a drag along the height of a graph zooms nothing, and is not a click either") {
+    test("a vertical drag over a graph neither zooms nor clicks") {
         val plot = TestPlot()
         over(plot).stroke(pointer(200, y = 20), pointer(202, y = 90))
         plot.place.range.isZoomed shouldBe false
         plot.place.cursors.pinned.shouldBeNull()
     }
 
-    test("what was touched stays under the pointer that pans, also after the end of the log was reached; one step back undoes it") {
+    test("the touched place stays under a panning pointer, also after the end of the log, and one step back undoes the drag") {
         val plot = TestPlot(Span(10.0, 30.0))
         val gestures = over(plot)
         gestures.press(pointer(500, shift = true))
@@ -64,7 +64,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.range.back().visible shouldBe Span(10.0, 30.0)
     }
 
-    test("the middle button pans; over the axis, a plain drag does") {
+    test("the middle button pans, and over the axis a plain drag does") {
         val plot = TestPlot(Span(40.0, 60.0))
         over(plot).stroke(pointer(500, button = PointerButton.MIDDLE), pointer(250, button = PointerButton.MIDDLE))
         plot.visible shouldBe Span(45.0, 65.0)
@@ -72,7 +72,7 @@ class PlotGesturesSpec : FunSpec({
         plot.visible shouldBe Span(40.0, 60.0)
     }
 
-    test("a drag with Alt asks for a part of y, of the height that has lines; without lines it zooms x") {
+    test("a drag with Alt selects a part of y within the lines, and without lines zooms x") {
         val plot = TestPlot(lineShare = 0.5)
         over(plot).stroke(pointer(500, y = 25, alt = true), pointer(500, y = 40), pointer(500, y = 80))
         plot.parts shouldBe listOf(Span(0.5, 1.0))
@@ -83,7 +83,7 @@ class PlotGesturesSpec : FunSpec({
         lanes.visible shouldBe Span(20.0, 40.0)
     }
 
-    test("the right button selects, and so does Ctrl; without a drag they do nothing") {
+    test("the right button and Ctrl select a range, and do nothing without a drag") {
         for ((ctrl, button) in listOf(true to PointerButton.LEFT, false to PointerButton.RIGHT)) {
             val plot = TestPlot()
             val gestures = over(plot)
@@ -112,7 +112,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.cursors.x shouldBe 80.0
     }
 
-    test("a click with Shift sets a second cursor, also the second of two quick ones") {
+    test("a click with Shift sets a second cursor, also as the second of two quick clicks") {
         val plot = TestPlot()
         val gestures = over(plot)
         gestures.stroke(pointer(300))
@@ -121,7 +121,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.cursors shouldBe Cursors(pinned = 30.0, second = 30.5, hover = 80.0)
     }
 
-    test("what moves the cursor, such as playback, is not disturbed by the pointer; a click pins it nevertheless") {
+    test("the pointer does not disturb a cursor that playback moves, but a click pins it") {
         val plot = TestPlot()
         plot.isCursorLed = true
         val gestures = over(plot)
@@ -131,7 +131,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.cursors.pinned shouldBe 30.0
     }
 
-    test("a double click shows everything, and its first click does not count") {
+    test("a double click shows everything, and its first click has no effect") {
         val plot = TestPlot(Span(20.0, 40.0))
         plot.place = plot.place.copy(cursors = Cursors(pinned = 25.0))
         val gestures = over(plot)
@@ -143,7 +143,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.cursors.pinned shouldBe 25.0
     }
 
-    test("two quick clicks or taps far apart are no double click: each moves the cursor, and the range stays") {
+    test("two quick clicks or taps far apart are not a double click: each moves the cursor, and the range stays") {
         for (finger in listOf(null, 1)) {
             val plot = TestPlot(Span(20.0, 40.0))
             val gestures = over(plot)
@@ -156,7 +156,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("Escape takes back a drag that pans, and forgets one that would zoom; its release does nothing") {
+    test("Escape undoes a panning drag, and cancels a zooming one, and its release does nothing") {
         for (shift in listOf(true, false)) {
             val plot = TestPlot(Span(20.0, 40.0))
             val before = plot.place.range
@@ -173,7 +173,7 @@ class PlotGesturesSpec : FunSpec({
         }
     }
 
-    test("a drag that was cancelled where it is shown does nothing any more") {
+    test("a drag that its display has cancelled has no further effect") {
         val plot = TestPlot(Span(20.0, 40.0))
         val gestures = over(plot)
         gestures.press(pointer(500))
@@ -185,7 +185,7 @@ class PlotGesturesSpec : FunSpec({
         plot.drag.shouldBeNull()
     }
 
-    test("a finger zooms to what it covers, and moves what is zoomed, as on a map") {
+    test("a finger zooms to the dragged range, and moves a zoomed graph, as on a map") {
         val plot = TestPlot()
         val gestures = over(plot)
         gestures.stroke(pointer(200, finger = 1), pointer(400, finger = 1))
@@ -194,7 +194,7 @@ class PlotGesturesSpec : FunSpec({
         plot.visible shouldBe Span(25.0, 45.0)
     }
 
-    test("two fingers zoom: what was between them stays between them, in one step, and lifting them is no tap") {
+    test("two fingers zoom around their middle, in one step, and lifting them is not a tap") {
         val plot = TestPlot()
         val gestures = over(plot)
         gestures.press(pointer(400, finger = 1))
@@ -214,7 +214,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.cursors.pinned.shouldNotBeNull() shouldBe (50.0 plusOrMinus 1e-6)
     }
 
-    test("a finger that rests is a click with Shift, with the reach of a finger; one that moves, or another, is not") {
+    test("a resting finger is a click with Shift, with a finger's reach, unless it moves or another one is down") {
         val plot = TestPlot()
         val gestures = over(plot)
         gestures.stroke(pointer(300, finger = 1))
@@ -235,7 +235,7 @@ class PlotGesturesSpec : FunSpec({
         plot.place.range.isZoomed shouldBe false
     }
 
-    test("the wheel with Ctrl zooms around the pointer; alone, it is left to the page") {
+    test("the wheel with Ctrl zooms around the pointer, and alone scrolls the page") {
         val plot = TestPlot()
         val gestures = over(plot)
         gestures.wheel(pointer(250), 0.0, -60.0) shouldBe false
@@ -243,7 +243,7 @@ class PlotGesturesSpec : FunSpec({
         (25.0 - plot.visible.from) / plot.visible.width shouldBe (0.25 plusOrMinus 1e-9)
     }
 
-    test("whatever pointers do, nothing is shown as dragged when none is down, and the range stays within the log") {
+    test("after any gestures, nothing is dragged without a pressed pointer, and the range stays within the log") {
         checkAll(Arb.list(Arb.triple(Arb.int(0..5), Arb.int(-200..1200), Arb.boolean()), 0..40)) { events ->
             val plot = TestPlot(Span(30.0, 60.0))
             val gestures = over(plot)

@@ -26,13 +26,13 @@ internal fun pointer(
     finger: Int? = null,
 ) = PlotPointer(x.toDouble(), y.toDouble(), 1000.0, 100.0, millis.toDouble(), shift, alt, ctrl, button, finger)
 
-/** A log from 0 to 100, of which a person sees [visible]. */
+/** A log from 0 to 100 with only [visible] on the screen. */
 internal class TestPlot(visible: Span = Span(0.0, 100.0), override val lineShare: Double = 1.0) : PlotTarget {
     override var place = Place(Viewport(Span(0.0, 100.0)).moved(visible.from, visible.to))
     override var drag: PlotDrag? = null
     override var isCursorLed = false
 
-    /** The parts of y that were asked for. */
+    /** The requested parts of y. */
     val parts = ArrayList<Span?>()
     val visible get() = place.range.visible
 
@@ -45,7 +45,7 @@ internal class TestPlot(visible: Span = Span(0.0, 100.0), override val lineShare
     }
 }
 
-/** Returns where [action] leads from here. */
+/** Returns the place after [action]. */
 internal fun Place.after(action: Action): Place = reduce(ViewerState(this, BoardHistory()), NOTHING, action).state.place
 
 private val NOTHING = object : Shown {
@@ -55,7 +55,7 @@ private val NOTHING = object : Shown {
     override val graphs = Board()
 }
 
-/** Presses at the first of [places], goes to the others, and releases at the last. */
+/** Presses at the first of [places], moves to the others, and releases at the last. */
 internal fun Gestures.stroke(vararg places: PlotPointer) {
     press(places.first())
     for (at in places.drop(1)) move(at)

@@ -22,7 +22,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 
 class XyGesturesSpec : FunSpec({
-    /** A path along y = 5 from x = 0 to 10, a unit each second, on a plane of 10 by 10; the log is drawn [offset] later. */
+    /** A path along y = 5 from x = 0 to 10, a unit each second, on a plane of 10 by 10. The log is drawn [offset] later. */
     class TestPath(offset: Double = 0.0) : XyTarget {
         private val view = timedView(
             timedTopic("A", *Array(11) { it * 1.0 to it * 1.0 }),
@@ -42,7 +42,7 @@ class XyGesturesSpec : FunSpec({
         }
     }
 
-    test("the pointer near the path moves the cursor to when the path was there, a click pins it, elsewhere nothing happens") {
+    test("a pointer near the path moves the cursor to the time of that place, a click pins it, and elsewhere nothing happens") {
         val path = TestPath()
         val gestures = XyGestures(path)
         gestures.move(pointer(400, y = 50))
@@ -54,13 +54,13 @@ class XyGesturesSpec : FunSpec({
         path.place shouldBe before
     }
 
-    test("of a log that is drawn later, the cursor goes to where that is") {
+    test("on a log that is drawn later, the cursor moves to the later x") {
         val path = TestPath(offset = 3.0)
         XyGestures(path).move(pointer(400, y = 50))
         path.place.cursors.hover.shouldNotBeNull() shouldBe (7.0 plusOrMinus 0.5)
     }
 
-    test("a drag zooms to the frame that it has covered, in any direction; a double click shows all of it") {
+    test("a drag zooms to its frame, in any direction, and a double click shows everything") {
         val path = TestPath()
         path.place = path.place.copy(cursors = Cursors(pinned = 1.0))
         val gestures = XyGestures(path)
@@ -77,7 +77,7 @@ class XyGesturesSpec : FunSpec({
         path.place.cursors.pinned shouldBe 1.0
     }
 
-    test("Shift, the middle button and a finger move the plane; what was touched stays below the pointer") {
+    test("Shift, the middle button and a finger move the plane, and the touched place stays below the pointer") {
         for (start in listOf(pointer(500, shift = true), pointer(500, button = PointerButton.MIDDLE), pointer(500, finger = 1))) {
             val path = TestPath()
             XyGestures(path).stroke(start, pointer(600, y = 70, finger = start.finger))
@@ -86,7 +86,7 @@ class XyGesturesSpec : FunSpec({
         }
     }
 
-    test("Escape leaves the plane as it was, also if that was all of it") {
+    test("Escape restores the plane, also if all of it was visible") {
         for (kept in listOf(null, Plane(Span(1.0, 5.0), Span(1.0, 5.0)))) {
             for (shift in listOf(true, false)) {
                 val path = TestPath()
@@ -103,7 +103,7 @@ class XyGesturesSpec : FunSpec({
         }
     }
 
-    test("two fingers that part zoom into what is between them; the wheel with Ctrl zooms, alone it scrolls") {
+    test("two fingers that part zoom in between them, the wheel with Ctrl zooms, and alone it scrolls") {
         val path = TestPath()
         val gestures = XyGestures(path)
         gestures.press(pointer(400, finger = 1))

@@ -43,7 +43,7 @@ class PageAddressSpec : FunSpec({
         )
     }
 
-    test("an address is read as it was written, even if a program escaped its characters in its own way") {
+    test("an address is read back the same, even if a program escaped its characters differently") {
         checkAll(address) { written ->
             val text = written.toText()
             text shouldMatch Regex("(#[-A-Za-z0-9_./:;,=+~&]+)?")
@@ -69,7 +69,7 @@ class PageAddressSpec : FunSpec({
         }
     }
 
-    test("a link of a later version is reported, and what is known of it is shown; without a version it is of the first one") {
+    test("a link of a later version is reported and shown as far as known, and one without a version is of the first") {
         for (text in listOf("#t=93.7&board=Mode", "#version=1&t=93.7&board=Mode")) pageAddressOf(text).problems shouldBe emptyList()
         pageAddressOf("#version=2&t=93.7&board=Mode").run {
             moment shouldBe 93.7
@@ -90,7 +90,8 @@ class PageAddressSpec : FunSpec({
         PageAddress().toText() shouldBe ""
     }
 
-    // On a log of up to a quarter of an hour, a person puts the cursors anywhere, and zooms to anything between a millisecond and all.
+    // The log is up to a quarter of an hour long. A person puts the cursors anywhere, and zooms to anything between a millisecond and
+    // all.
     val looked = arbitrary {
         val width = 10.0.pow(Arb.numericDouble(-3.0, 2.9).bind())
         val from = Arb.numericDouble(0.0, 900.0).bind()
@@ -98,7 +99,7 @@ class PageAddressSpec : FunSpec({
         PageAddress(places.bind(), Span(from, from + width), second = places.orNull().bind()) to width
     }
 
-    test("of a page that is as it was exported, at most 60 characters follow the #, and lead to the same place on the screen") {
+    test("an unchanged page adds at most 60 characters after the #, which lead to the same place on the screen") {
         checkAll(looked) { (address, width) ->
             val text = address.seenIn(width).toText()
             withClue(text) { text.length shouldBeLessThanOrEqual 61 }
@@ -110,7 +111,7 @@ class PageAddressSpec : FunSpec({
         }
     }
 
-    test("of a board of four topics, their names and at most 80 more follow the #, and a finding adds its own") {
+    test("a board of four topics adds their names and at most 80 characters after the #, and a finding adds its own") {
         val topic = Arb.string(1..40, Codepoint.alphanumeric())
         checkAll(looked, Arb.list(topic, 4..4), topic, topic) { (address, width), topics, rule, about ->
             val names = topics.map { "Drive/$it" }
@@ -125,7 +126,7 @@ class PageAddressSpec : FunSpec({
         }
     }
 
-    test("times as a log has them are in a link as they are, however little of it is visible") {
+    test("times as logged are unchanged in a link, however small the visible range is") {
         val address = PageAddress(12345.678901, Span(0.02, 149.98), second = -3.0)
         address.seenIn(1000.0).toText() shouldBe address.toText()
     }
@@ -147,13 +148,13 @@ class PageAddressSpec : FunSpec({
         pageAddressOf("#t=-5").moment shouldBe -5.0
     }
 
-    test("anchors of the page and what a newer badlog wrote are ignored silently") {
+    test("anchors of the page and parts of a newer badlog are ignored silently") {
         for (text in listOf("", "#", "#info", "#:~:text=Voltage", "#sound=loud")) {
             pageAddressOf(text).run { (isEmpty && problems.isEmpty()) shouldBe true }
         }
     }
 
-    test("whatever an address ends with, it is read, and what is reported are sentences") {
+    test("any end of an address is read, and problems are sentences") {
         val pieces = Arb.element("#", "t=", "x=", "board=", "f=", "finding=", "v=", "&", ":", ";", "~", "%", "1e999", "NaN", "-5", "%7E", "y=1", ",")
         val text = Arb.choice(Arb.string(0..40), Arb.list(pieces, 0..20).let { lists -> arbitrary { lists.bind().joinToString("") } })
         checkAll(text, address, Arb.int(0..80)) { some, written, at ->

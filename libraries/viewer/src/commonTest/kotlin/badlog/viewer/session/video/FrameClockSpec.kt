@@ -15,13 +15,13 @@ import kotlin.math.round
 class FrameClockSpec : FunSpec({
     val rates = Arb.element(15.0, 24.0, 25.0, 29.97, 30.0, 50.0, 59.94, 60.0, 120.0)
 
-    /** When frame [index] begins in a file that keeps whole milliseconds, as WebM does. */
+    /** The time when frame [index] begins in a file that stores whole milliseconds, as WebM does. */
     fun begin(index: Int, rate: Double) = round(index / rate * 1000) / 1000
 
     /** The frame that a player shows at [seconds]. */
     fun frameAt(seconds: Double, rate: Double) = floor(seconds * rate).toInt().let { near -> (near + 1 downTo near - 1).first { begin(it, rate) <= seconds } }
 
-    test("after some frames were played, with some skipped, each step goes by one frame, forward and back") {
+    test("after some played frames, even with skipped ones, each step moves by one frame, forward and back") {
         checkAll(rates, Arb.list(Arb.int(1..4), 8..40), Arb.int(10..5000)) { rate, gaps, start ->
             val clock = FrameClock()
             var frame = start
@@ -36,7 +36,7 @@ class FrameClockSpec : FunSpec({
         }
     }
 
-    test("without a frame played before, steps find out how long a frame lasts") {
+    test("without a played frame, steps determine the duration of a frame") {
         checkAll(Arb.element(24.0, 25.0, 29.97, 30.0, 50.0, 59.94, 60.0), Arb.int(0..5000)) { rate, start ->
             val clock = FrameClock()
             clock.show(begin(start, rate), isNext = false)
@@ -51,7 +51,7 @@ class FrameClockSpec : FunSpec({
         }
     }
 
-    test("a jump, and frames that were played too fast to show them all, do not make frames longer") {
+    test("neither a jump nor fast playback with skipped frames makes frames longer") {
         val clock = FrameClock()
         clock.show(1.0, isNext = false)
         clock.show(1.2, isNext = false)

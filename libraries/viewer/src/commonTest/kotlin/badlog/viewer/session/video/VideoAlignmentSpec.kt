@@ -17,7 +17,7 @@ class VideoAlignmentSpec : FunSpec({
     val seconds = Arb.numericDouble(0.0, 10_000.0)
     val unit = Arb.element(1.0, 0.001, 1e-6, 60.0)
 
-    test("an aligned frame is where it was put, and all others are as far from it as in the video, whatever the unit of x") {
+    test("an aligned frame has its x, and all others their distance in the video, in any unit of x") {
         checkAll(seconds, Arb.numericDouble(-5000.0, 5000.0), unit, seconds) { frame, moment, secondsOfX, other ->
             val x = moment / secondsOfX
             val alignment = VideoAlignment.of(frame, x, secondsOfX)
@@ -27,7 +27,7 @@ class VideoAlignmentSpec : FunSpec({
         }
     }
 
-    test("a stored alignment is read as it was written, to the last bit") {
+    test("a stored alignment is read back the same, to the last bit") {
         checkAll(Arb.string(0..20), Arb.numericDouble(-1e6, 1e6).orNull()) { name, start ->
             val read = videoNoteOf(VideoNote(name, start?.let(::VideoAlignment)).toText())
             read?.name shouldBe name
@@ -36,18 +36,18 @@ class VideoAlignmentSpec : FunSpec({
         VideoNote("a match.mp4", VideoAlignment(-1.94667000001)).toText() shouldBe "-1.9467 a match.mp4"
     }
 
-    test("each video of a log has its own note, and a later one of the same video takes the place of the earlier") {
+    test("each video of a log has its own note, and a later note about the same video replaces the earlier one") {
         val first = VideoNote("match.mp4", VideoAlignment(12.5)).within("")
         val both = VideoNote("pit.mp4", null).within(first)
         both.lines() shouldBe listOf("12.5 match.mp4", "- pit.mp4")
         VideoNote("match.mp4", VideoAlignment(7.5)).within(both).lines() shouldBe listOf("- pit.mp4", "7.5 match.mp4")
     }
 
-    test("text that something else wrote is not read as an alignment") {
+    test("other text is not read as an alignment") {
         for (text in listOf("", "12.5", "x match.mp4", "NaN match.mp4", "Infinity a")) videoNoteOf(text) shouldBe null
     }
 
-    test("a frame of the moment of enabling belongs to the first such moment in sight, or otherwise to the first of the log") {
+    test("a frame of enabling belongs to the first visible enabling, or otherwise to the first of the log") {
         val enabled = listOf(Span(5.0, 20.0), Span(23.0, 158.0))
         enabledStart(enabled, Span(0.0, 200.0)) shouldBe 5.0
         enabledStart(enabled, Span(10.0, 60.0)) shouldBe 23.0
@@ -55,7 +55,7 @@ class VideoAlignmentSpec : FunSpec({
         enabledStart(emptyList(), Span(0.0, 200.0)) shouldBe null
     }
 
-    test("the hint asks for the frame of enabling only if the log says when the robot was enabled") {
+    test("the hint suggests the frame of enabling only if the log says when the robot was enabled") {
         alignmentHint(hasEnabled = true) shouldContain "“Enabled here”"
         alignmentHint(hasEnabled = false) shouldNotContain "enabled"
     }

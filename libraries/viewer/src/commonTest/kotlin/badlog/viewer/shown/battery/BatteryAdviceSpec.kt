@@ -14,7 +14,7 @@ class BatteryAdviceSpec : FunSpec({
 
     fun use(name: String?, milliohms: Double? = null, rest: Double? = null) = BatteryUse(name, restBefore = rest, resistance = milliohms?.let { Resistance(it, 0.3) })
 
-    test("of those that are as good as the best, the one that rested longest comes next") {
+    test("the next battery is the longest rested of those as good as the best") {
         val advice = adviceOn(use("A1", 20.0), use("B2", 20.2), use("C3", 23.0), use("A1", 20.0), use("B2", 20.2), use("C3", 23.0))
         advice.next?.name shouldBe "A1"
         advice.next?.reason shouldBe "Its resistance is 20.0 ± 0.2 mΩ and it has rested since Qualification 4."
@@ -23,19 +23,19 @@ class BatteryAdviceSpec : FunSpec({
         advice.retire.shouldBeEmpty()
     }
 
-    test("the battery of the last match is not the next one while there is another") {
+    test("the battery of the last match is not next if there is another") {
         adviceOn(use("A1", 25.0), use("B2", 20.0)).next?.name shouldBe "A1"
         adviceOn(use("B2", 20.0)).next?.reason shouldBe "Its resistance is 20.0 ± 0.3 mΩ and it is the only one that is fit."
     }
 
-    test("a battery with certainly a third more than the best is retired, with the reason") {
+    test("a battery with certainly a third more resistance than the best is retired, with the reason") {
         val advice = adviceOn(use("A1", 20.0), use("B2", 28.0), use("B2", 28.0), use("C3", 25.0), use("A1", 20.0))
         advice.retire.map { it.name to it.reason } shouldContainExactly
             listOf("B2" to "Its resistance is 28.0 ± 0.2 mΩ, 40 % more than that of A1 (20.0 ± 0.2 mΩ).")
         advice.next?.name shouldBe "C3"
     }
 
-    test("a battery that is no longer used is neither next nor retired again") {
+    test("a retired battery is neither next nor retired again") {
         val advice = adviceOn(use("A1", 40.0), use("B2", 20.0), team = listOf(TeamBattery("A1", isRetired = true)))
         advice.next?.name shouldBe "B2"
         advice.retire.shouldBeEmpty()
@@ -48,27 +48,43 @@ class BatteryAdviceSpec : FunSpec({
         adviceOn(use("B2", rest = 12.1), use("B2", rest = 12.6), use("B2", rest = 12.2)).charge.shouldBeEmpty()
     }
 
-    test("one match is too little to retire a battery, because it does not say how much matches differ") {
+    test("one match is too little to retire a battery, because it does not show how much matches differ") {
         adviceOn(use("A1", 20.0), use("B2", 40.0), use("A1", 20.0)).retire.shouldBeEmpty()
     }
 
-    test("a battery that no log has yet comes next if there is no other but that of the last match") {
+    test("a battery without a log is next if only the last match's battery is left") {
         val advice = adviceOn(use("A1", 20.0), team = listOf(TeamBattery("D4")))
         advice.next?.name shouldBe "D4"
         advice.next?.reason shouldBe "No log has it yet."
         adviceOn(team = listOf(TeamBattery("D4"))).next.shouldBeNull()
     }
 
-    test("a battery to be checked is not the next one while there is another") {
+    test("a battery to be checked is not next if there is another") {
         val advice = adviceOn(use("A1", rest = 12.8), use("B2", rest = 12.1), use("B2", rest = 12.1), use("B2", rest = 12.1), use("C3", rest = 12.8))
         advice.next?.name shouldBe "A1"
     }
 
-    test("that a battery rested is not said if nobody knows which was used since") {
-        adviceOn(use("A1"), use("B2"), use(null)).next?.reason shouldBe "No log after Qualification 1 names it."
+    test("a battery's rest is not reported if a later battery is unknown") {
+        adviceOn(use("A1"), use("B2"), use(null)).next?.reason shouldBe "Its resistance was not measured and no log after Qualification 1 names it."
     }
 
-    test("nothing is advised of batteries that nobody has named") {
+    test("each is compared with the best one known, even with the one in the last match") {
+        val advice = adviceOn(use("A1", 25.0), use("C3", 21.9), use("B2", 22.0))
+        advice.next?.name shouldBe "C3"
+        adviceOn(use("A1", 25.0), use("B2", 20.0)).next?.reason shouldBe
+            "Its resistance is 25.0 ± 0.3 mΩ (B2: 20.0 ± 0.3 mΩ) and it has rested since Qualification 1."
+    }
+
+    test("a battery that browned out in its last match is never the next one, but checked") {
+        fun low(name: String, volts: Double) = BatteryUse(name, lowest = volts, resistance = Resistance(20.0, 0.3))
+        val advice = adviceOn(low("B3", 6.21), low("A1", 8.1))
+        advice.next?.name shouldBe "A1"
+        advice.charge.single().text shouldBe "Check B3 and its charger. It fell to 6.21 V in Qualification 1: a roboRIO 2 switches motors off below 6.75 V."
+        adviceOn(low("B3", 6.21)).next.shouldBeNull()
+        adviceOn(low("B3", 6.21), low("A1", 8.1), low("B3", 8.0), low("A1", 8.1)).next?.name shouldBe "B3"
+    }
+
+    test("unnamed batteries get no advice") {
         val advice = adviceOn(use(null, 20.0), use(null, 30.0))
         advice.next.shouldBeNull()
         advice.retire.shouldBeEmpty()

@@ -22,7 +22,7 @@ class ComparedLogSpec : FunSpec({
 
     fun compared(view: LogView, offset: Double = 0.0, name: String = "Q2") = ComparedLog(name, BoardLines(view), offset)
 
-    test("the lines of another log stand beside those of the open one, moved, and called after their log") {
+    test("the lines of another log are beside the open log's lines, moved, with their log's name") {
         val graph = open.folders.flatMap { it.graphs }.first { it.name == "A/Both" }
         val both = comparedGraph(graph, graph.lineNames, listOf(compared(other, offset = -5.0)))
         both.lines shouldContainExactly listOf("A/Volts", "A/Volts", "A/Amps", "A/Amps")
@@ -46,7 +46,7 @@ class ComparedLogSpec : FunSpec({
         other.stateRuns().to.last() shouldBe 4.0
     }
 
-    test("a line that the other log lacks, or that is a number there and a state here, is drawn alone") {
+    test("a line that the other log lacks, or has as another kind, is drawn alone") {
         val graph = open.folders.flatMap { it.graphs }.first { it.showsStates }
         val numbers = bagView(listOf("Time|xaxis", "A/State"), listOf("0,1", "1,2"))
         val others = bagView(listOf("Time|xaxis", "B"), listOf("0,1", "1,2"))
@@ -55,7 +55,7 @@ class ComparedLogSpec : FunSpec({
         all.graph.series.map { it.topic.name } shouldContainExactly listOf("A/State", "A/State (Q2)", "A/State (Q3)")
     }
 
-    test("the first line of each log has the same color in all graphs, also if another log lacks the line") {
+    test("the first line of each log has the same color in all graphs, even if another log lacks the line") {
         val graph = open.folders.flatMap { it.graphs }.first { it.name == "A/Both" }
         val poor = bagView(listOf("Time|xaxis|hide", "A/Amps"), listOf("0,1", "1,2"))
         val all = comparedGraph(graph, graph.lineNames, listOf(compared(poor), compared(other, name = "Q3")))

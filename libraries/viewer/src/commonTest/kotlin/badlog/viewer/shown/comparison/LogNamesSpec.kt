@@ -16,12 +16,12 @@ class LogNamesSpec : FunSpec({
             listOf("Mill Creek Qualification 42", "Lake Qualification 42")
     }
 
-    test("what is called the same is distinguished by its file") {
+    test("equal names are distinguished by their files") {
         namesBeside(listOf(match("Lake", 3, "a.bag"), match("Lake", 3, "b.bag"), LogName(null, null, "bench.csv", "bench.csv"))) shouldBe
             listOf("Qualification 3 (a.bag)", "Qualification 3 (b.bag)", "bench.csv (bench.csv)")
     }
 
-    test("files of one name are distinguished by as many of their folders as that takes") {
+    test("files of one name are distinguished by as many folders as necessary") {
         fun names(vararg paths: String) = namesBeside(paths.map { match("Lake", 3, it) }).map { it.substringAfter('(').removeSuffix(")") }
         names("2026/lake/friday/q3.bag", "2026/lake/saturday/q3.bag") shouldBe listOf("friday/q3.bag", "saturday/q3.bag")
         names("2026/lake/q3.bag", "2026/lake/q3-2.bag") shouldBe listOf("q3.bag", "q3-2.bag")
@@ -29,7 +29,7 @@ class LogNamesSpec : FunSpec({
         names("lake/q3.bag", "lake/q3.bag") shouldBe listOf("lake/q3.bag", "lake/q3.bag")
     }
 
-    test("a long name keeps its end, by which matches differ") {
+    test("a long name keeps its end, which distinguishes matches") {
         shortLabel("Mill Creek Regional Qualification 42", 15) shouldBe "Mill Cr…tion 42"
         shortLabel("Qualification 4", 15) shouldBe "Qualification 4"
     }

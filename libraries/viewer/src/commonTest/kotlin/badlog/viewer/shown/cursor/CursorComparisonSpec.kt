@@ -24,7 +24,7 @@ class CursorComparisonSpec : FunSpec({
         rows.compared("A", 0.0, 0.1) shouldBe "A 12.1 · B 12.1 · Δ 0"
     }
 
-    test("a value that holds changes over the time between the cursors, not between its samples") {
+    test("a held value changes over the time between the cursors, not between its samples") {
         timedView(timedTopic("A", 0.0 to 1.0, 4.0 to 3.0), timedTopic("End", 6.0 to 0.0)).compared("A", 3.0, 5.0) shouldBe "A 1 · B 3 · Δ 2 · 1 V/s"
     }
 })

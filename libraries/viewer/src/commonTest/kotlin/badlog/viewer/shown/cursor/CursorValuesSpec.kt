@@ -17,7 +17,7 @@ class CursorValuesSpec : FunSpec({
     fun LogView.values() = CursorValues(recording.topics.map(::seriesOf), xAxis)
     fun LogView.at(x: Double) = values().at(x).map { recording.topics[it.line].name to it.hasChanged }
 
-    test("what changed within a tenth of a second comes first, in order of the share of its range; the rest keeps its order") {
+    test("lines that changed within a tenth of a second are first, by their share of the range, and the rest keeps its order") {
         val view = timedView(
             timedTopic("Still", 0.0 to 1.0, 9.0 to 1.0),
             timedTopic("Later", 0.0 to 1.0, 5.2 to 9.0),
@@ -29,14 +29,14 @@ class CursorValuesSpec : FunSpec({
         view.at(2.0).none { it.second } shouldBe true
     }
 
-    test("a state that changed comes before numbers, and noise is not a change") {
+    test("a changed state is before numbers, and noise is not a change") {
         val rows = List(200) { row -> "${row % 2 + if (row == 150) 900 else 0},$row,${if (row < 100) "auto" else "teleop"}" }
         val view = bagView(listOf("Noise", "Ramp", "Mode"), rows)
         view.at(100.0) shouldBe listOf("Mode" to true, "Ramp" to true, "Noise" to false)
         view.at(50.0) shouldBe listOf("Ramp" to true, "Noise" to false, "Mode" to false)
     }
 
-    test("each line is listed once, whatever it holds and wherever the cursor is; the changed ones come first") {
+    test("each line is listed once at any cursor, the changed ones first") {
         val topic = Arb.list(Arb.numericDouble(-5.0, 5.0), 0..6)
         checkAll(Arb.list(topic, 0..6), Arb.int(-2..8)) { topics, x ->
             val view = timedView(*topics.mapIndexed { i, y -> timedTopic("T$i", *y.mapIndexed { at, value -> at.toDouble() to value }.toTypedArray()) }.toTypedArray())

@@ -10,7 +10,7 @@ import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
 
 class CursorsSpec : FunSpec({
-    test("the pointer moves no pinned cursor, and is read only where nothing is pinned") {
+    test("the pointer does not move a pinned cursor, and is read only without one") {
         val free = Cursors().hovering(3.0)
         free.x shouldBe 3.0
         val pinned = free.clicked(3.0, 0.1).hovering(8.0)
@@ -20,13 +20,13 @@ class CursorsSpec : FunSpec({
         free.left().x shouldBe 3.0
     }
 
-    test("a click on the pinned cursor unpins it, one beside it moves it and leaves the second") {
+    test("a click on the pinned cursor unpins it, and a click beside it moves it and keeps the second") {
         val both = Cursors().clicked(3.0, 0.5).shiftClicked(5.0, 0.5)
         both.clicked(4.0, 0.5) shouldBe Cursors(pinned = 4.0, second = 5.0)
         both.clicked(3.4, 0.5) shouldBe Cursors(hover = 3.4)
     }
 
-    test("a click with Shift sets the second cursor, on that one removes it, and without a first cursor sets the first") {
+    test("a click with Shift sets the second cursor, removes it when on it, and without a first cursor sets the first") {
         Cursors().shiftClicked(3.0, 0.5) shouldBe Cursors(pinned = 3.0)
         val both = Cursors(pinned = 3.0).shiftClicked(1.0, 0.5)
         both.between shouldBe Span(1.0, 3.0)
@@ -34,7 +34,7 @@ class CursorsSpec : FunSpec({
         Cursors(pinned = 3.0, second = 3.0).between shouldBe null
     }
 
-    test("keys move the cursor, or the second one if there is one, which begins at the first") {
+    test("keys move the cursor, or the second one, which begins at the first") {
         Cursors().moved(7.0) { it + 1 } shouldBe Cursors(pinned = 7.0)
         val moved = Cursors(hover = 2.0).moved(7.0) { it + 1 }
         moved.pinned shouldBe 3.0
@@ -50,7 +50,7 @@ class CursorsSpec : FunSpec({
             listOf(1.0 to 2.0, 1.0 to null, 3.0 to null, null to null)
     }
 
-    test("whatever is done, there is no second cursor without a first, and hovering changes neither") {
+    test("after any actions, there is no second cursor without a first, and hovering changes neither") {
         checkAll(Arb.list(Arb.int(0..6), 0..12), Arb.list(Arb.numericDouble(-10.0, 10.0), 12..12)) { steps, places ->
             var cursors = Cursors()
             steps.forEachIndexed { i, step ->

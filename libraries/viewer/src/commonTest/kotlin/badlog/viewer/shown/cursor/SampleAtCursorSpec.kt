@@ -20,7 +20,7 @@ class SampleAtCursorSpec : FunSpec({
 
     val rows = bagView(listOf("Time|xaxis", "A", "Mode", "On"), listOf("0,1,auto,true", "1,,teleop,false", "2,3,teleop,false"))
 
-    test("a state that was logged row by row is that of the last row, however near the next one is") {
+    test("a state that was logged row by row is read from the last row, however near the next one is") {
         rows.textAt("Mode", 0.9) shouldBe "auto"
         rows.textAt("Mode", 0.0) shouldBe "auto"
         rows.textAt("Mode", 2.0) shouldBe "teleop"
@@ -29,7 +29,7 @@ class SampleAtCursorSpec : FunSpec({
         rows.textAt("On", 1.0) shouldBe "false"
     }
 
-    test("a number that was measured row by row is the nearest, a dash for a gap, and the dot stands on it") {
+    test("a number that was measured row by row is read from the nearest sample with the dot, and a gap is a dash") {
         rows.textAt("A", 0.4) shouldBe "1"
         rows.textAt("A", 0.5) shouldBe "1"
         rows.textAt("A", 0.6) shouldBe "–"
@@ -47,7 +47,7 @@ class SampleAtCursorSpec : FunSpec({
         line.dotAt(-1.0).isNaN() shouldBe true
     }
 
-    test("at the newest moment of a log of changes, each line has its last value, however old; after the log, none has one") {
+    test("at the end of a log of changes, each line has its last value, however old, and after the log none") {
         val log = timedView(timedTopic("A", 0.0 to 1.0, 5.0 to 3.0), timedTopic("B", 0.0 to 7.0, 1.0 to 8.0))
         log.textAt("A", 5.0) shouldBe "3"
         log.textAt("B", 5.0) shouldBe "8"
@@ -60,7 +60,7 @@ class SampleAtCursorSpec : FunSpec({
         rows.textAt("A", 2.0) shouldBe "3"
     }
 
-    test("the only sample of a log is read everywhere in the range that is shown around it") {
+    test("the only sample of a log is read everywhere in the visible range around it") {
         val one = bagView(listOf("Time|xaxis", "A"), listOf("4,1"))
         one.textAt("A", 4.3) shouldBe "1"
         one.textAt("A", 4.6) shouldBe "–"

@@ -10,13 +10,13 @@ class SpokenValuesSpec : FunSpec({
 
     fun lines(vararg names: String) = names.map { name -> view.seriesOf(view.recording.topics.single { it.name == name }) }
 
-    test("a place is said with the values of the lines there and their units, a state by its name, and a gap as a dash") {
+    test("a place is announced with the values of its lines and their units, a state by its name, and a gap as a dash") {
         spokenAt(lines("A", "Mode"), 0.0, "0.000 s") shouldBe "0.000 s, A 1 V, Mode auto"
         spokenAt(lines("A", "Mode"), 1.0, "1.000 s") shouldBe "1.000 s, A –, Mode teleop"
         spokenAt(emptyList(), 1.0, "1.000 s") shouldBe "1.000 s"
     }
 
-    test("of many lines the first values are said, as many as anybody listens to") {
+    test("only the first few values of many lines are announced") {
         spokenAt(lines("A", "C", "D", "E", "Mode"), 0.0, "0.000 s") shouldBe "0.000 s, A 1 V, C 3 V, D 4 V, E 5 V"
     }
 })

@@ -19,7 +19,7 @@ class FindingOrderSpec : FunSpec({
 
     fun FindingStep?.text() = this?.let { "${it.place.finding.rule} ${it.place.span.from.toInt()}" }
 
-    test("without incidents, steps go from place to place, from the previous one or otherwise the cursor, and stop at the ends") {
+    test("without incidents, steps go from the previous place, or otherwise the cursor, and stop at the ends") {
         val order = orderOf(listOf(late, whole, early, middle))
         fun step(steps: Int, from: Finding?, x: Double) = order.beside(from, x, steps).text()
         step(1, null, Double.NaN) shouldBe "Early 21"
@@ -34,7 +34,7 @@ class FindingOrderSpec : FunSpec({
         orderOf(listOf(whole)).beside(null, 1.0, 1) shouldBe null
     }
 
-    test("what begins at one instant is one step, to the worst of it") {
+    test("findings that begin at one instant are one step, to the worst of them") {
         val order = orderOf(listOf(late, finding("Twin", Severity.ERROR, Span(81.0, 82.0)), early))
         order.beside(early, 60.0, 1).text() shouldBe "Twin 81"
         order.beside(late, 81.0, -1).text() shouldBe "Early 60"

@@ -17,14 +17,14 @@ class FindingSearchSpec : FunSpec({
 
     fun foundBy(text: String) = search.foundBy(Query(text))
 
-    test("without a search all is listed, and counted by how bad it is") {
+    test("without a search, all findings are listed, and counted by severity") {
         foundBy(" ").findings shouldBe search.all
         foundBy("").beside.outside shouldBe search.all
         foundBy("").counts shouldBe "2 errors, 1 note"
         foundBy("").hidden shouldBe ""
     }
 
-    test("of what a search leaves, people see which part of all it is") {
+    test("a search reports the found part of all findings") {
         val found = foundBy("brown")
         found.findings.map { it.rule } shouldContainExactly listOf("Browned out", "Browned again")
         found.counts shouldBe "2 of 3: 1 error, 1 note"
@@ -32,7 +32,7 @@ class FindingSearchSpec : FunSpec({
         foundBy("no such thing").counts shouldBe "0 of 3"
     }
 
-    test("where nothing was found, there is nothing to count") {
+    test("without findings, the counts are empty") {
         FindingSearch(emptyList(), emptyList()).foundBy(Query("brown")).counts shouldBe ""
     }
 })

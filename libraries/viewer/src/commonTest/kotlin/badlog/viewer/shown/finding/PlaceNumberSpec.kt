@@ -11,12 +11,12 @@ class PlaceNumberSpec : FunSpec({
 
     fun found(count: Int) = Finding("Stalled", Severity.ERROR, null, "It stalled.", 2.0, spans, count, "s")
 
-    test("a place is counted among those that a person can step to, in the order of x") {
+    test("a place has its number among all places, in the order of x") {
         found(3).placeNumber(Span(2.0, 2.5)) shouldBe "2 of 3"
         found(3).placeNumber(Span(7.0, 7.0)) shouldBe "1 of 3"
     }
 
-    test("what was found more often than there are places says so") {
+    test("a finding with more occurrences than known places says so") {
         found(1200).placeNumber(Span(3.0, 3.5)) shouldBe "3 of 3, found 1200 times"
     }
 })

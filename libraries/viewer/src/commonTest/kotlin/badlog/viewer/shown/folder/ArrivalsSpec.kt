@@ -22,7 +22,7 @@ class ArrivalsSpec : FunSpec({
     fun Arrivals<AnyLog>.paths() = waiting.map { it.path }
     val opened = Arrivals<AnyLog>().begun(mapOf("a.bag" to 1000L, "b.bag" to 1000L))
 
-    test("what was in the folder before did not arrive, even if it is read, or the rules run over it, only later") {
+    test("files that were in the folder before do not arrive, even if they are read or rules run later") {
         Arrivals<AnyLog>().knowing(listOf(log("a.bag"))).paths() shouldBe emptyList()
         opened.knowing(listOf(log("a.bag"))).paths() shouldBe emptyList()
         opened.knowing(listOf(log("a.bag"), log("b.bag"))).paths() shouldBe emptyList()
@@ -36,7 +36,7 @@ class ArrivalsSpec : FunSpec({
         opened.knowing(listOf(log("c.bag"))).isNew(log("c.bag")) shouldBe false
     }
 
-    test("a log arrives when the rules have run over it, and waits until somebody deals with it") {
+    test("a log arrives after the rules have run over it, and waits until somebody deals with it") {
         val copied = opened.knowing(listOf(log("a.bag"), log("c.bag", found = null)))
         copied.paths() shouldBe emptyList()
         val complete = copied.knowing(listOf(log("a.bag"), log("c.bag")))
@@ -46,7 +46,7 @@ class ArrivalsSpec : FunSpec({
         complete.without("c.bag").paths() shouldBe emptyList()
     }
 
-    test("a log that was being written arrives when it has grown and ended, once, and is known as it was while it grows again") {
+    test("a log that was being written arrives once, after it has grown and ended, and stays known while it grows again") {
         val grown = opened.knowing(listOf(log("a.bag", size = 2000, found = null)))
         grown.paths() shouldBe emptyList()
         val ended = grown.knowing(listOf(log("a.bag", size = 3000)))
@@ -57,14 +57,14 @@ class ArrivalsSpec : FunSpec({
         ended.dealtWith().knowing(listOf(log("a.bag", size = 5000))).paths() shouldBe emptyList()
     }
 
-    test("of several logs of one match, the one with the worst finding is announced") {
+    test("the log with the worst finding is announced of several logs of one match") {
         val match = LogSummary(MatchOfLog(null, "Qualification", "78"), date, content = Content.SOMETHING)
         val worse = LogFound(0, listOf(FoundRule("Browned out", Severity.ERROR)))
         val arrived = opened.knowing(listOf(log("robot.bag", found = worse, of = match), log("station.dslog", modified = 1, of = match), log("x.bag")))
         arrived.latest?.run { worst.path to logs.size } shouldBe ("robot.bag" to 2)
     }
 
-    test("a log that is removed does not wait any more, and one over which other rules run says what they find") {
+    test("a removed log no longer waits, and a waiting one shows the findings of other rules") {
         val arrived = opened.knowing(listOf(log("c.bag"), log("d.bag", modified = 1)))
         val otherwise = LogFound(1, listOf(FoundRule("Hot motor", Severity.WARNING)))
         val after = arrived.knowing(listOf(log("d.bag", found = otherwise, modified = 1)))
@@ -77,7 +77,7 @@ class ArrivalsSpec : FunSpec({
         opened.knowing(listOf(idle, broken)).paths() shouldBe emptyList()
     }
 
-    test("the sentence says which match it is, how bad it is, and what happened") {
+    test("the sentence has the match, the severities and the event") {
         val match = LogSummary(MatchOfLog(null, "Qualification", "78"), date, content = Content.SOMETHING)
         val rules = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Hot motor", Severity.WARNING))
         val found = LogFound(0, rules, Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged."), errors = 1, warnings = 2))

@@ -56,20 +56,20 @@ class ListingSpec : FunSpec({
 
     fun names(listing: Listing<AnyLog>) = listing.visible.map { it.fileName }
 
-    test("the newest is at the top, and a file that is not a log is not listed") {
+    test("the newest log is at the top, and a file that is not a log is not listed") {
         names(listing) shouldContainExactly listOf("reboot.bag", "a.bag", "b.bag", "bench.csv")
         listing.size shouldBe 4
         listing.count shouldBe "4 logs"
         listing.copy(filter = "bench").count shouldBe "1 of 4 logs"
     }
 
-    test("match 9 comes before match 10, and what is not a match comes last either way round") {
+    test("match 9 is before match 10, and logs without a match are last in either order") {
         val byNumber = listing.sorted(LogColumn.NUMBER)
         names(byNumber) shouldContainExactly listOf("a.bag", "b.bag", "reboot.bag", "bench.csv")
         names(byNumber.sorted(LogColumn.NUMBER)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")
     }
 
-    test("logs of one event come together, in the order of the first of each") {
+    test("logs of one event are together, in the order of the first log of each") {
         val other = log("logs/c.bag", MatchOfLog("Beta District", "Qualification", "1", "Red"), 250)
         val all = Listing(listOf(match10, other, match9, bench), folder = "logs")
         names(all) shouldContainExactly listOf("a.bag", "c.bag", "b.bag", "bench.csv")
@@ -77,7 +77,7 @@ class ListingSpec : FunSpec({
         all.events shouldBe 2
     }
 
-    test("all words must be found, anywhere but in the folder's own name, in whatever case; a finding's name, too") {
+    test("all words must occur, regardless of case, anywhere but in the folder's own name, including findings") {
         names(listing.copy(filter = "qual RED")) shouldContainExactly listOf("a.bag")
         names(listing.copy(filter = "mill 10")) shouldContainExactly listOf("b.bag")
         names(listing.copy(filter = "day2")) shouldContainExactly listOf("bench.csv")
@@ -87,12 +87,12 @@ class ListingSpec : FunSpec({
         names(listing.copy(filter = "logs")).size shouldBe 0
     }
 
-    test("what is idle can be hidden, and what has no error") {
+    test("idle logs, and logs without errors, can be hidden") {
         names(listing.copy(hidesEmpty = true)) shouldContainExactly listOf("a.bag", "b.bag", "bench.csv")
         names(listing.copy(onlyErrors = true)) shouldContainExactly listOf("a.bag")
     }
 
-    test("why no log is listed: the words before what is hidden") {
+    test("an empty list has a reason, the words before the hidden logs") {
         listing.copy(filter = " nothing ", onlyErrors = true).emptiness shouldBe "No log matches “nothing”."
         listing.copy(onlyErrors = true, hidesEmpty = true).emptiness shouldBe "Rules found no error in any of these logs."
         listing.copy(hidesEmpty = true).emptiness shouldBe "All of these logs are idle."
@@ -102,7 +102,7 @@ class ListingSpec : FunSpec({
             "Rules have not run over any of these logs."
     }
 
-    test("sorting loses and adds nothing, puts what is missing last, and a column has a text where it has something") {
+    test("sorting loses and adds nothing, puts missing values last, and a column has a text for each value") {
         val anyLog = arbitrary {
             val number = Arb.int(1..99).orNull().bind()?.toString()
             val second = Arb.int(0..5).bind().toLong()
@@ -122,7 +122,7 @@ class ListingSpec : FunSpec({
         LogColumn.BATTERY.text(log("a.bag", battery = 6.8)) shouldBe "6.80 V"
     }
 
-    test("findings are the worst by name and the number of others; none while the rules run, and a dash if they cannot") {
+    test("the text of findings is the worst name and the number of others, … while the rules run, and – if they cannot") {
         val two = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Loop slow", Severity.WARNING))
         foundText(log("a.bag", found = two)) shouldBe "Browned out +1"
         foundText(log("a.bag")) shouldBe null
@@ -131,7 +131,7 @@ class ListingSpec : FunSpec({
         foundLines(log("a.bag", found = two)) shouldBe "error: Browned out\nwarning: Loop slow"
     }
 
-    test("a log is as wrong as the worst of its problems that matter, and a log that cannot be read is lost") {
+    test("a log has the severity of its worst problem that matters, and an unreadable log is an error") {
         fun severityOf(problems: ProblemCounts, trouble: String? = null) = match9.copy(summary = match9.summary.copy(problems = problems, trouble = trouble)).problemSeverity
         severityOf(ProblemCounts(notes = 3)) shouldBe null
         severityOf(ProblemCounts(warnings = 2, notes = 3)) shouldBe Severity.WARNING

@@ -19,18 +19,18 @@ class PitLogsSpec : FunSpec({
 
     fun pit(vararg logs: AnyLog) = PitLogs.of(logs.toList())
 
-    test("a pit sees the log that began last, and the three before it, the latest first") {
+    test("a pit sees the last log and the three before it, the latest first") {
         val pit = pit(log("b", 2), log("e", 5), log("a", 1), log("d", 4), log("c", 3))
         pit?.last?.path shouldBe "e"
         pit?.before?.map { it.path } shouldBe listOf("d", "c", "b")
     }
 
-    test("idle logs and files that cannot be read are nothing to see") {
+    test("idle logs and unreadable files are nothing to see") {
         pit(log("idle", 9, content = Content.NO_SAMPLES)) shouldBe null
         pit(log("idle", 9, content = Content.NO_SAMPLES), log("a", 1))?.last?.path shouldBe "a"
     }
 
-    test("of two logs of one match, a pit sees the one with the worst finding, and lists tell them apart by their files") {
+    test("a pit sees the one with the worst finding of two logs of a match, and lists distinguish them by their files") {
         val robot = log("robot", 10, "42", error)
         val station = log("station", 11, "42")
         val other = log("other", 5, "41")
@@ -38,7 +38,7 @@ class PitLogsSpec : FunSpec({
         sameMatches(listOf(robot, station, other, log("x", 1), log("y", 2))) shouldBe setOf("robot", "station")
     }
 
-    test("a match that is played again is another run, and so is the same number of another event") {
+    test("a replayed match, and the same number at another event, are other runs") {
         val replayed = listOf(log("first", 0, "42", error), log("again", 7200, "42"))
         runsOf(replayed).map { it.worst.path } shouldBe listOf("again", "first")
         sameMatches(replayed) shouldBe emptySet()
@@ -48,20 +48,20 @@ class PitLogsSpec : FunSpec({
         isOfSameRun(log("y", 10, "42"), unnamed) shouldBe true
     }
 
-    test("logs of robots are those with names of logs; without any, tables count; what cannot be read never does") {
+    test("logs of robots have names of logs, tables count without any, and unreadable files never do") {
         val unreadable = log("broken.bag", 1).run { copy(summary = summary.copy(trouble = "broken.bag is cut off.")) }
         fun robots(vararg logs: AnyLog) = logsOfRobots(logs.toList()) { it.endsWith(".bag") }.map { it.path }
         robots(log("a.bag", 1), log("b.csv", 2), unreadable) shouldBe listOf("a.bag")
         robots(log("b.csv", 2), unreadable) shouldBe listOf("b.csv")
     }
 
-    test("a pit that sees no log says whether there is none, none of an enabled robot, or none yet") {
+    test("an empty pit view says whether there is no log, none of an enabled robot, or none yet") {
         pitEmptiness(emptyList(), isReading = false) shouldBe "No log yet."
         pitEmptiness(listOf(log("idle", 9, content = Content.NO_SAMPLES)), isReading = false) shouldBe "No log of an enabled robot yet."
         pitEmptiness(listOf(log("idle", 9, content = Content.NO_SAMPLES)), isReading = true) shouldBe "Reading the first logs…"
     }
 
-    test("a log in a few words") {
+    test("a log has its facts in a few words") {
         verdictText(null) shouldBe "The rules are still running"
         verdictText(LogFound(0, null)) shouldBe "The rules could not be run"
         verdictText(LogFound(0, emptyList())) shouldBe "No errors, no warnings"

@@ -10,7 +10,7 @@ class TargetNameSpec : FunSpec({
         return one != null && other != null && one.isTarget && !other.isTarget && one.words == other.words
     }
 
-    test("target and actual of one thing differ in one word, wherever it is and however it is written") {
+    test("target and actual of one thing differ in one word, in any place and spelling") {
         arePair("/Chassis/TargetFrontLeftModuleState/speed", "/Chassis/ActualFrontLeftModuleState/speed") shouldBe true
         arePair("/RealOutputs/SwerveStates/Setpoints[2]/speed", "/RealOutputs/SwerveStates/Measured[2]/speed") shouldBe true
         arePair("Arm/Angle Setpoint", "Arm/Angle") shouldBe true
@@ -20,7 +20,7 @@ class TargetNameSpec : FunSpec({
         arePair("RPM goal", "rpm") shouldBe true
     }
 
-    test("other modules, other fields, and two topics of the same sort are not a pair") {
+    test("other modules, other fields, and two topics of the same kind are not a pair") {
         arePair("/Chassis/TargetFrontLeft/speed", "/Chassis/ActualFrontRight/speed") shouldBe false
         arePair("/Chassis/TargetFrontLeft/speed", "/Chassis/ActualFrontLeft/angle") shouldBe false
         arePair("Arm/Setpoint", "Wrist/Setpoint") shouldBe false

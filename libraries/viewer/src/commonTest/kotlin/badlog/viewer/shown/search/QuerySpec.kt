@@ -11,7 +11,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 
 class QuerySpec : FunSpec({
-    test("every word has to occur, in any order, regardless of case") {
+    test("all words must occur, in any order, regardless of case") {
         Query("Left  drive").matches("Drivetrain/LEFT Output") shouldBe true
         Query("left arm").matches("drivetrain/left output") shouldBe false
         Query("  ").isEmpty shouldBe true
@@ -19,7 +19,7 @@ class QuerySpec : FunSpec({
         Query("Left").matchesLowercase("left") shouldBe true
     }
 
-    test("a bar finds either side, a minus excludes, quotes keep words together") {
+    test("a bar finds either side, a minus excludes, and quotes keep words together") {
         fun found(query: String) = listOf("Left Speed", "Right Speed", "Speed Left", "Arm").filter(Query(query)::matches)
         found("left | arm") shouldBe listOf("Left Speed", "Speed Left", "Arm")
         found("speed -right") shouldBe listOf("Left Speed", "Speed Left")
@@ -40,7 +40,7 @@ class QuerySpec : FunSpec({
         Query("gyro").matches("Pigeon 2/Yaw") shouldBe true
     }
 
-    test("a shorter form counts where a word begins, and no form is made of words that are none") {
+    test("a shorter form counts where a word begins, and only words have forms") {
         Query("heading").matches("Head Angle") shouldBe true
         Query("heading").matches("overhead") shouldBe false
         Query("gyro").matches("Maximum") shouldBe false
@@ -50,7 +50,7 @@ class QuerySpec : FunSpec({
         Query("loss").matches("closed") shouldBe false
     }
 
-    test("a query that is still being typed finds what it did before") {
+    test("an incomplete query finds the same as before") {
         for (text in listOf("left |", "| left", "left -", "left \"", "left -\"", "left||")) {
             Query(text).matches("Left") shouldBe true
             Query(text).matches("Right") shouldBe false
@@ -58,7 +58,7 @@ class QuerySpec : FunSpec({
         for (text in listOf("|", "-", "\"", "\"\"", " | - ")) Query(text).isEmpty shouldBe true
     }
 
-    test("kinds can be searched for, alone and with words; other words with a colon are words") {
+    test("traits can be searched for, alone and with words, and other words with a colon are words") {
         Query("is:state mode").matches("Mode", setOf(Trait.STATE)) shouldBe true
         Query("is:state mode").matches("Mode", setOf(Trait.NUMBER)) shouldBe false
         Query("-is:constant").matches("Mode", setOf(Trait.NUMBER)) shouldBe true
@@ -70,12 +70,12 @@ class QuerySpec : FunSpec({
         Query("finding").asksFor(Trait.FINDING) shouldBe false
     }
 
-    test("the words that are marked are those that are searched for") {
+    test("the highlighted words are the searched ones") {
         Query("Left -right \"top speed\" is:state | arm").words shouldBe listOf("left", "top speed", "arm")
         Query("stalls").words shouldBe listOf("stalls", "stall")
     }
 
-    test("the kind of a topic follows from its samples") {
+    test("the traits of a topic follow from its samples") {
         val view = bagView(listOf("Time|xaxis", "Number", "Still", "Mode", "Nothing"), listOf("0,1,5,auto,", "1,2,5,teleop,"))
         val traits = view.recording.topics.associate { it.name to view.seriesOf(it).traits }
         traits["Number"] shouldBe setOf(Trait.NUMBER)
@@ -84,7 +84,7 @@ class QuerySpec : FunSpec({
         traits["Nothing"] shouldBe setOf(Trait.EMPTY)
     }
 
-    test("whatever is typed, something is searched for or everything is shown") {
+    test("any text is searched for, or shows everything") {
         val texts = Arb.list(Arb.element("a", "B", " ", "|", "-", "\"", "is:", "state", "has:finding", "\t", "é"), 0..12).map { it.joinToString("") }
         checkAll(texts, texts) { text, searched ->
             val query = Query(text)

@@ -36,7 +36,7 @@ class HistogramSpec : FunSpec({
 
     val changes = listOf(0.0 to 1.0, 6.0 to 4.0, 8.0 to Double.NaN, 9.0 to 2.5)
 
-    test("a value counts as long as it holds, however often it is logged; gaps do not count") {
+    test("a value counts as long as it holds, however often it is logged, and gaps do not count") {
         val histogram = histogramOf(changes, Span(0.0, 10.0), others = listOf(10.0 to 0.0))!!
         histogram.values shouldBe Span(1.0, 4.0)
         histogram.shares.withIndex().filter { it.value > 0 }.map { it.index } shouldBe listOf(0, 15, 29)
@@ -52,14 +52,14 @@ class HistogramSpec : FunSpec({
         histogramOf(changes, Span(1.0, 2.0), Span(6.0, 7.0))!!.shares[0] shouldBe (0.5 plusOrMinus 1e-12)
     }
 
-    test("there is none of a single value, of nothing, and of states") {
+    test("a single value, no values, and states have no histogram") {
         histogramOf(listOf(0.0 to 3.0, 1.0 to 3.0), Span(0.0, 1.0)).shouldBeNull()
         histogramOf(changes, Span(20.0, 30.0)).shouldBeNull()
         val view = bagView(listOf("Time|xaxis", "Mode"), listOf("0,auto", "1,teleop"))
         histogramOf(view, view.recording.topics[1], listOf(Span(0.0, 1.0))).shouldBeNull()
     }
 
-    test("the shares of any numbers are together 1, none of them negative") {
+    test("the shares of any numbers add up to 1, and none is negative") {
         val number = Arb.element(0.0, -1.0, 1.0, 1e300, -1e300, Double.NaN, Double.POSITIVE_INFINITY, 1e-300)
         checkAll(Arb.list(number, 0..20)) { values ->
             val histogram = histogramOf(values.mapIndexed { i, value -> i.toDouble() to value }, Span(-1.0, 25.0)) ?: return@checkAll
@@ -77,7 +77,7 @@ class HistogramSpec : FunSpec({
             listOf("highest bar: 75.0 % of the time", "1", "2", "3", "4 V")
     }
 
-    test("a value that hardly lasts has a bar nevertheless, a pixel high") {
+    test("a value that hardly lasts still has a bar, a pixel high") {
         val pen = SvgPen({ text, letters, _ -> text.length * letters / 2 })
         val seldom = listOf(0.0 to 1.0, 5.0 to 4.0, 5.001 to 1.0)
         pen.drawHistogram(histogramOf(seldom, Span(0.0, 1000.0), others = listOf(1000.0 to 0.0))!!, "V", 0, width = 324.0, PenColors.LIGHT)

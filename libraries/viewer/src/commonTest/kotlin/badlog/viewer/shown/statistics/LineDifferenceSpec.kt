@@ -28,14 +28,14 @@ class LineDifferenceSpec : FunSpec({
         found.lag.shouldBeNull()
     }
 
-    test("a line that follows late has the lag by which it is late, and is ahead of the other way round") {
+    test("a late line has its delay as the lag, and the other way round is ahead") {
         val target = line { sin(it) + sin(2.3 * it) }
         val follower = line { sin(it - 0.12) + sin(2.3 * (it - 0.12)) }
         differenceOf(follower, target, all, "m/s").shouldNotBeNull().lag.shouldNotBeNull() shouldBe (0.12 plusOrMinus 0.01)
         differenceOf(target, follower, all, "m/s").shouldNotBeNull().lag.shouldNotBeNull() shouldBe (-0.12 plusOrMinus 0.01)
     }
 
-    test("a motor that turns on by a turn between two samples is not an angle") {
+    test("a motor that turns by a full turn between two samples is not an angle") {
         differenceOf(line { 100 * it + 3.2 }, line { 100 * it }, all, "rot").shouldNotBeNull().mean shouldBe (3.2 plusOrMinus 1e-6)
     }
 
@@ -53,14 +53,14 @@ class LineDifferenceSpec : FunSpec({
         differenceOf(line { sin(it) }, line { sin(5 * it) }, all, "m/s").shouldNotBeNull().lag.shouldBeNull()
     }
 
-    test("the largest difference is where it is, with its sign") {
+    test("the largest difference has its place and its sign") {
         val found = differenceOf(line { if (it in 10.0..10.5) -3.0 else 1.0 }, line { 0.0 }, all, "A").shouldNotBeNull()
         found.largest shouldBe -3.0
         found.largestAt shouldBe (10.0 plusOrMinus 0.011)
     }
 
     for ((unit, turn) in listOf("deg" to 360.0, "rad" to 2 * PI, "rot" to 1.0)) {
-        test("of angles in $unit, the shorter way counts, unless they count turns") {
+        test("for angles in $unit, the shorter way counts, unless they count turns") {
             fun angle(turns: Double) = (turns - kotlin.math.round(turns)) * turn
             differenceOf(line { angle(0.3 * it + 0.01) }, line { angle(0.3 * it) }, all, unit).shouldNotBeNull().run {
                 mean shouldBe (0.01 * turn plusOrMinus 1e-9)
@@ -71,7 +71,7 @@ class LineDifferenceSpec : FunSpec({
         }
     }
 
-    test("a difference counts as long as it holds, whatever the times of the samples, and within the parts alone") {
+    test("a difference counts as long as it holds, for any times of the samples, and only within the parts") {
         val one = Series(doubleArrayOf(0.0, 1.0, 9.0, 10.0), doubleArrayOf(4.0, 1.0, 5.0, 5.0))
         val other = Series(doubleArrayOf(0.0, 10.0), doubleArrayOf(0.0, 0.0))
         val found = differenceOf(one, other, listOf(Span(0.0, 10.0)), "V").shouldNotBeNull()
@@ -88,7 +88,7 @@ class LineDifferenceSpec : FunSpec({
         differenceOf(line, Series(doubleArrayOf(1.0, 0.0), doubleArrayOf(1.0, 1.0)), all, "V").shouldBeNull()
     }
 
-    test("the mean is never farther from 0 than the RMS, and that no farther than the largest difference") {
+    test("the mean is never farther from 0 than the RMS, and the RMS never farther than the largest difference") {
         val samples = Arb.list(Arb.double(0.0, 30.0).filter { it.isFinite() }, 2..40)
         checkAll(samples, samples) { a, b ->
             val one = Series(a.sorted().toDoubleArray(), DoubleArray(a.size) { a[it] })

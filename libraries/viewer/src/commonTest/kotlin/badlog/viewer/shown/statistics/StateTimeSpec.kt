@@ -17,18 +17,18 @@ class StateTimeSpec : FunSpec({
     fun runs(vararg states: Double) = StateRuns(Series(DoubleArray(states.size) { it.toDouble() }, states), states.size.toDouble())
     fun List<StateTime>.parts() = map { Triple(it.state, it.time, it.count) }
 
-    test("each state has its time and how often it was entered, the longest first") {
+    test("each state has its time and its count, the longest first") {
         val runs = runs(0.0, 1.0, 0.0, 0.0, 1.0)
         runs.timesOf(names).parts() shouldBe listOf(Triple("off", 3.0, 2), Triple("on", 2.0, 2))
         runs.timesOf(names)[0].share shouldBe (0.6 plusOrMinus 1e-12)
     }
 
-    test("in a range, what is inside counts, not what only touches it") {
+    test("only runs inside a range count, not ones that touch it") {
         runs(0.0, 1.0, 0.0, 0.0, 1.0).timesOf(names, 1.5, 4.0).parts() shouldBe listOf(Triple("off", 2.0, 1), Triple("on", 0.5, 1))
         runs(0.0, 1.0).timesOf(names, 7.0, 9.0) shouldBe emptyList()
     }
 
-    test("a gap is in no state") {
+    test("a gap does not count for any state") {
         runs(0.0, Double.NaN, 0.0).timesOf(names).parts() shouldBe listOf(Triple("off", 2.0, 2))
     }
 

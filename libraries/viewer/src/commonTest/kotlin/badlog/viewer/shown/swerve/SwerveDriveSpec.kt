@@ -42,7 +42,7 @@ class SwerveDriveSpec : FunSpec({
 
     val degree = PI / 180
 
-    test("a module that points aside is named, with where its largest error is") {
+    test("a module that points aside is named, with the place of its largest error") {
         val errors = driveOf(angle = { module, time -> wanted(time) + if (module == 2) (if (time in 3.0..3.5) 12.0 else 10.0) * degree else degree })
             .within()
         errors.map { it.label } shouldBe List(4) { "Module $it" }
@@ -72,19 +72,19 @@ class SwerveDriveSpec : FunSpec({
         worstModuleText(drive.within()) shouldBe "The angle errors of the modules are alike: 0.0° RMS."
     }
 
-    test("a module that is reversed for good has twice its speed as the error") {
+    test("a permanently reversed module has twice its speed as the error") {
         val drive = driveOf(speed = { module, _ -> if (module == 3) -2.0 else 2.0 })
         drive.within()[3].speed!!.largest shouldBe (-4.0 plusOrMinus 1e-9)
         worstModuleText(drive.within()) shouldBe "Module 3 has the largest speed error: 4.00 m/s RMS, the others 0.00 m/s."
     }
 
-    test("errors without a module that is clearly worse name none") {
+    test("errors without a clearly worse module name none") {
         fun textOf(vararg degrees: Double) = worstModuleText(driveOf(angle = { module, time -> wanted(time) + degrees[module] * degree }).within())
         textOf(1.2, 1.3, 1.6, 1.4) shouldBe "The angle errors of the modules are alike: 1.2 to 1.6° RMS."
         textOf(1.0, 4.0, 5.0, 1.0) shouldBe "No module stands out: angle errors of 1.0 to 5.0° RMS."
     }
 
-    test("the visible range is all that counts") {
+    test("only the visible range counts") {
         val drive = driveOf(angle = { module, time -> wanted(time) + if (module == 0 && time < 5) 10 * degree else 0.0 })
         drive.within(to = 4.0)[0].angle!!.rms shouldBe (10.0 plusOrMinus 1e-9)
         drive.within(from = 6.0)[0].angle!!.rms shouldBe (0.0 plusOrMinus 1e-9)
@@ -102,7 +102,7 @@ class SwerveDriveSpec : FunSpec({
         worstModuleText(driveOf(targetSpeed = 0.1).within()) shouldBe "No errors count in the visible range."
     }
 
-    test("a log of changes, in which an angle is stuck, counts as long as its target goes on") {
+    test("in a log of changes, a stuck angle counts as long as its target continues") {
         val stuck = listOf(timedTopic("Measured[0]/speed", 0.0 to 2.0), timedTopic("Measured[0]/angle/value", 0.0 to 0.0)) +
             states("Measured", 3, { _, _ -> 2.0 }, { _, time -> time }).filterNot { it.name.startsWith("Measured[0]") }
         val targets = states("Target", 3, { _, _ -> 2.0 }, { _, time -> time })
@@ -111,7 +111,7 @@ class SwerveDriveSpec : FunSpec({
         errors[1].angle!!.largest shouldBe (0.0 plusOrMinus 1e-9)
     }
 
-    test("three modules are a drive; two, or seven, are none") {
+    test("three modules are a drive, but two or seven are not") {
         driveOf(count = 3).within().map { it.label } shouldBe listOf("Module 0", "Module 1", "Module 2")
         driveOf(count = 3).modules.map { it.sign } shouldBe listOf("0", "1", "2")
         for (count in listOf(2, 7)) SwerveDrive.of(timedView(*states("Measured", count, { _, _ -> 1.0 }, { _, _ -> 0.0 }).toTypedArray())).shouldBeNull()
@@ -128,7 +128,7 @@ class SwerveDriveSpec : FunSpec({
         drive.modules[0].actualAt(Double.NaN).shouldBeNull()
     }
 
-    test("without targets, there are actual vectors and no errors; targets of fewer modules are not its targets") {
+    test("without targets, there are actual vectors and no errors, and targets of fewer modules are ignored") {
         val actual = states("Measured", 4, { _, _ -> 3.0 }, { _, _ -> PI / 2 })
         val drive = SwerveDrive.of(timedView(*(actual + states("Target", 3, { _, _ -> 9.0 }, { _, _ -> 0.0 })).toTypedArray()))!!
         drive.errors.shouldBeNull()
@@ -140,7 +140,7 @@ class SwerveDriveSpec : FunSpec({
         drive.fastest shouldBe 3.0
     }
 
-    test("corners by their names have these names, in other units, with optimized targets before others") {
+    test("corners are recognized by their names, in other units, and optimized targets are preferred") {
         fun corners(prefix: String, speed: Double, degrees: Double) = listOf("FL", "FR", "BL", "BR").flatMap { corner ->
             listOf(timedTopic("$prefix/$corner/Speed", 0.0 to speed).copy(unit = "ft/s"), timedTopic("$prefix/$corner/Angle", 0.0 to degrees).copy(unit = "deg"))
         }

@@ -1,6 +1,8 @@
 package badlog.viewer.shown.swerve
 
+import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
+import badlog.core.bag.BagParser
 import badlog.core.recording.Topic
 import badlog.viewer.timedTopic
 import badlog.viewer.timedView
@@ -10,7 +12,7 @@ import io.kotest.matchers.shouldBe
 import kotlin.math.PI
 import kotlin.math.sin
 
-/** Which module is named as the worst, and which healthy ones are not. */
+/** Tests which module is named as the worst, and which healthy ones are not. */
 class WorstModuleSpec : FunSpec({
     val times = List(501) { it / 50.0 }
     val degree = PI / 180
@@ -35,13 +37,13 @@ class WorstModuleSpec : FunSpec({
         return SwerveDrive.of(timedView(*topics.toTypedArray()))!!.errors!!.within(Span(0.0, 10.0))
     }
 
-    /** The robot turns around a place near module 0, whose target turns four times as far as the others, to and fro. */
+    /** The robot turns to and fro around a place near module 0. That module's target turns four times as far as the others. */
     fun pivot(module: Int, time: Double) = sin(3 * time) * if (module == 0) 1.6 else 0.4
 
     /** The same, but always in one direction. */
     fun spin(module: Int, time: Double) = time * if (module == 0) 1.6 else 0.4
 
-    test("a healthy module whose target turns farther than the others is not named") {
+    test("a healthy module with a target that turns farther than the others is not named") {
         for (wanted in listOf(::pivot, ::spin)) {
             val errors = errorsOf(wanted)
             (errors[0].angle!!.rms > 2.5 * errors[1].angle!!.rms) shouldBe true
@@ -49,7 +51,7 @@ class WorstModuleSpec : FunSpec({
         }
     }
 
-    test("a module that points 10° aside is named, whatever it turns") {
+    test("a module that points 10° aside is named for any target") {
         for (module in listOf(0, 2)) {
             for (wanted in listOf(::pivot, ::spin)) {
                 val text = worstModuleText(errorsOf(wanted, behind = { 0.02 }, off = { if (it == module) 10.0 else 0.0 }))
@@ -58,7 +60,7 @@ class WorstModuleSpec : FunSpec({
         }
     }
 
-    test("a module that lags is named, among modules that turn alike and among others") {
+    test("a lagging module is named, whether or not the modules turn alike") {
         fun textOf(wanted: (Int, Double) -> Double) = worstModuleText(errorsOf(wanted, behind = { if (it == 0) 0.15 else 0.05 }))
         textOf { _, time -> sin(2 * time) }.startsWith("Module 0 has the largest angle error: ") shouldBe true
         textOf(::pivot).startsWith("Module 0 has the largest angle error: ") shouldBe true
@@ -72,7 +74,31 @@ class WorstModuleSpec : FunSpec({
         worstModuleText(stuck).startsWith("Module 1 has the largest angle error: ") shouldBe true
     }
 
-    test("samples of a loop that come one after the other are one moment, in either order") {
+    test("a log in milliseconds has the errors of the same log in seconds") {
+        /** Returns the errors of a bag over x in [unit], of which a second has [second]: module 0 lags, and the target of module 1 jumps. */
+        fun errorsOver(unit: String, second: Double): List<ModuleError> {
+            fun wanted(module: Int, time: Double) = pivot(module, time) + if (module == 1 && time >= 5) PI / 3 else 0.0
+            val names = (0..2).flatMap { listOf("A[$it]/speed", "A[$it]/angle/value", "Goal[$it]/speed", "Goal[$it]/angle/value") }
+            val header = names.joinToString(",", """{"topics":[{"name":"Time","unit":"$unit","attrs":["xaxis"]},""", """],"values":[]}""") {
+                """{"name":"$it","unit":"","attrs":[]}"""
+            }
+            val rows = times.map { time ->
+                val cells = (0..2).flatMap { listOf(2.0, wanted(it, time - if (it == 0) 0.15 else 0.05), 2.0, wanted(it, time)) }
+                (listOf(time * second) + cells).joinToString(",")
+            }
+            val parser = BagParser()
+            parser.accept((listOf(header, "Time," + names.joinToString(",")) + rows).joinToString("\n", postfix = "\n").encodeToByteArray())
+            return SwerveDrive.of(LogView.of(parser.finish()))!!.errors!!.within(Span(0.0, 10 * second))
+        }
+        val (seconds, millis) = listOf(errorsOver("s", 1.0), errorsOver("ms", 1000.0))
+        worstModuleText(millis) shouldBe worstModuleText(seconds)
+        for ((one, other) in seconds zip millis) {
+            other.angle!!.rms shouldBe (one.angle!!.rms plusOrMinus 1e-6)
+            other.target.time shouldBe (one.target.time plusOrMinus 1e-6)
+        }
+    }
+
+    test("consecutive samples of a loop are one moment, in either order") {
         for (order in listOf(true, false)) {
             val errors = errorsOf({ _, time -> sin(2 * time) }, behind = { 0.0 }, late = { isMeasured -> if (isMeasured == order) 0.0003 else 0.0 })
             for (error in errors) error.angle!!.largest shouldBe (0.0 plusOrMinus 1e-9)
@@ -88,7 +114,7 @@ class WorstModuleSpec : FunSpec({
             "The log does not say when the robot was enabled."
     }
 
-    test("one wrong sample of the speed does not make all arrows small") {
+    test("one wrong sample of the speed does not shrink all arrows") {
         val wrong = (0..2).flatMap { i ->
             listOf(line("A[$i]/speed") { if (it == 5.0 && i == 1) 1e6 else 3.0 }, line("A[$i]/angle/value") { 0.0 })
         }

@@ -40,7 +40,7 @@ class CsvTableSpec : FunSpec({
         }
     }
 
-    test("a written table is read back as the same rows, every number to its last bit") {
+    test("a written table is read back as the same rows, each number to its last bit") {
         checkAll(logs) { rows ->
             val view = bagView(listOf("Time|xaxis", "A", "Mode", "On"), rows)
             val again = read(textOf(CsvTable.ofAll(view)))
@@ -56,7 +56,7 @@ class CsvTableSpec : FunSpec({
         }
     }
 
-    test("a table is prepared a topic at a time, and is the same as one that is made at once") {
+    test("a table that is prepared topic by topic is the same as one made at once") {
         val rows = listOf("0,1,2,3,idle", "1,2,3,4,", "2,3,4,5,shot")
         val view = bagView(listOf("Time|xaxis", "A", "B", "C", "Log|log"), rows)
         val own = timedView(timedTopic("A", 0.0 to 1.0, 0.1 to 2.0), timedTopic("B", 0.05 to 3.0))
@@ -64,7 +64,7 @@ class CsvTableSpec : FunSpec({
             val draft = CsvDraft.ofAll(log)
             val shares = ArrayList<Double>()
             while (draft.step()) shares += draft.share
-            // Each topic is looked at, and has a column.
+            // Each topic is examined, and has a column.
             (shares.size > topics * 2 - 1) shouldBe true
             shares.all { it > 0 && it <= 1 } shouldBe true
             shares.last() shouldBe 1.0
@@ -73,7 +73,7 @@ class CsvTableSpec : FunSpec({
         }
     }
 
-    test("x comes first, then each topic with its unit, of the visible range alone") {
+    test("x is first, then each topic with its unit, only of the visible range") {
         val view = bagView(listOf("A", "Time|xaxis", "Log|log"), listOf("1,0,begun", "2,1,", "3,2,\"shot, missed\"", "4,3,"))
         linesOf(CsvTable.ofAll(view, Span(1.0, 2.0))) shouldContainExactly listOf("Time (V),A (V),Log", "1,2,", "2,3,\"shot, missed\"")
         linesOf(CsvTable.of(view, null, listOf(view.seriesOf(view.recording.topics[0])))) shouldContainExactly
@@ -81,26 +81,26 @@ class CsvTableSpec : FunSpec({
         CsvTable.ofAll(view, Span(8.0, 9.0)).rowCount shouldBe 0
     }
 
-    test("rows without x, or with damaged cells, are rows, too") {
+    test("rows without x, or with damaged cells, are kept") {
         val view = bagView(listOf("Time|xaxis", "A"), listOf("0,1", ",2", "2,oops", "3,4"))
         linesOf(CsvTable.ofAll(view)) shouldContainExactly listOf("Time (V),A (V)", "0,1", ",2", "2,oops", "3,4")
     }
 
-    test("topics with times of their own give a row every 20 ms, with the last values") {
+    test("topics with times of their own have a row every 20 ms, with the last values") {
         val view: LogView = timedView(timedTopic("Gain", 0.0 to 1.0, 0.05 to 2.0, 1.0 to 5.0), timedTopic("Late", 0.04 to 7.5))
         val table = CsvTable.ofAll(view, Span(0.0, 0.07))
         linesOf(table) shouldContainExactly listOf("Time (s),Gain (V),Late (V)", "0,1,", "0.02,1,", "0.04,1,7.5", "0.06,2,7.5")
         table.remark shouldBe ", one every 20 ms, each with the last values before it"
     }
 
-    test("a topic that has more samples than that gives the rows") {
+    test("a topic with more samples than that defines the rows") {
         val view = timedView(timedTopic("Gain", 0.0 to 1.0), timedTopic("Gyro", *Array(11) { it * 0.001 to it.toDouble() }))
         val table = CsvTable.ofAll(view, Span(0.002, 0.004))
         linesOf(table) shouldContainExactly listOf("Time (s),Gain (V),Gyro (V)", "0.002,1,2", "0.003,1,3", "0.004,1,4")
         table.remark shouldBe ", one at each sample of “Gyro”, each with the last values before it"
     }
 
-    test("a file whose titles are not ASCII is marked as UTF-8") {
+    test("a file with titles that are not ASCII is marked as UTF-8") {
         val view = timedView(timedTopic("Ärm", 0.0 to 1.0))
         CsvTable.ofAll(view).header shouldBe "\uFEFFTime (s),Ärm (V)\n"
     }

@@ -8,12 +8,12 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The layout that a team has put beside its logs, with which windows and pages begin.
+ * The layout that a team has put beside its logs; windows and pages begin with it.
  *
- * @property file the file; null for none.
- * @property text the content of the file, which is embedded in pages; null for none, or if it has a mistake.
- * @property layout the same, parsed.
- * @property problem why an existing file is not used, as a sentence; null if all is well.
+ * @property file the file; null if there is none.
+ * @property text the content of the file, which is embedded in pages; null if there is none, or if it has a mistake.
+ * @property layout the same content, parsed.
+ * @property problem the reason why an existing file is not used, as a sentence; null if it is used.
  */
 class FolderLayout private constructor(val file: Path?, val text: String?, val layout: BoardLayout?, val problem: String?) {
     companion object {
@@ -23,12 +23,12 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
         const val NAME: String = "default${BoardLayout.ENDING}"
 
         /**
-         * Returns the layout for [log]: that of the nearest file in its folder, or in one above it up to [top], which is null for only its
-         * own folder. A file for a type of match (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`) comes before [NAME] in
-         * the same folder.
+         * Returns the layout for [log]. It is the one of the nearest file in the log's folder, or in a folder above it up to [top], which
+         * is null for only its own folder. A file for a type of match (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`)
+         * comes before [NAME] in the same folder.
          *
-         * @param matchType returns the type of the log's match, such as `Qualification`, or null for unknown; called only if there is such
-         * a file.
+         * @param matchType returns the type of the log's match, such as `Qualification`, or null if unknown; called only if there is such
+         *   a file.
          */
         fun of(log: Path, top: Path? = null, matchType: () -> String? = { null }): FolderLayout {
             val type by lazy { matchType()?.let { MatchType.of(it) } }
@@ -39,8 +39,8 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
         }
 
         /**
-         * Returns the layouts that a team keeps in [folder] under names of its own, such as `Power.badlog-layout.json`, by these names and in
-         * their order; not those with which logs begin.
+         * Returns the layouts that a team keeps in [folder] under names of its own, such as `Power.badlog-layout.json`. They are sorted
+         * by these names. The default layouts, with which logs begin, are not among them.
          *
          * @throws IOException with a sentence for the person, if the folder cannot be read.
          */
@@ -54,13 +54,13 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             throw unreadable(folder, e)
         }
 
-        /** Returns the name under which [file] is kept; null if it is not a layout, or one with which logs begin. */
+        /** Returns the name of the kept layout in [file]; null if it is not a layout, or is a default one. */
         fun nameOf(file: Path): String? {
             val name = file.fileName.toString()
             return name.removeSuffix(BoardLayout.ENDING).takeIf { it != name && it !in TYPES && name != NAME }
         }
 
-        /** Returns [layouts], by their names, in the order of these. */
+        /** Returns [layouts], sorted by their names. */
         fun inOrder(layouts: Map<String, Path>): Map<String, Path> = layouts.toSortedMap(BY_NAME)
 
         private fun unreadable(folder: Path, cause: Exception) =
@@ -74,7 +74,7 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             return own ?: folder.resolve(NAME).takeIf(Files::isRegularFile)
         }
 
-        /** The types of match for which there may be a file, by its name. */
+        /** The types of match that may have a file, by the name of the file. */
         private val TYPES = mapOf(
             "practice" to setOf(MatchType.PRACTICE),
             "qualification" to setOf(MatchType.QUALIFICATION),

@@ -11,24 +11,23 @@ import java.util.Base64
 /**
  * The field that a team has put beside its logs, or selected.
  *
- * @property file the file; null for none.
- * @property json the field including its picture, which is embedded in pages; null for none, or if a file has a
- * mistake.
- * @property field the same, parsed, including its picture.
- * @property picture the bytes of the picture, PNG or JPEG; null if [json] is.
- * @property problem why a file is not used, as a sentence; null if all is well.
+ * @property file the file; null if there is none.
+ * @property json the field including its picture, which is embedded in pages; null if there is none, or if a file has a mistake.
+ * @property field the same field, parsed, including its picture.
+ * @property picture the bytes of the picture, PNG or JPEG; null if [json] is null.
+ * @property problem the reason why a file is not used, as a sentence; null if it is used.
  */
 class FieldFile private constructor(val file: Path?, val json: String?, val field: Field, val picture: ByteArray?, val problem: String?) {
     companion object {
-        /** No such file. */
+        /** The absence of a file. */
         val NONE: FieldFile = FieldFile(null, null, Field.PLAIN, null, null)
 
         /** The name of the file beside logs. */
         const val NAME: String = "field.json"
 
         /**
-         * Returns the field for [log]: that of the nearest [NAME] in its folder, or in one above it up to [top], which is null for only
-         * its own folder.
+         * Returns the field for [log]. It is the one of the nearest [NAME] in the log's folder, or in a folder above it up to [top],
+         * which is null for only its own folder.
          */
         fun of(log: Path, top: Path? = null): FieldFile {
             val nearest = NearestFile.of(log, top, { folder -> folder.resolve(NAME).takeIf(Files::isRegularFile) }, ::fieldOfJson)

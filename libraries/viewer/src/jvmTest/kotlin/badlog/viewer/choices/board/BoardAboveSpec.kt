@@ -24,11 +24,11 @@ private fun above(view: LogView, vararg pointed: String) = boardAbove(view, Rule
 class BoardAboveSpec : FunSpec({
     val power = arrayOf(topic(VOLTAGE, "V"), topic(CURRENT, "A"), topic(LOOP, "ms"))
 
-    test("above a log of few graphs, which are close together, there is no board") {
+    test("a log of few graphs, which are close together, has no board above them") {
         above(logOf(7, *power), "Dashboard/Value 1") shouldBe emptyList()
     }
 
-    test("above a log of more graphs are battery and current together, then the loop time, then what findings point at") {
+    test("a log of more graphs has battery and current together above them, then the loop time, then findings' topics") {
         above(logOf(8, *power), CURRENT, "Dashboard/Value 3", "Dashboard/Value 5", "Not logged") shouldBe listOf(
             "Battery and current" to listOf(VOLTAGE, CURRENT),
             LOOP to listOf(LOOP),
@@ -36,7 +36,7 @@ class BoardAboveSpec : FunSpec({
         )
     }
 
-    test("topics that never change, and those of which nothing is known, are not among them") {
+    test("topics that never change, and unknown ones, are not among them") {
         above(logOf(12, topic(VOLTAGE, "V"), topic(CURRENT, "A", to = 1.0))) shouldBe listOf(VOLTAGE to listOf(VOLTAGE))
         above(logOf(12)) shouldBe emptyList()
         val large = above(logOf(70, topic(VOLTAGE, "V"), topic(CURRENT, "A", to = 1.0))).map { it.second }
@@ -44,13 +44,13 @@ class BoardAboveSpec : FunSpec({
         large.flatten() shouldNotContain CURRENT
     }
 
-    test("for a large log, what findings point at comes after the signals, and there are no more graphs than a person looks through") {
+    test("a large log has findings' topics after the signals, and no more graphs than a person looks through") {
         val board = boardAbove(logOf(70, *power), RuleSet.BUILT_IN.signals, listOf("Dashboard/Value 60"))
         board.graphs.map { it.lines.first() }.take(4) shouldBe listOf(VOLTAGE, CURRENT, LOOP, "Dashboard/Value 60")
         board.graphs.size shouldBeLessThanOrEqual 24
     }
 
-    test("if all graphs are on the board, those above are not repeated below") {
+    test("if all graphs are on the board, the upper ones are not repeated below") {
         val board = standardBoard(logOf(12, *power), RuleSet.BUILT_IN.signals, listOf("Dashboard/Value 3"))
         board.graphs.map { it.lines }.take(3) shouldBe listOf(listOf(VOLTAGE, CURRENT), listOf(LOOP), listOf("Dashboard/Value 0"))
         board.graphs.flatMap { it.lines }.groupingBy { it }.eachCount().values.toSet() shouldBe setOf(1)

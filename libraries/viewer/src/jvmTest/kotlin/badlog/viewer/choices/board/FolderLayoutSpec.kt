@@ -16,7 +16,7 @@ class FolderLayoutSpec : FunSpec({
 
     fun lineFor(log: Path, top: Path? = null, type: String? = null) = FolderLayout.of(log, top) { type }.layout?.board?.graphs?.single()?.lines?.single()
 
-    test("the layout is that of the log's folder, otherwise of a folder above it up to the top, otherwise none") {
+    test("the layout is from the log's folder, otherwise from a folder above it up to the top, otherwise there is none") {
         val top = tempdir().toPath()
         val day = Files.createDirectories(top.resolve("day 1"))
         val log = day.resolve("a.bag")
@@ -30,7 +30,7 @@ class FolderLayoutSpec : FunSpec({
         FolderLayout.of(log, top).layout.shouldNotBeNull().formulas shouldBe listOf("A = 1")
     }
 
-    test("the layouts that are kept in a folder are those with names of their own, in their order") {
+    test("the kept layouts of a folder have names of their own, and are in their order") {
         val folder = tempdir().toPath()
         for (name in listOf("power", "Drive", "default", "practice", "auto")) write(folder, "$name.badlog-layout.json", "A")
         Files.writeString(folder.resolve("notes.json"), "{}")
@@ -44,7 +44,7 @@ class FolderLayoutSpec : FunSpec({
             "The layouts in $gone cannot be read; check that the folder is there and may be read."
     }
 
-    test("a file for the type of the match comes first, and the type is read only if there is such a file") {
+    test("a file for the type of the match is first, and the type is read only if there is such a file") {
         val folder = tempdir().toPath()
         val log = folder.resolve("a.bag")
         write(folder, FolderLayout.NAME, "All")
@@ -57,7 +57,7 @@ class FolderLayoutSpec : FunSpec({
         lineFor(log, type = null) shouldBe "All"
     }
 
-    test("for a file with a mistake, its name, the place and what to do are reported, and nothing is used") {
+    test("a file with a mistake is reported with its name, the place and the next step, and is not used") {
         val folder = tempdir().toPath()
         val log = folder.resolve("a.bag")
         val file = folder.resolve(FolderLayout.NAME)

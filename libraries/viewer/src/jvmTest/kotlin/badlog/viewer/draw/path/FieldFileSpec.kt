@@ -32,7 +32,7 @@ class FieldFileSpec : FunSpec({
         FieldFile.of(File(File(folder, "deep"), "a.bag").toPath(), top = folder.toPath()).json shouldBe found.json
     }
 
-    test("without a file the field is plain; what cannot be used is reported in a sentence") {
+    test("without a file the field is plain, and an unusable file is reported in a sentence") {
         tempdir().field().run { json to problem } shouldBe (null to null)
         folder { }.field().problem!! shouldEndWith "is not used: Its picture “f.png” cannot be read; put it beside the file."
         folder { it.writeText("GIF89a") }.field().problem!! shouldEndWith "Its picture “f.png” is neither PNG nor JPEG; save it as one of them."

@@ -23,7 +23,7 @@ import io.kotest.matchers.string.shouldContain
 class ChangesSpec : FunSpec({
     fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), LogFound(0, emptyList()))
 
-    /** A log whose motor was as hot as [celsius]. */
+    /** A log with a motor as hot as [celsius]. */
     fun numbers(celsius: Double, kind: MatchKind = MatchKind.MATCH, motor: String = "Arm"): LogNumbers = LogNumbersReader().read(
         LogNumbersText(
             "motor temperature\t$motor/Temperature\t${Measure.HIGHEST.ordinal}\t°C",
@@ -35,21 +35,21 @@ class ChangesSpec : FunSpec({
     val rules = checkNotNull(RuleSet.fromJson(RuleSet.BUILT_IN.toJson()))
     val logs = List(8) { log("$it.bag", it.toLong()) }
 
-    test("a log that is unlike the matches before it says how") {
+    test("a log that is unlike the matches before it has differences") {
         val temperatures = listOf(41.0, 40.0, 42.0, 39.5, 41.5, 40.5, 95.0)
         val changes = changesOf(logs[6], logs.take(6), rules) { numbers(temperatures[logs.indexOf(it)]) }
         changes.differences.single().text shouldContain "Arm/Temperature at its highest was 95 °C"
         changes.previous[changes.differences.single()] shouldBe logs[5]
     }
 
-    test("a log like the others, or with too few before it, says nothing") {
+    test("a log like the others, or with too few before it, has no differences") {
         changesOf(logs[6], logs.take(6), rules) { numbers(40.0 + logs.indexOf(it) % 3) }.differences.shouldBeEmpty()
         changesOf(logs[3], logs.take(3), rules) { numbers(if (it === logs[3]) 95.0 else 40.0) }.differences.shouldBeEmpty()
         changesOf(logs[0], emptyList(), rules) { numbers(95.0) } shouldBe Changes()
         changesOf(logs[6], logs.take(6), rules) { LogNumbers.NONE } shouldBe Changes()
     }
 
-    test("logs that show nothing of the same, such as those of the Driver Station, neither count nor are drawn over it") {
+    test("logs without common numbers, such as the Driver Station's, neither count nor are drawn over it") {
         val many = List(50) { log("$it.bag", it.toLong()) }
         val changes = changesOf(many[49], many.take(49), rules) {
             val place = many.indexOf(it)
@@ -60,7 +60,7 @@ class ChangesSpec : FunSpec({
         changes.previous shouldBe mapOf(difference to many[47])
     }
 
-    test("only matches before count, neither practice nor another log of the same match, and of them the last 20") {
+    test("only the last 20 matches before count, neither practice nor another log of the same match") {
         val many = List(40) { log("$it.bag", it.toLong()) }
         earlierThan(many[25], many.shuffled()).map { it.summary.date.second } shouldBe (0L..24L).toList()
         val match = MatchOfLog(null, "Qualification", "7")

@@ -21,7 +21,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.arbitrary.pair
 import io.kotest.property.checkAll
 
-/** A topic of a type, which goes from 1 to [to]. */
+/** A topic of a type, with samples from 1 to [to]. */
 private fun topic(name: String, type: String = "double", to: Double = 2.0, unit: String = ""): Topic = timedTopic(name, 0.0 to 1.0, 4.0 to to).copy(type = type, unit = unit)
 
 private fun flag(name: String): Topic = topic(name, "boolean[]").copy(counts = CellCounts(0, 0, 2, 0, 0, 0), samples = doubleArrayOf(0.0, 1.0))
@@ -35,7 +35,7 @@ private fun drawn(view: LogView) = outlineOf(view, RuleSet.BUILT_IN.signals).fol
     .map { graph -> graph.name to graph.series.map { it.topic.name } }
 
 class LogOutlineSpec : FunSpec({
-    test("a log that a person can look through shows all that its attributes ask for") {
+    test("a log that a person can look through shows all graphs that its attributes define") {
         val view = timedView(topic("A"), topic("Still", to = 1.0), empty("Nothing"))
         val outline = outlineOf(view, RuleSet.BUILT_IN.signals)
         outline.folders.map { it.folder } shouldBe view.folders
@@ -43,7 +43,7 @@ class LogOutlineSpec : FunSpec({
         outline.empty shouldBe emptyList()
     }
 
-    test("in a large log, what never changes is a row with its value, and what was never logged a name") {
+    test("in a large log, a constant topic is a row with its value, and an empty one only a name") {
         val outline = outlineOf(large(topic("A"), empty("Nothing")), RuleSet.BUILT_IN.signals)
         outline.folders.flatMap { it.folder.graphs }.map { it.name } shouldBe listOf("A")
         outline.constants.size shouldBe 100
@@ -51,7 +51,7 @@ class LogOutlineSpec : FunSpec({
         outline.empty.map { it.name } shouldBe listOf("Nothing")
     }
 
-    test("the elements of an array share a graph, its numbers one and its states another") {
+    test("the numbers of an array share a graph, and its states another") {
         val view = large(topic("DS/axes[0]", "float[]"), topic("DS/axes[1]", "float[]", to = 1.0), flag("DS/buttons[0]"), flag("DS/buttons[1]"))
         drawn(view) shouldBe listOf("DS/axes" to listOf("DS/axes[0]", "DS/axes[1]"), "DS/buttons" to listOf("DS/buttons[0]", "DS/buttons[1]"))
     }
@@ -63,7 +63,7 @@ class LogOutlineSpec : FunSpec({
             listOf("Drive/Pose" to pose.map { it.name }, "Drive/Speeds" to speeds.map { it.name })
     }
 
-    test("the speeds of all swerve modules share a graph with their targets, their angles another") {
+    test("the speeds of all swerve modules share a graph with their targets, and their angles another") {
         val states = listOf("Measured", "Setpoints").flatMap { side ->
             List(4) { it }.flatMap { i -> listOf("speed", "angle/value").map { "Swerve/$side[$i]/$it" } }
         }
@@ -81,12 +81,12 @@ class LogOutlineSpec : FunSpec({
             listOf("Arm/Angle" to listOf("Arm/Angle", "Arm/Goal"))
     }
 
-    test("a target in another unit, and one whose actual value is not clear, stay alone") {
+    test("a target in another unit, or without a clear actual value, stays alone") {
         drawn(large(topic("Arm/TargetAngle", unit = "deg"), topic("Arm/Angle", unit = "rad"))).size shouldBe 2
         drawn(large(topic("Arm/Goal"), topic("Arm/Angle"), topic("Arm/Velocity"))).size shouldBe 3
     }
 
-    test("if there are too many graphs to look through, those of signals come first, and the others are listed in their folders") {
+    test("with too many graphs to look through, graphs of signals are first, and the others are listed in their folders") {
         val view = large(*Array(90) { topic("Folder ${it % 9}/Value $it") }, topic("SystemStats/BatteryVoltage"))
         val outline = outlineOf(view, RuleSet.BUILT_IN.signals)
         outline.folders.sumOf { it.folder.graphs.size } shouldBe 36
@@ -94,13 +94,13 @@ class LogOutlineSpec : FunSpec({
         outline.folders.sumOf { it.listed.size } shouldBe 55
     }
 
-    test("topics that are to be kept are drawn as they are") {
+    test("kept topics are drawn unchanged") {
         val view = large(topic("Kept", to = 1.0), topic("Arm/Target"), topic("Arm/Actual"))
         outlineOf(view, RuleSet.BUILT_IN.signals, setOf("Kept", "Arm/Target")).folders.flatMap { it.folder.graphs }.map { it.name } shouldBe
             listOf("Kept", "Arm/Target", "Arm/Actual")
     }
 
-    test("whatever a log has, each topic is drawn, listed, a constant or empty, and at most sixty graphs are drawn") {
+    test("each topic of any log is drawn, listed, constant or empty, and at most sixty graphs are drawn") {
         val parts = Arb.element("Arm", "Drive", "target", "Actual", "axes[0]", "axes[1]", "3", "speed", "translation", "x", "Setpoint", "angle", "")
         val names = Arb.list(parts, 1..4).map { it.joinToString("/") }
         val types = Arb.element("double", "float[]", "struct:Pose2d", "struct:SwerveModuleState[]", "boolean", "")
@@ -124,7 +124,7 @@ class LogOutlineSpec : FunSpec({
         }
     }
 
-    test("a topic comes with the target or actual of the same thing") {
+    test("a topic is shown with the target or actual of the same thing") {
         val view = timedView(topic("Arm/TargetAngle"), topic("Arm/ActualAngle"), topic("Arm/Other"))
         withCounterparts(view, "Arm/TargetAngle") shouldBe listOf("Arm/ActualAngle", "Arm/TargetAngle")
         withCounterparts(view, "Arm/ActualAngle") shouldBe listOf("Arm/ActualAngle", "Arm/TargetAngle")

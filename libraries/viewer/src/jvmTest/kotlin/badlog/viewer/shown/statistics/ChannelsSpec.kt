@@ -39,7 +39,7 @@ class ChannelsSpec : FunSpec({
             listOf("Current 1", "Current 0")
     }
 
-    test("currents in other units are amperes, and motors stand in where no channel is logged") {
+    test("currents in other units are amperes, and without channels motors are shown") {
         channelsOf("PDP/Current 0", unit = "mA") { listOf(5000.0) }.ranked(all, ChannelOrder.PEAK).single().peakText shouldBe "5 A"
         channelsOf("Arm/Supply Current") { listOf(5.0) }.ranked(all, ChannelOrder.PEAK).single().topic shouldBe "Arm/Supply Current"
         channelsOf("Arm/Angle", unit = "deg") { listOf(5.0) }.ranked(all, ChannelOrder.PEAK).shouldBeEmpty()

@@ -68,7 +68,7 @@ private fun besideSamples(): Strokes = strokesOf {
     if (it in 20..70 || it in 110..150 || it == 5 || it == 90 || it == 190) sin(it / 9.0) else Double.NaN
 }
 
-/** Returns the line through what [yAt] returns for each column of a picture. */
+/** Returns the line through the values of [yAt] for each column of a picture. */
 private fun strokesOf(yAt: (Int) -> Double): Strokes {
     val y = DoubleArray(PRIMITIVE_WIDTH, yAt)
     val curve = Curve(Series(DoubleArray(PRIMITIVE_WIDTH) { it.toDouble() }, y), holdsUntil = null)

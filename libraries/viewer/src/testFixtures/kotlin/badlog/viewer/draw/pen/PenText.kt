@@ -4,7 +4,7 @@ package badlog.viewer.draw.pen
  * A text on a picture of [PRIMITIVE_WIDTH] by [PRIMITIVE_HEIGHT]. Fonts differ, and with them the pixels: pens agree if each covers the
  * rectangle that follows from the width that it measures.
  *
- * @param isClipped whether only what is left of [CLIP_RIGHT] is shown.
+ * @param isClipped whether only the part to the left of [CLIP_RIGHT] is shown.
  */
 class PenText(
     private val x: Double,
@@ -13,12 +13,12 @@ class PenText(
     private val halo: Int? = null,
     private val isClipped: Boolean = false,
 ) {
-    /** Writes it with [pen]. */
+    /** Writes the text with [pen]. */
     fun writeWith(pen: Pen) {
         if (isClipped) pen.clip(0.0, 0.0, CLIP_RIGHT, PRIMITIVE_HEIGHT.toDouble()) { write(pen) } else write(pen)
     }
 
-    /** Returns the rectangle that it covers if it is as wide as [widthOf] returns for the text, the font size, and whether it is bold. */
+    /** Returns the rectangle of the text, if its width is as [widthOf] returns for the text, the font size, and whether it is bold. */
     fun boxFor(widthOf: (String, Double, Boolean) -> Double): PenBox {
         val width = widthOf(TEXT, LETTERS, isBold)
         val left = when (side) {
@@ -40,14 +40,14 @@ class PenText(
     private fun write(pen: Pen) = pen.text(TEXT, x, MIDDLE, LETTERS, BLACK, side, isBold, halo)
 
     private companion object {
-        /** Only letters that are equally high. */
+        /** Only letters of equal height. */
         const val TEXT = "nearer means sooner"
         const val LETTERS = 16.0
         const val MIDDLE = 50.0
         const val CLIP_RIGHT = 100.0
         const val BLACK = 0xFF shl 24
 
-        /** How far the outline of a halo reaches. */
+        /** The width of a halo's outline. */
         const val OUTLINE = 1.5
 
         /** The height of small letters as a fraction of the font size: 0.52 to 0.55 in fonts without serifs. */
@@ -63,5 +63,5 @@ val PEN_TEXTS: Map<String, PenText> = mapOf(
     "a clipped text" to PenText(x = 20.0, isClipped = true),
 )
 
-/** By how many pixels what a text covers may differ from [PenText.boxFor]: letters do not begin right at their left edge. */
+/** The tolerance in pixels between a text and its [PenText.boxFor]: letters do not begin right at their left edge. */
 const val TEXT_TOLERANCE: Double = 3.0

@@ -1,0 +1,24 @@
+package badlog.report
+
+import badlog.signals.logging.LoggingLibrary
+import badlog.signals.logging.howToLog
+
+/**
+ * Returns the lines of a robot program that log the first of [signals], which a log lacks, with WPILib alone; null if nothing is known of
+ * them. The report's JSON has the lines of other libraries.
+ */
+internal fun howToLogText(signals: List<String>): String? {
+    val lines = signals.mapNotNull { howToLog(it, LoggingLibrary.WPILIB) }.distinct().take(MOST_LINES)
+    if (lines.isEmpty()) return null
+    val others = (LoggingLibrary.entries - LoggingLibrary.WPILIB).joinToString { it.title }
+    val place = LoggingLibrary.WPILIB.place.trimEnd('.').replaceFirstChar { it.lowercase() }
+    return "A robot program logs the missing signals with these lines, $place (--json has them for $others):\n" +
+        lines.joinToString("\n") { "  $it" }
+}
+
+/** Returns for each of [signals] that a program can log the line with which each library logs it, by the library's title. */
+internal fun howToLogAll(signals: List<String>): Map<String, Map<String, String>> = signals.associateWith { signal ->
+    LoggingLibrary.entries.mapNotNull { library -> howToLog(signal, library)?.let { library.title to it } }.toMap()
+}.filterValues { it.isNotEmpty() }
+
+private const val MOST_LINES = 5

@@ -1,0 +1,49 @@
+package badlog.rules
+
+import badlog.core.analysis.Series
+import badlog.core.analysis.Span
+import badlog.signals.NamedSamples
+import badlog.signals.NamedSignal
+
+/**
+ * A signal that was unusual while a rule held.
+ *
+ * @property signal its name.
+ * @property most the largest value then.
+ * @property usual the median of the log; [most] is more than twice as large.
+ */
+internal class Meanwhile(val signal: String, val most: Double, val usual: Double, val unit: String)
+
+/**
+ * Returns each of [others] that rose to more than twice their usual value nearly each time in [spans], or just before, and hardly ever elsewhere. It
+ * says what happened at the same time, not which led to which.
+ */
+internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples: NamedSamples): List<Meanwhile> {
+    if (spans.isEmpty()) return emptyList()
+    return others.mapNotNull { other ->
+        val series = samples.of(other)
+        val usual = if (series.isOrdered) medianOf(series) else Double.NaN
+        if (!(usual > 0) || rareness(series, usual) > RARE) return@mapNotNull null
+        val most = spans.map { span -> mostIn(series, span.from - BEFORE_SECONDS, span.to + AFTER_SECONDS) }
+        val isEachTime = most.count { it > TIMES * usual } >= MOST_SPANS * spans.size
+        if (isEachTime) Meanwhile(other.name, most.max(), usual, other.listed.unit) else null
+    }
+}
+
+private fun rareness(series: Series, usual: Double) = series.y.count { it > TIMES * usual }.toDouble() / series.size
+
+private fun mostIn(series: Series, from: Double, to: Double): Double {
+    var most = 0.0
+    for (i in series.x.indices) if (series.x[i] in from..to && series.y[i] > most) most = series.y[i]
+    return most
+}
+
+private fun medianOf(series: Series): Double = series.y.filter { it.isFinite() }.sorted().let { it.getOrElse(it.size / 2) { Double.NaN } }
+
+private const val TIMES = 2.0
+
+/** Of the times at which the rule held, and of all samples. */
+private const val MOST_SPANS = 0.8
+private const val RARE = 0.02
+private const val BEFORE_SECONDS = 0.3
+private const val AFTER_SECONDS = 0.1

@@ -1,0 +1,58 @@
+package badlog.rules
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+
+/** Mechanisms that are blocked, and others that only look so. */
+class BlockedSpec : FunSpec({
+    fun TestMatch.blocked() = findings().filter { it.rule == "Driven without moving" }.map { it.text.substringBefore(" hardly") }
+
+    /** A lift at [height], with a motor that takes [amperes]. */
+    fun lift(height: (Double) -> Double, amperes: (Double) -> Double) = TestMatch().apply {
+        number("Elevator/Height", at = height)
+        number("Elevator/Current Amps", at = amperes)
+    }.blocked()
+
+    /** Motors with these ids that do not turn for 13 s, at this output and current. */
+    fun devices(vararg ids: Int, output: Double = 0.6, amperes: Double = 24.0) = TestMatch().apply {
+        for (id in ids) {
+            number("TalonFX-$id/DutyCycle") { if (it in 20.0..33.0) output else 0.3 * TestMatch.output(it) }
+            number("TalonFX-$id/Velocity") { if (it in 20.0..33.0) 0.0 else 60 * TestMatch.output(it) }
+            number("TalonFX-$id/SupplyCurrent") { if (it in 20.0..33.0) amperes else 3.0 }
+        }
+    }.blocked()
+
+    test("a lift that does not come to its setpoint at 45 A is blocked") {
+        lift({ if (it < 17) TestMatch.height(it) else 0.5 }, { if (it in 17.0..24.0) 45.0 else 6.0 }) shouldBe listOf("Elevator")
+    }
+
+    test("a lift that its motor holds at its setpoint, or that still moves, is not blocked") {
+        lift(TestMatch::height) { 45.0 } shouldBe emptyList()
+        lift({ if (it in 16.0..24.0) 0.5 + 0.05 * (it - 16) else TestMatch.height(it) }, { if (it in 16.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
+    }
+
+    test("a lift that is told to move and hardly driven waits for something") {
+        lift({ if (it < 17) TestMatch.height(it) else 0.5 }, { if (it in 17.0..24.0) 9.0 else 6.0 }) shouldBe emptyList()
+    }
+
+    test("a motor that is known by its id alone, and takes more than 20 A at more than half output without turning, is blocked") {
+        devices(21) shouldBe listOf("TalonFX 21")
+        devices(21, output = 0.4) shouldBe emptyList()
+        devices(21, amperes = 15.0) shouldBe emptyList()
+    }
+
+    test("rollers that take 40 A without turning are blocked, by whichever current is logged; without one, they may have no power") {
+        fun rollers(vararg currents: String) = TestMatch().apply {
+            number("Intake/Motor Output") { if (it in 20.0..24.0) 0.8 else TestMatch.output(it) }
+            number("Intake/Velocity RPM") { if (it in 20.0..24.0) 0.0 else 3000 * TestMatch.output(it) }
+            for (current in currents) number("Intake/$current") { if (it in 20.0..24.0) 40.0 else 5 + TestMatch.output(it) }
+        }.blocked()
+        rollers("Supply Current Amps") shouldBe listOf("Intake")
+        rollers("Current Amps") shouldBe listOf("Intake")
+        rollers() shouldBe emptyList()
+    }
+
+    test("several motors that do not turn at once push the robot against something") {
+        devices(1, 2, 3, 4) shouldBe emptyList()
+    }
+})

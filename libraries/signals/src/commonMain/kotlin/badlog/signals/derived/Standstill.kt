@@ -1,0 +1,93 @@
+package badlog.signals.derived
+
+import badlog.core.analysis.Series
+import kotlin.math.abs
+import kotlin.math.sign
+
+/**
+ * Returns whether something that moved before whenever it was driven stands still now, whichever way it is driven: 1 or 0 at [times].
+ * Its [places] stay the same although its motor's [outputs] (1 is full) push it for a second each way, so it does not rest at a stop: it is
+ * blocked, or its sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows; the less
+ * there is of that, the longer it has to stand.
+ */
+fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, isEnabled: BooleanArray): Series {
+    val range = quantile(DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }, 0.99) -
+        quantile(DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }, 0.01)
+    val still = DoubleArray(times.size)
+    if (!(range > 0)) return Series(times, still)
+    fun way(at: Int) = if (isEnabled[at] && abs(outputs[at]) > PUSHED) sign(outputs[at]) else 0.0
+    var moved = 0
+    val run = StillRun(times, places, STILL * range)
+    var i = 0
+    while (i < times.size) {
+        val way = way(i)
+        var end = i + 1
+        while (end < times.size && way(end) == way) end++
+        val seconds = times[minOf(end, times.size - 1)] - times[i]
+        if (way != 0.0 && seconds >= PUSH_SECONDS) {
+            if (run.takes(i, end, way, seconds)) {
+                if (run.isLongFor(moved) && run.stood <= moved * MOST_STOOD) run.mark(still)
+            } else {
+                moved++
+            }
+        }
+        i = end
+    }
+    return Series(times, still)
+}
+
+/** The pushes during which something has not moved since the last that moved it by more than [most]. */
+private class StillRun(private val times: DoubleArray, private val places: DoubleArray, private val most: Double) {
+    /** The pushes that did not move it, in runs that ended before they showed anything. */
+    var stood = 0
+        private set
+    private val pushes = ArrayList<IntRange>()
+    private var isMarked = false
+    private var up = 0.0
+    private var down = 0.0
+
+    /** Returns whether it was pushed long enough each way for something that [moved] pushes had moved before. */
+    fun isLongFor(moved: Int): Boolean {
+        val eachWay = minOf(up, down)
+        val isLong = eachWay >= LONG_SECONDS && pushes.size >= MANY_PUSHES
+        return if (moved >= LEAST_MOVED) eachWay >= EACH_WAY_SECONDS else moved >= FEW_MOVED && isLong
+    }
+
+    /** Adds the push from [from] until [until]; false if it moved something, which ends the run. */
+    fun takes(from: Int, until: Int, way: Double, seconds: Double): Boolean {
+        val start = pushes.firstOrNull()?.first ?: from
+        if ((start until until).any { !(abs(places[it] - places[start]) <= most) }) {
+            if (!isMarked) stood += pushes.size
+            pushes.clear()
+            isMarked = false
+            up = 0.0
+            down = 0.0
+            return false
+        }
+        pushes += from until until
+        if (way > 0) up += seconds else down += seconds
+        return true
+    }
+
+    fun mark(still: DoubleArray) {
+        isMarked = true
+        for (push in pushes) for (at in push) still[at] = 1.0
+    }
+}
+
+/** More than holds most things up. */
+private const val PUSHED = 0.15
+private const val PUSH_SECONDS = 0.3
+private const val EACH_WAY_SECONDS = 1.0
+
+/** Of its range: more than play between gears. */
+private const val STILL = 0.005
+
+/** The number of pushes that must have moved it before, and how many of those that did not there may be for each of them. */
+private const val LEAST_MOVED = 8
+private const val MOST_STOOD = 0.15
+
+/** Fewer pushes that moved it are enough if it stood still for longer. */
+private const val FEW_MOVED = 4
+private const val LONG_SECONDS = 5.0
+private const val MANY_PUSHES = 4
