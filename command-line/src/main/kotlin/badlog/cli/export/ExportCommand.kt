@@ -44,7 +44,7 @@ internal class ExportCommand :
 
     override fun makeTask(): Task = ExportTask(
         paths,
-        output.plan(paths, match.isOne),
+        output.plan(paths, match.isOne, match.station),
         attachments,
         compared,
         video,

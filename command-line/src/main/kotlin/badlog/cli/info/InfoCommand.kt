@@ -1,6 +1,7 @@
 package badlog.cli.info
 
 import badlog.catalog.examine.UndefinedTopic
+import badlog.catalog.match.MatchMaker
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop
@@ -21,7 +22,6 @@ import badlog.files.LogFile
 import badlog.files.LogMaker
 import badlog.report.NamedTopics
 import badlog.report.undefinedTexts
-import badlog.signals.match.files.MatchManifest
 import badlog.signals.signalTopicsOf
 import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
@@ -112,7 +112,7 @@ internal class InfoTask(
     override fun run(console: Console): ExitCode = matched("info", paths, match, console, isJson, ::run)
 
     private fun run(paths: List<Path>, maker: LogMaker, console: Console): ExitCode {
-        val isFolder = Files.isDirectory(paths[0]) && !Files.exists(paths[0].resolve(MatchManifest.NAME))
+        val isFolder = Files.isDirectory(paths[0]) && MatchMaker.manifestIn(paths[0]) == null
         val isOverview = !isJson && parts.isEmpty() && (paths.size > 1 || isFolder)
         val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
         val overview = OverviewText(console.width)

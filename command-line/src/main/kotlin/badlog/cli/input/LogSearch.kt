@@ -8,7 +8,6 @@ import badlog.files.reading
 import badlog.files.unreadable
 import badlog.files.wholeLogs
 import badlog.signals.match.NaturalOrder
-import badlog.signals.match.files.MatchManifest
 import java.io.IOException
 import java.nio.file.AccessDeniedException
 import java.nio.file.Files
@@ -52,7 +51,7 @@ internal class LogSearch(private val opensMatches: Boolean = false, private val 
     /** Searches below [paths]. Call it once. */
     fun find(paths: List<Path>): SearchResult {
         for (path in paths) {
-            val manifest = path.resolve(MatchManifest.NAME).takeIf { opensMatches && Files.isRegularFile(it) }
+            val manifest = if (opensMatches) MatchMaker.manifestIn(path) else null
             if (manifest != null) {
                 inputs += LogInput(manifest, null)
                 lookInto(path, MatchMaker.filesOf(manifest))

@@ -39,14 +39,19 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
  *
  * @property edges the number of starts and ends of [what] that match those of the first log; 0 if the move was given.
  * @property error their largest distance from those, or else the possible error of the clocks, in s; 0 if the move was given.
+ * @property early the number of its samples that would be before 0, and are left out of a merged log.
  */
-internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled")
+internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled", val early: Long = 0)
 
 /** A time of [seconds] seconds without any log, after [one] and before [other]. */
 internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
 
-/** Logs on one clock, some of which were moved for that. */
-internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>) {
+/**
+ * Logs on one clock, some of which were moved for that.
+ *
+ * @property placed those whose place is given or found; the others were only left where they are.
+ */
+internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>, val placed: Set<LogPart>) {
     /** Pauses so long that the logs may have different clocks. */
     val pauses: List<Pause> = buildList {
         var last: LogPart? = null
@@ -87,20 +92,28 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
             val place = places[index] ?: return@mapIndexed part
             val seconds = place.seconds + later
             if (round(seconds * MICROS) == 0.0) return@mapIndexed part
-            val isByMotors = isOfMotors(part)
+            val isByMotors = isOfMotors(part) && place.fit != null
             // The robot's clock stays, so that what motor controllers logged before its 0 has no place.
-            val by = (if (isByMotors) part.since(-seconds) else part).later(seconds)
+            val kept = if (isByMotors) part.since(-seconds) else part
+            val by = kept.later(seconds)
+            val early = part.recording.sampleCount - kept.recording.sampleCount
             val fit = place.fit ?: places.mapNotNull { it?.fit }.takeIf { later != 0.0 }?.minByOrNull { it.edges }
-            by.also { moves += Move(it, fit?.edges ?: 0, fit?.error ?: 0.0, if (isByMotors) "motors driven" else "enabled") }
+            by.also { moves += Move(it, fit?.edges ?: 0, fit?.error ?: 0.0, if (isByMotors) "motors driven" else "enabled", early) }
         }
+        val placed = moved.filterIndexedTo(HashSet()) { i, _ -> alignsEnabled || places[i]?.fit != null || isGiven(own[i]) }
         val beside = station?.let { one ->
-            one.beside(moved[own.indexOf(one.robot)]).also { moves += Move(it, one.fit.edges, one.fit.error) }
+            one.beside(moved[own.indexOf(one.robot)]).also {
+                placed += it
+                moves += Move(it, one.fit.edges, one.fit.error, early = one.part.recording.sampleCount - it.recording.sampleCount)
+            }
         }
-        return MovedLogs(moved + listOfNotNull(beside), moves)
+        return MovedLogs(moved + listOfNotNull(beside), moves, placed)
     }
 
     /** Whether nothing says where one of [parts] stands, so that all of them may move. */
-    private fun isFree(parts: List<LogPart>) = alignsEnabled && parts.none { part -> offsets.any { it.isOf(part.file) } }
+    private fun isFree(parts: List<LogPart>) = alignsEnabled && parts.none(::isGiven)
+
+    private fun isGiven(part: LogPart) = offsets.any { it.isOf(part.file) }
 
     private fun placesOf(parts: List<LogPart>): List<ClockPlace?> {
         val given = parts.indices.mapNotNull { i -> offsets.find { it.isOf(parts[i].file) }?.let { i to it.seconds } }.toMap()

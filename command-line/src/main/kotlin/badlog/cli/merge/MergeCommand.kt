@@ -15,7 +15,7 @@ internal class MergeCommand :
     LogCommand(
         "merge",
         "Merges several logs of one run into one.",
-        "Logs with the same topics are appended in order of x; duplicate rows are kept once. Logs with " +
+        "Logs with the same topics are appended in order of x, or as given without x; duplicate rows are kept once. Logs with " +
             "different topics are joined side by side, each with its own rows. All need the same clock as x axis. A topic whose " +
             "name is taken goes into a folder named after its file. With a WPILOG among the logs, or as the result, each topic " +
             "keeps its own times. All logs are held in memory at once. Logs of other clocks need --offset or --align; " +
@@ -48,6 +48,7 @@ internal class MergeCommand :
         } else {
             MergeMode.BY_TOPICS
         }
-        return MergeTask(paths, match.merging(paths, mode, acceptsOnly = true), out, OutputPlan(null, paths, isForced), xTopic, isJson)
+        val plan = OutputPlan(null, paths, isForced, station = match.station)
+        return MergeTask(paths, match.merging(paths, mode, acceptsOnly = true), out, plan, xTopic, isJson)
     }
 }

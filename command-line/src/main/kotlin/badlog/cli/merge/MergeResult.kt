@@ -35,10 +35,10 @@ internal sealed interface MergeResult {
         override val outcome: Outcome get() = mergeOutcome(merge, moved, target, leftOut)
     }
 
-    /** A ZIP, [target], of the logs as they are. */
-    class Zipped(override val moved: MovedLogs, private val target: Path) : MergeResult {
+    /** A ZIP, [target], of the logs as they are, which does not state the clocks of the logs [open]. */
+    class Zipped(override val moved: MovedLogs, private val target: Path, private val open: List<LogPart>) : MergeResult {
         override fun remarks(isOfDoubts: Boolean): List<String> = emptyList()
 
-        override val outcome: Outcome get() = zipOutcome(moved, target)
+        override val outcome: Outcome get() = zipOutcome(moved, target, open)
     }
 }

@@ -88,7 +88,11 @@ internal class LogBesideStation(private val merging: Merging, private val isJson
 
     private fun placeOf(file: Path): Place? = places.computeIfAbsent(file) {
         val part = readPart(file)?.takeUnless { it.recording.isOfDriverStation }
-        listOfNotNull(part?.let(merging::stationOf)?.let { Place(it.part.file, it.fit) })
+        val station = part?.let(merging::stationOf)
+        if (part != null && station == null && !isJson) {
+            warn("$file: no Driver Station log of its match was found, so it is shown as it is.")
+        }
+        listOfNotNull(station?.let { Place(it.part.file, it.fit) })
     }.singleOrNull()
 
     private fun readPart(file: Path): LogPart? = (readLog(file, LOG_FORMATS) as? ReadResult.Read)?.let { LogPart(file, it.recording) }

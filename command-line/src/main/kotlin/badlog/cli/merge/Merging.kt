@@ -3,6 +3,7 @@ package badlog.cli.merge
 import badlog.catalog.match.FileForZip
 import badlog.catalog.match.writeMatchZip
 import badlog.cli.input.Failure
+import badlog.cli.input.folderBeside
 import badlog.cli.output.LogFormat
 import badlog.cli.output.writeLog
 import badlog.files.terminal.Progress
@@ -26,12 +27,12 @@ internal class Merging(
     private val finder = StationFinder()
 
     /**
-     * Writes one log of [logs], in whatever order they are, to [target].
+     * Writes one log of [logs] to [target]. Their order counts only if none has an x axis.
      *
      * @throws Failure if they cannot become one.
      */
     fun write(logs: List<LogPart>, target: Path, progress: Progress): MergeResult {
-        val sorted = logs.sortedWith(PART_ORDER)
+        val sorted = if (logs.all { it.hasRows && it.xTopic == null }) logs else logs.sortedWith(PART_ORDER)
         if (sorted.isEmpty()) throw Failure("Merging needs at least two logs, but there is none.")
         val beside = station?.let { stationFor(sorted, it) }
         val parts = sorted + listOfNotNull(beside?.part)
@@ -70,20 +71,28 @@ internal class Merging(
         return MergeResult.Made(merged, moved, target, records.leftOut)
     }
 
-    /** The files stay as they are, with their clocks beside them. The clock of the first robot's log is the match's. */
+    /** The files stay as they are, with their clocks beside them, as far as these are known. */
     private fun zipped(moved: MovedLogs, target: Path): MergeResult {
         moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} is of several logs; name these, to make one ZIP of all.") }
-        val robot = moved.parts.find { it.role == FileRole.ROBOT }
-            ?: throw Failure("A ZIP of a match needs the log of a robot, whose clock is that of the match; name one.")
+        val known = moved.placed + leadIn(moved)
+        // Nothing of the other logs is before 0 on the earliest clock.
+        val first = moved.parts.filter { it.role == FileRole.ROBOT && it in known }.minBy { it.offset }
         val errors = moved.moves.associate { it.part to it.error.takeIf { _ -> it.edges > 1 } }
-        val files = moved.parts.map { FileForZip(it.file, it.role, it.offset - robot.offset, errors[it]) }
+        val files = moved.parts.map { part ->
+            FileForZip(part.file, part.role, (part.offset - first.offset).takeIf { part in known }, errors[part])
+        }
         writeAtomically(target) { writeMatchZip(files, it) }
-        return MergeResult.Zipped(moved, target)
+        return MergeResult.Zipped(moved, target, moved.parts.filter { it !in known })
+    }
+
+    /** Returns the log of a robot from whose clock the offsets of the others count: one that was not moved, if there is one. */
+    private fun leadIn(moved: MovedLogs): LogPart {
+        val robots = moved.parts.filter { it.role == FileRole.ROBOT }
+        val kept = robots.filter { it.offset == 0.0 }.ifEmpty { robots }
+        return kept.find { clocked(it).edges.isNotEmpty() } ?: kept.firstOrNull()
+            ?: throw Failure("A ZIP of a match needs the log of a robot, whose clock is that of the match; name one.")
     }
 }
-
-/** Returns [folder], or the folder of [log] if it is empty. */
-internal fun folderBeside(log: Path, folder: Path): Path = if (folder.toString().isEmpty()) log.toAbsolutePath().parent else folder
 
 /** Whether [target] is to be a ZIP of the logs as they are. */
 internal fun isZip(target: Path): Boolean = target.toString().endsWith(".zip", ignoreCase = true)

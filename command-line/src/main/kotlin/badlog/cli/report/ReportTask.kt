@@ -8,6 +8,7 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
+import badlog.cli.merge.LeftOutLogs
 import badlog.cli.merge.MatchChoice
 import badlog.cli.merge.matched
 import badlog.cli.plugin.ChartService
@@ -33,7 +34,8 @@ import badlog.report.reportText
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.match.files.MatchManifest
-import java.nio.file.Files
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.name
 
@@ -75,11 +77,14 @@ internal class ReportTask(
         }
         val rules: RuleSet
         val stations: StationsBeside?
+        val made: LeftOutLogs
         val report = try {
             val named = search.namedRules()
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
             stations = station?.let { StationsBeside(it, rules.signals) }
+            // Rules use the Driver Station's log only for signals that the robot's lacks.
+            made = LeftOutLogs(if (stations == null) maker else MatchMaker)
             Report(
                 rules,
                 search.hooksWith(named),
@@ -89,8 +94,7 @@ internal class ReportTask(
                 xTopic,
                 stations?.let { it::over },
                 measures = charts != null,
-                // Rules use the Driver Station's log only for signals that the robot's lacks.
-                maker = if (stations == null) maker else MatchMaker,
+                maker = made,
             )
         } catch (e: SearchException) {
             console.warn(e.message)
@@ -115,7 +119,11 @@ internal class ReportTask(
         logs.report(outcomes) { input, file ->
             val log = reportOf.getValue(file)
             val unreadable = log.unreadable
-            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else report(log, pages, stations, outcomes, console)
+            if (unreadable != null) {
+                outcomes.unreadable(input, unreadable, log.isNoLog)
+            } else {
+                report(log, pages, stations, made.of(file.path), outcomes, console)
+            }
         }
         pages?.finish(result, outcomes) { if (charts == null) PageCharts.NONE else drawn(it, charts, console) }
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
@@ -125,7 +133,7 @@ internal class ReportTask(
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
     }
 
-    private fun isMatchFolder(path: Path) = path.name == MatchManifest.NAME || Files.exists(path.resolve(MatchManifest.NAME))
+    private fun isMatchFolder(path: Path) = path.name == MatchManifest.NAME || MatchMaker.manifestIn(path) != null
 
     private fun drawn(logs: List<LogReport>, charts: ChartService, console: Console): PageCharts {
         val drawn = console.progress("charts").use { bar ->
@@ -135,14 +143,25 @@ internal class ReportTask(
         return drawn
     }
 
-    private fun report(log: LogReport, pages: ReportPages?, stations: StationsBeside?, outcomes: Outcomes, console: Console) {
+    private fun report(
+        log: LogReport,
+        pages: ReportPages?,
+        stations: StationsBeside?,
+        leftOut: List<String>,
+        outcomes: Outcomes,
+        console: Console,
+    ) {
         val failure = pages?.failureOf(log)
         val json = if (form == ResultForm.JSON) {
-            jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() + stations?.jsonOf(log.file).orEmpty()
+            jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() + stations?.jsonOf(log.file).orEmpty() +
+                (if (leftOut.isEmpty()) emptyMap() else mapOf("leftOut" to JsonArray(leftOut.map { JsonPrimitive(it) })))
         } else {
             emptyMap()
         }
-        if (form != ResultForm.JSON) stations?.sentenceOf(log.file)?.let(console::warn)
+        if (form != ResultForm.JSON) {
+            stations?.sentenceOf(log.file)?.let(console::warn)
+            leftOut.forEach { console.warn("${log.file.path}: $it") }
+        }
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
         if (failure != null && form != ResultForm.JSON) console.warn(failure)
     }

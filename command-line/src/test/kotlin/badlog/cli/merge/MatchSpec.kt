@@ -20,7 +20,9 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.property.PropertyTesting
+import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.double
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
@@ -152,7 +154,7 @@ class MatchSpec : FunSpec({
             said("C:arm.wpilog" to log, "b.wpilog" to log) shouldContain "not the name of a file"
             said("a.wpilog" to log, "A.wpilog" to log) shouldContain "are one name on some systems"
             said("a.wpilog" to ByteArray(8 shl 20)) shouldContain "grows more than 200 times"
-            said("a.wpilog" to log, "match.json" to "{}".encodeToByteArray()) shouldContain "match.json cannot be read"
+            said("a.wpilog" to log, "match.json" to "{\"version\":1,\"files\":[3]}".encodeToByteArray()) shouldContain "match.json cannot be read"
             said("a.wpilog" to log, "b.wpilog" to log) shouldContain "the logs of 2 matches"
             said("a.wpilog" to "%PDF-1.4".encodeToByteArray()) shouldContain "no robot's log that can be read"
             badlog("info", zip(folder / "texts.zip", "a.txt" to log)).oneLine() shouldContain "archive of files"
@@ -195,11 +197,136 @@ class MatchSpec : FunSpec({
             match.topics() shouldNotContain "eye/Eye/Angle"
             "$match" shouldContain "rio.hoot is missing"
             "${other["file"]}" shouldContain "Q4.wpilog"
-            day.with("match.json", "{")
+            day.with("match.json", "{\"version\":1,\"files\":[")
             val broken = badlog("info", day)
             broken.code shouldBe ExitCode.SALVAGED
             broken.oneLine() shouldContain "match.json cannot be read"
             badlogJson("info", day).json.size shouldBe 4
+        }
+    }
+
+    test("what another program calls match.json is nothing to badlog, in a folder or a ZIP") {
+        inFolder { folder ->
+            val day = (folder / "day").createDirectory()
+            val log = day.robot("arm.wpilog", "Arm", 0.0)
+            val foreign = "{\"key\":\"2026test_qm4\",\"alliances\":{\"red\":{\"score\":3}}}"
+            day.with("match.json", foreign)
+            for (command in listOf<List<Any>>(listOf("info"), listOf("report", "--no-cache"), listOf("merge", day.robot("eye.wpilog", "Eye", 0.0), "-o", folder / "m.wpilog"))) {
+                val ended = badlog(command[0], day, *command.drop(1).toTypedArray())
+                withClue(command) { ended.code shouldBe ExitCode.WHOLE }
+                ended.oneLine() shouldNotContain "match.json"
+            }
+            val zipped = zip(folder / "m.zip", "match.json" to foreign.encodeToByteArray(), "arm.wpilog" to log.readBytes())
+            badlog("info", zipped).code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("a log that a match lacks makes it incomplete, and is said by every command") {
+        inFolder { folder ->
+            val log = folder.robot("arm.wpilog", "Arm", 0.0).readBytes()
+            val match = zip(folder / "m.zip", "arm.wpilog" to log, "list.csv" to "Name,Team\nA,B\n".encodeToByteArray())
+            val sentence = "list.csv has no samples over time, so it cannot be placed."
+            // Twice, since the second report may know the first one's results.
+            val commands = listOf<List<Any>>(listOf("info"), listOf("report"), listOf("report"), listOf("export", "-o", folder / "p.html"), listOf("merge", "-o", folder / "m.wpilog"))
+            for (command in commands) {
+                val ended = badlog(command[0], match, *command.drop(1).toTypedArray())
+                withClue(command) {
+                    ended.code shouldBe ExitCode.SALVAGED
+                    ended.oneLine() shouldContain sentence
+                }
+            }
+            for (command in commands.take(2)) "${badlogJson(command[0], match).json.single()}" shouldContain sentence
+            // That no Driver Station's log is there is nothing lost.
+            badlog("report", zip(folder / "whole.zip", "arm.wpilog" to log)).code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("merge never overwrites a log that it reads: of a match.json, one of its folder, a second file, or a Driver Station's that it searches") {
+        inFolder { folder ->
+            val day = (folder / "day").createDirectory()
+            val robots = (day / "robots").createDirectory()
+            val logs = listOf(robots.robot("r.wpilog", "Arm", 0.0), robots.robot("e.dat", "Eye", 0.0))
+            day.with("match.json", "{\"version\":1,\"files\":[{\"name\":\"robots/r.wpilog\",\"seconds\":0},{\"name\":\"robots/e.dat\",\"seconds\":1}]}")
+            val stations = (folder / "ds").createDirectory()
+            val station = stations.with("2026_03_07 10_04_05 Sat.dslog", dslog().bytes)
+            val events = stations.with("2026_03_07 10_04_05 Sat.dsevents", ByteArray(20))
+            val robot = folder.robot("robot.wpilog", "Arm", 0.0)
+            val beside = stations.robot("beside.wpilog", "Arm", 0.0)
+            val tried = logs.flatMap { log -> listOf(day / "match.json", day).map { listOf<Any>("merge", it, "-o", log) } } +
+                listOf(station, events).flatMap { log ->
+                    listOf<List<Any>>(
+                        listOf("merge", robot, "--with-ds=$stations", "-o", log),
+                        listOf("merge", beside, "--with-ds", "-o", log),
+                        listOf("export", robot, "--with-ds=$stations", "-o", log),
+                    )
+                } + listOf<List<Any>>(listOf("merge", day, robot, "-o", day / "match.json"), listOf("convert", station, "-o", events))
+            val before = (logs + listOf(station, events, day / "match.json")).associateWith { it.readBytes().toList() }
+            for (arguments in tried) {
+                val ended = badlog(*arguments.toTypedArray(), "--force")
+                withClue(arguments) {
+                    ended.code shouldBe ExitCode.NOTHING
+                    ended.oneLine() shouldContain "would overwrite a file that is read"
+                    before.keys.associateWith { it.readBytes().toList() } shouldBe before
+                }
+            }
+        }
+    }
+
+    fun stated(zip: Path): Map<String, Double?> = ZipFile(zip.toFile()).use { file ->
+        val text = file.getInputStream(file.getEntry("match.json")).readBytes().decodeToString()
+        Json.parseToJsonElement(text).jsonObject.getValue("files").jsonArray.map { it.jsonObject }
+            .associate { it.getValue("name").jsonPrimitive.content to it["seconds"]?.jsonPrimitive?.double }
+    }
+
+    test("a ZIP states only clocks that are given or found, and the others are found when it is read") {
+        inFolder { folder ->
+            // On clocks that are 12 s apart, as only their moments of enabling show.
+            val logs = listOf(folder.robot("arm_Q3.wpilog", "Arm", -10.0), folder.robot("eye_Q3.wpilog", "Eye", 2.0))
+            val zip = folder / "m.zip"
+            val ended = badlog("merge", *logs.toTypedArray(), "-o", zip)
+            ended.oneLine() shouldContain "open: ${logs[1]}; its clock is found when the ZIP is read"
+            stated(zip) shouldBe mapOf("arm_Q3.wpilog" to 0.0, "eye_Q3.wpilog" to null)
+            badlog("info", zip).oneLine() shouldContain "Files/eye_Q3.wpilog robot: moved by 12.0 s; 4 edges of enabled fit"
+            badlog("merge", *logs.toTypedArray(), "--offset", "eye_Q3.wpilog=0", "-o", zip, "--force").oneLine() shouldNotContain "open:"
+            stated(zip) shouldBe mapOf("arm_Q3.wpilog" to 0.0, "eye_Q3.wpilog" to 0.0)
+        }
+    }
+
+    test("the clock of a ZIP is that of the robot's log that began first, so that no sample of the others is before 0") {
+        inFolder { folder ->
+            val (arm, eye) = folder.robot("arm.wpilog", "Arm", 0.0) to folder.robot("eye.wpilog", "Eye", 0.0)
+            val zip = folder / "m.zip"
+            badlog("merge", arm, eye, "--offset", "arm.wpilog=4", "-o", zip).code shouldBe ExitCode.WHOLE
+            stated(zip) shouldBe mapOf("arm.wpilog" to 4.0, "eye.wpilog" to 0.0)
+            badlog("merge", arm, eye, "--align", "enabled", "--offset", "arm.wpilog=4", "-o", zip, "--force").code shouldBe ExitCode.WHOLE
+            stated(zip).values.toSet() shouldBe setOf(0.0)
+            val late = folder.robot("late.wpilog", "Leg", 3.0)
+            badlog("merge", eye, late, "--align", "enabled", "-o", zip, "--force").code shouldBe ExitCode.WHOLE
+            stated(zip) shouldBe mapOf("eye.wpilog" to 0.0, "late.wpilog" to 3.0)
+            val early = folder.robot("zoo.wpilog", "Zoo", -3.0)
+            badlog("merge", eye, early, "--align", "enabled", "-o", zip, "--force").code shouldBe ExitCode.WHOLE
+            stated(zip) shouldBe mapOf("eye.wpilog" to 3.0, "zoo.wpilog" to 0.0)
+            badlog("info", zip).oneLine() shouldNotContain "left out"
+        }
+    }
+
+    test("logs without an x axis are appended in the order given, not by name") {
+        inFolder { folder ->
+            val logs = listOf(folder.with("b.csv", "Motor,Amps\n1,2\n"), folder.with("a.csv", "Motor,Amps\n3,4\n"), folder.with("c.csv", "Motor,Amps\n5,6\n"))
+            for (order in listOf(logs, logs.reversed())) {
+                val merged = folder / "all.csv"
+                badlog("merge", *order.toTypedArray(), "-o", merged, "--force").oneLine() shouldContain "in the order given: ${order[0]}"
+                merged.readText() shouldBe "Motor,Amps\n" + order.joinToString("") { it.readText().substringAfter('\n') }
+            }
+        }
+    }
+
+    test("a log whose name is not that of a log is opened in the ZIP that merge writes") {
+        inFolder { folder ->
+            val arm = folder.robot("arm.wpilog", "Arm", 0.0)
+            val ended = badlog("merge", arm, folder.robot("robot", "Leg", 0.0), "--align", "enabled", "-o", folder / "m.zip")
+            ended.code shouldBe ExitCode.WHOLE
+            badlogJson("info", folder / "m.zip").json.single().topics() shouldContain "robot/Leg/Angle"
         }
     }
 
@@ -264,6 +391,10 @@ class MatchSpec : FunSpec({
                 "$ended" shouldNotContain "Driver Station/Battery Voltage"
                 "$ended" shouldNotContain "driverStation"
             }
+            val sentence = "robot.wpilog: no Driver Station log of its match was found, so it is shown as it is."
+            badlog("info", robot, "--with-ds=$other").oneLine() shouldContain sentence
+            badlog("export", robot, "--with-ds=$other", "-o", folder / "p.html").oneLine() shouldContain sentence
+            badlog("info", robot, "--with-ds").oneLine() shouldNotContain "no Driver Station log"
         }
     }
 

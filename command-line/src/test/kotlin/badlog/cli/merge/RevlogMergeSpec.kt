@@ -15,6 +15,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.nio.file.Path
 import kotlin.io.path.div
 
 /** The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s; a status frame every 20 ms from [from] s until 30 s. */
@@ -52,11 +53,24 @@ class RevlogMergeSpec : FunSpec({
         inFolder { folder ->
             val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
             val late = arm.map { it.start + 2..it.endInclusive + 2 }
-            said("merge", robot, folder.with("REV_1.revlog", revlog(0.0, late)), "-o", folder / "both.wpilog") shouldContain "REV_1.revlog by -2 s"
+            val said = said("merge", robot, folder.with("REV_1.revlog", revlog(0.0, late)), "-o", folder / "both.wpilog")
+            said shouldContain "REV_1.revlog by -2 s"
+            said shouldContain Regex("; without \\d+ samples before 0")
             val output = readRecording(folder / "both.wpilog", LOG_FORMATS).topics.single { it.name == "REV/Spark-3/APPLIED_OUTPUT" }
             output.times?.first() shouldBe (0.02 plusOrMinus 0.021)
             // The first start of the motor in both.
             output.times?.get(output.samples.indexOfFirst { it > 0.1 }) shouldBe (3.0 plusOrMinus 0.021)
+        }
+    }
+
+    test("a given offset leaves out no sample: it is refused if the log would begin before 0") {
+        inFolder { folder ->
+            val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val motors = folder.with("REV_1.revlog", revlog(1.0, arm))
+            fun samplesIn(log: Path) = readRecording(log, LOG_FORMATS).topics.filter { it.name.startsWith("REV/") }.sumOf { it.times?.size ?: 0 }
+            said("merge", robot, motors, "--offset", "REV_1.revlog=-2", "-o", folder / "both.wpilog") shouldContain "REV_1.revlog would start before 0"
+            said("merge", robot, motors, "--offset", "REV_1.revlog=-0.5", "-o", folder / "both.wpilog") shouldNotContain "samples before 0"
+            samplesIn(folder / "both.wpilog") shouldBe samplesIn(motors)
         }
     }
 

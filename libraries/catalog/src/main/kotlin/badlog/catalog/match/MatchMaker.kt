@@ -74,6 +74,16 @@ object MatchMaker : LogMaker {
         return recording.problems
     }
 
+    /** Returns the `match.json` in [folder]; null if there is none, or only one that another program wrote. */
+    fun manifestIn(folder: Path): Path? = folder.resolve(MatchManifest.NAME).takeIf { file ->
+        Files.isRegularFile(file) && try {
+            MatchManifest.isOne(textOf(file))
+        } catch (_: UnreadableFileException) {
+            // The sentence about it is said when it is used.
+            true
+        }
+    }
+
     /** Returns the existing files that [manifest] names, with the second files of logs; none if it cannot be read. */
     fun filesOf(manifest: Path): Set<Path> = try {
         logsBeside(manifest, statedIn(manifest, textOf(manifest))).values.flatMapTo(HashSet(), ::partsOfLog)

@@ -7,6 +7,7 @@ import badlog.files.reading
 import badlog.files.safeName
 import badlog.files.writing
 import badlog.signals.match.files.MatchManifest
+import badlog.signals.match.files.MatchManifestException
 import badlog.signals.match.files.isNameInside
 import java.io.IOException
 import java.nio.charset.Charset
@@ -19,48 +20,56 @@ import java.util.zip.ZipFile
 
 /**
  * The logs in the ZIP [file], which may have come from anywhere: a name from the ZIP leads nowhere but into a folder of badlog, links are
- * files like others, and whatever grows without end is refused. Anything but logs and a `match.json` is passed over.
+ * files like others, and whatever grows without end is refused. Anything but a `match.json`, the files that it names, and files that are
+ * named like logs is passed over.
  *
  * @throws NotReadException if it is not a ZIP, or not one that people make of logs.
  */
 internal class MatchZip(private val file: Path) : AutoCloseable {
-    /** A log, or the `match.json`, called [name], with slashes. */
-    private class Named(val name: String, val entry: ZipEntry) {
-        val isManifest: Boolean get() = name.substringAfterLast('/') == MatchManifest.NAME
-    }
+    /** A file called [name], with slashes. */
+    private class Named(val name: String, val entry: ZipEntry)
+
+    /** The files of a match: its [logs], and the `match.json`, [manifest], if there is one. */
+    private class Content(val manifest: Named?, val logs: List<Named>)
 
     private val zip: ZipFile = opened()
-    private val entries: List<Named> = try {
-        checked(zip.entries().asSequence())
+    private val content: Content = try {
+        contentOf(zip.entries().asSequence())
     } catch (e: Throwable) {
         zip.close()
         throw e
     }
 
     /** Whether anything in it may be a log. */
-    val hasLogs: Boolean get() = entries.isNotEmpty()
+    val hasLogs: Boolean get() = content.manifest != null || content.logs.isNotEmpty()
 
     /** The text of its `match.json`; null if there is none. */
-    fun manifest(): String? = entries.find { it.isManifest }?.let(::textOf)
+    fun manifest(): String? = content.manifest?.let(::textOf)
 
     /**
-     * Writes its logs into [folder], and returns them by their names beside the `match.json`.
+     * Writes its logs into [folder], and returns them by their names beside the `match.json`; those outside of its folder begin with `../`.
      *
      * @param checkpoint called after each piece; may throw to cancel.
      */
     fun unpack(folder: Path, checkpoint: () -> Unit): Map<String, Path> {
-        val outer = entries.find { it.isManifest }?.name?.removeSuffix(MatchManifest.NAME).orEmpty()
         val folders = LinkedHashMap<String, Path>()
         var bytes = 0L
-        return entries.filterNot { it.isManifest }.associate { log ->
+        return content.logs.associate { log ->
             val place = folders.getOrPut(log.name.substringBeforeLast('/', "")) {
                 writing(folder) { Files.createDirectory(folder.resolve("${folders.size}")) }
             }
             val target = place.resolve(safeName(log.name.substringAfterLast('/')))
             bytes += copy(log, target, ALL_BYTES - bytes, checkpoint)
             bytes += inflatedBytes(log, target, ALL_BYTES - bytes, checkpoint)
-            log.name.removePrefix(outer) to target
+            nameBeside(content.manifest, log.name) to target
         }
+    }
+
+    private fun nameBeside(manifest: Named?, name: String): String {
+        val from = manifest?.name?.split('/')?.dropLast(1).orEmpty()
+        val to = name.split('/')
+        val common = from.zip(to.dropLast(1)).takeWhile { (one, other) -> one == other }.size
+        return "../".repeat(from.size - common) + to.drop(common).joinToString("/")
     }
 
     override fun close(): Unit = zip.close()
@@ -138,8 +147,11 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         }
     }
 
+    private fun beginningOf(manifest: Named): ByteArray =
+        inside(manifest) { zip.getInputStream(manifest.entry).use { it.readNBytes(MANIFEST_BYTES + 1) } }
+
     private fun textOf(log: Named): String {
-        val bytes = inside(log) { zip.getInputStream(log.entry).use { it.readNBytes(MANIFEST_BYTES + 1) } }
+        val bytes = beginningOf(log)
         if (bytes.size > MANIFEST_BYTES) throw refused("Its ${MatchManifest.NAME} is far too large; write a new one.")
         if (CRC32().apply { update(bytes) }.value != log.entry.crc) throw damaged(log)
         return bytes.decodeToString()
@@ -151,18 +163,40 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         throw damaged(log)
     }
 
-    private fun checked(all: Sequence<ZipEntry>): List<Named> {
+    private fun contentOf(all: Sequence<ZipEntry>): Content {
+        // Windows PowerShell 5 writes backslashes.
+        val files = all.map { Named(it.name.replace('\\', '/'), it) }.filterNot { it.name.endsWith('/') || isHidden(it.name) }.toList()
+        val manifest = manifestAmong(files)
+        val stated = manifest?.let(::statedIn).orEmpty()
+        val logs = files.filter { it !== manifest && (isNamedLikeLog(it.name) || it.name in stated) }
+        if (logs.size > LOGS) throw refused("It has more than $LOGS logs; make a ZIP of one match only.")
+        check(logs + listOfNotNull(manifest))
+        return Content(manifest, logs)
+    }
+
+    private fun manifestAmong(files: List<Named>): Named? {
+        val several = "It has several ${MatchManifest.NAME}; make a ZIP of one match only."
+        val named = files.filter { it.name.substringAfterLast('/') == MatchManifest.NAME }
+        if (named.size > LOGS) throw refused(several)
+        val manifests = named.filter { MatchManifest.isOne(beginningOf(it).decodeToString()) }
+        if (manifests.size > 1) throw refused(several)
+        return manifests.singleOrNull()
+    }
+
+    /** Returns the names of the logs that [manifest] states; none if it has mistakes, about which a sentence is said when it is used. */
+    private fun statedIn(manifest: Named): Set<String> = try {
+        val outer = manifest.name.removeSuffix(MatchManifest.NAME)
+        MatchManifest.of(beginningOf(manifest).decodeToString()).files.mapTo(HashSet()) { outer + it.name }
+    } catch (_: MatchManifestException) {
+        emptySet()
+    }
+
+    private fun check(files: List<Named>) {
         val seen = HashMap<String, String>()
-        val logs = ArrayList<Named>()
         var bytes = 0L
-        for (entry in all) {
-            // Windows PowerShell 5 writes backslashes.
-            val name = entry.name.replace('\\', '/')
-            if (name.endsWith('/') || isHidden(name) || !isWanted(name)) continue
-            if (!isNameInside(
-                    name,
-                )
-            ) {
+        for (file in files) {
+            val (name, entry) = file.name to file.entry
+            if (!isNameInside(name)) {
                 throw refused("“${shown(name)}” in it is not the name of a file in a ZIP; make the ZIP again from the folder.")
             }
             // Windows and macOS would take both for the same file.
@@ -172,11 +206,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
             bytes += maxOf(0, entry.size)
             if (bytes > ALL_BYTES) throw tooLarge()
             if (entry.size > RATIO_COUNTS_FROM && entry.size / RATIO > entry.compressedSize) throw grows(name)
-            logs += Named(name, entry)
-            if (logs.size > LOGS) throw refused("It has more than $LOGS logs; make a ZIP of one match only.")
         }
-        if (logs.count { it.isManifest } > 1) throw refused("It has several ${MatchManifest.NAME}; make a ZIP of one match only.")
-        return logs
     }
 
     private fun refused(sentence: String) = NotReadException(ReadResult.NotRead.noLog(file, sentence))
@@ -201,16 +231,15 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         const val RATIO = 200L
         const val RATIO_COUNTS_FROM = 1L shl 20
 
-        /** How logs begin that are themselves compressed. */
+        /** How a file begins that is compressed with gzip. */
         val GZIP = byteArrayOf(0x1f, 0x8b.toByte())
-        val XZ = byteArrayOf(0xfd.toByte(), '7'.code.toByte(), 'z'.code.toByte(), 'X'.code.toByte(), 'Z'.code.toByte(), 0)
 
         /** Windows writes names in its own character set if they fit. Java may lack that; then any that accepts all bytes will do. */
         val CHARSETS = listOfNotNull(Charsets.UTF_8, "IBM437".takeIf(Charset::isSupported)?.let(Charset::forName), Charsets.ISO_8859_1)
     }
 }
 
-private fun isWanted(name: String) = name.substringAfterLast('/').let { it == MatchManifest.NAME || LogName.of(it).mayBeLog }
+private fun isNamedLikeLog(name: String) = LogName.of(name.substringAfterLast('/')).mayBeLog
 
 /** Returns whether a file called [name] is hidden, or one that macOS adds to a ZIP. */
 private fun isHidden(name: String): Boolean = name.split('/').any { it == "__MACOSX" || (it.startsWith(".") && it != ".." && it != ".") }

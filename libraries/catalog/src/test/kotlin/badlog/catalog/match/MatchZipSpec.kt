@@ -1,14 +1,26 @@
 package badlog.catalog.match
 
 import badlog.files.NotReadException
+import badlog.signals.match.files.MatchManifest
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.property.Arb
 import io.kotest.property.PropertyTesting
+import io.kotest.property.arbitrary.Codepoint
+import io.kotest.property.arbitrary.arabic
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.filter
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.merge
+import io.kotest.property.arbitrary.printableAscii
+import io.kotest.property.arbitrary.string
+import io.kotest.property.checkAll
 import java.io.ByteArrayOutputStream
+import java.io.File
 import java.nio.charset.Charset
 import java.nio.file.Path
 import java.util.zip.GZIPOutputStream
@@ -19,9 +31,11 @@ import kotlin.io.path.div
 import kotlin.io.path.readText
 import kotlin.io.path.walk
 import kotlin.io.path.writeBytes
+import kotlin.io.path.writeText
 import kotlin.random.Random
 
 private const val LOG = "Time,A\n0,1\n1,2\n"
+private val MANIFEST = MatchManifest(emptyList()).text()
 
 private fun zipOf(vararg entries: Pair<String, ByteArray>, charset: Charset = Charsets.UTF_8): ByteArray {
     val bytes = ByteArrayOutputStream()
@@ -62,8 +76,59 @@ class MatchZipSpec : FunSpec({
     }
 
     test("names beside a match.json are relative to it, and there is only one") {
-        unpacked(zip("m/match.json" to "{}", "m/a.csv" to LOG, "m/__MACOSX/._a.csv" to "x", "m/.hidden.csv" to "x")).keys shouldContainExactly setOf("a.csv")
-        said(zip("a/match.json" to "{}", "b/match.json" to "{}", "a/a.csv" to LOG)) shouldContain "several match.json"
+        unpacked(zip("m/match.json" to MANIFEST, "m/a.csv" to LOG, "m/__MACOSX/._a.csv" to "x", "m/.hidden.csv" to "x")).keys shouldContainExactly setOf("a.csv")
+        said(zip("a/match.json" to MANIFEST, "b/match.json" to MANIFEST, "a/a.csv" to LOG)) shouldContain "several match.json"
+    }
+
+    test("a log outside of the folder of match.json is not taken for one inside") {
+        val logs = mapOf("robot.csv" to "Time,A\n0,1\n", "day/robot.csv" to "Time,B\n0,2\n", "day/eye/robot.csv" to "Time,C\n0,3\n", "other/robot.csv" to "Time,D\n0,4\n")
+        for (order in listOf(logs.toList(), logs.toList().reversed())) {
+            unpacked(zip("day/match.json" to MANIFEST, *order.toTypedArray())) shouldBe mapOf(
+                "../robot.csv" to logs["robot.csv"],
+                "robot.csv" to logs["day/robot.csv"],
+                "eye/robot.csv" to logs["day/eye/robot.csv"],
+                "../other/robot.csv" to logs["other/robot.csv"],
+            )
+            unpacked(zip("day/eye/match.json" to MANIFEST, *order.toTypedArray())).keys shouldBe setOf("../../robot.csv", "../robot.csv", "robot.csv", "../../other/robot.csv")
+        }
+    }
+
+    test("another program's match.json is passed over, however many and large they are") {
+        val foreign = "{\"key\":\"2026test_qm4\"}"
+        unpacked(zip("a/match.json" to foreign, "b/match.json" to foreign, "b/b.csv" to LOG)) shouldBe mapOf("b/b.csv" to LOG)
+        unpacked(zip("a/match.json" to foreign, "b/match.json" to MANIFEST, "b/b.csv" to LOG)) shouldBe mapOf("b.csv" to LOG)
+        val large = "{\"key\":\"" + Random(3).nextBytes(2 shl 20).joinToString("") { "${it.toInt() and 7}" } + "\"}"
+        unpacked(zip("match.json" to large, "b.csv" to LOG)) shouldBe mapOf("b.csv" to LOG)
+    }
+
+    test("a file that match.json names is a log, whatever its name") {
+        val manifest = "{\"version\":1,\"files\":[{\"name\":\"robot\"},{\"name\":\"x/eye.dat\"}]}"
+        unpacked(zip("m/match.json" to manifest, "m/robot" to LOG, "m/x/eye.dat" to LOG, "m/other" to "x", "robot" to "x")).keys shouldContainExactly setOf("robot", "x/eye.dat")
+    }
+
+    // Windows has no such names.
+    test("whatever the names of the logs, the ZIP that is written of them is read with all of them").config(enabledIf = { File.separatorChar == '/' }) {
+        val folder = tempdir().toPath()
+        val names = Arb.string(1..60, Codepoint.printableAscii().merge(Codepoint.arabic())).filter { '/' !in it && it != "." && it != ".." }
+        val endings = listOf("", ".wpilog", ".csv", ".bag.gz", ".", " ", ".csv ", "é".repeat(50) + ".wpilog")
+        val usual = listOf("match.json", "Match.json", "CON.wpilog", ".wpilog", "robot.", "robot", "x".repeat(200), "x".repeat(220) + ".csv")
+        var run = 0
+        checkAll(iterations = 100, Arb.list(names, 1..6), Arb.element(endings), Arb.element(usual)) { some, ending, other ->
+            val here = (folder / "${run++}").createDirectories()
+            val files = (some.flatMapIndexed { i, name -> listOf("$i/$name$ending", "x$i/$name$ending") } + "o/$other").distinct().mapIndexed { i, name ->
+                val place = (here / name.substringBefore('/')).createDirectories()
+                place.resolve(name.substringAfter('/')).apply { writeText("Time,A\n0,$i\n") }
+            }
+            val bytes = ByteArrayOutputStream().also { writeMatchZip(files.map { FileForZip(it, null, null, null) }, it) }.toByteArray()
+            unpacked(bytes).values.sorted() shouldBe files.map { it.readText() }.sorted()
+        }
+    }
+
+    test("a log that is compressed with xz is in no ZIP that is written") {
+        val file = tempdir().toPath() / "eye.wpilogxz"
+        file.writeBytes(byteArrayOf(0xFD.toByte(), 0x37, 0x7A, 0x58, 0x5A, 0, 0, 4))
+        shouldThrow<NotReadException> { writeMatchZip(listOf(FileForZip(file, null, 0.0, null)), ByteArrayOutputStream()) }.message shouldBe
+            "$file is compressed with xz, which badlog does not read in a ZIP; make a WPILOG of it with badlog convert."
     }
 
     test("two names that are one file on some system are refused, so that none replaces the other") {

@@ -15,8 +15,8 @@ import badlog.signals.json.jsonObject
 class MatchManifest(val files: List<StatedFile>) {
     /** Returns the text of the file. */
     fun text(): String = jsonObject(
-        "version" to "$VERSION",
-        "files" to jsonArray(files) { file ->
+        VERSION_KEY to "$VERSION",
+        FILES_KEY to jsonArray(files) { file ->
             jsonObject(
                 "name" to quotedJson(file.name),
                 "role" to file.role?.let { quotedJson(it.role) },
@@ -30,7 +30,18 @@ class MatchManifest(val files: List<StatedFile>) {
         /** The name of the file. */
         const val NAME: String = "match.json"
         private const val VERSION = 1
+        private const val VERSION_KEY = "version"
+        private const val FILES_KEY = "files"
         private const val MOST_SECONDS = 1e10
+
+        /**
+         * Returns whether [text], of a file with this name, is meant as a manifest, even if it has mistakes: other programs also call
+         * what they know of a match so.
+         */
+        fun isOne(text: String): Boolean {
+            val keys = JsonReader.readObject(text.removePrefix(BYTE_ORDER_MARK))?.map { it.key }
+            return listOf(VERSION_KEY, FILES_KEY).all { if (keys == null) "\"$it\"" in text else it in keys }
+        }
 
         /**
          * Reads [text].
@@ -39,10 +50,10 @@ class MatchManifest(val files: List<StatedFile>) {
          */
         fun of(text: String): MatchManifest = try {
             val fields = JsonFields(JsonReader.readObject(text.removePrefix(BYTE_ORDER_MARK)))
-            if (fields.number("version") != VERSION) {
+            if (fields.number(VERSION_KEY) != VERSION) {
                 throw MatchManifestException("$NAME is of a newer badlog; update badlog.")
             }
-            val files = fields.list("files") { item -> statedFile(JsonFields(item.members)) }
+            val files = fields.list(FILES_KEY) { item -> statedFile(JsonFields(item.members)) }
             files.groupBy { it.name.lowercase() }.values.find { it.size > 1 }?.let { twice ->
                 throw MatchManifestException("$NAME names ${twice[0].name} twice.")
             }

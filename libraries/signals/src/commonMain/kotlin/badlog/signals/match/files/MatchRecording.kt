@@ -19,14 +19,17 @@ import badlog.signals.clock.secondsPerX
  * Driver Station logged long after it.
  *
  * A log with topics in several folders gets one, named after its file. Each file is a value in the folder `Files`, which says how
- * its clock was found and how much is left out. Missing files, and the [left] ones, are values too.
+ * its clock was found and how much is left out. Missing files are values too.
+ *
+ * @param left a sentence about each log that is left out, which becomes a value and a problem.
  */
 fun OneMatch.recording(left: List<String> = emptyList()): Recording {
     val robot = robot.log
     val names = UniqueNames().also { names -> robot.recording.topics.forEach { names.give(it.name) } }
     val beside = parts.drop(1).map { PartBeside(it, robot) }
     val topics = robot.recording.topics + beside.flatMap { it.topics(names) }
-    val problems = parts.flatMap { it.file.log.recording.problems } + beside.flatMap { it.problems }
+    val problems = parts.flatMap { it.file.log.recording.problems } + beside.flatMap { it.problems } +
+        left.map { Problem(ProblemKind.LOG_LEFT_OUT, it) }
     return robot.recording.copy(topics = topics, values = valuesOf(beside, left), problems = problems)
 }
 

@@ -33,6 +33,15 @@ class MatchManifestSpec : FunSpec({
         said("{\"version\":1,\"files\":[{\"name\":\"a\"},{\"name\":\"A\"}]}") shouldContain "twice"
     }
 
+    test("what another program calls match.json is not a manifest, and one with mistakes is") {
+        for (text in listOf("{}", "", "[]", "{\"key\":\"2026test_qm4\",\"alliances\":{\"red\":{\"score\":3}}}", "{\"version\":1}", "{\"a\":{\"version\":1,\"files\":[]}}")) {
+            MatchManifest.isOne(text) shouldBe false
+        }
+        for (text in listOf("{\"version\":2,\"files\":{}}", "\uFEFF{\"files\":[3],\"version\":1}", "{\"version\":1,\"files\":[", MatchManifest(emptyList()).text())) {
+            MatchManifest.isOne(text) shouldBe true
+        }
+    }
+
     test("no text ends in anything but a manifest or a sentence") {
         checkAll(Arb.string(0..60)) { text ->
             for (tried in listOf(text, "{\"version\":1,\"files\":[$text]}", "{\"version\":1,\"files\":[{\"name\":\"$text\",\"seconds\":$text}]}")) {

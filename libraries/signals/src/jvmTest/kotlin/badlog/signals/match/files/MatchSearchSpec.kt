@@ -207,7 +207,8 @@ class MatchSearchSpec : FunSpec({
         recording.values.map { "${it.name}: ${it.text}" } shouldContain
             "Files/rio.hoot: can bus: moved by -5.0 s; 4 edges of enabled fit, within 0 ms; samples outside of the robot's log, which are left out: 1"
         recording.values.last().text shouldBe "left"
-        recording.problems shouldBe emptyList()
+        recording.problems.map { it.kind to it.message } shouldBe listOf(ProblemKind.LOG_LEFT_OUT to "left")
+        match.recording().problems shouldBe emptyList()
     }
 
     test("rows whose time goes backwards are sorted, and those without a time belong to the row before; both are said") {
