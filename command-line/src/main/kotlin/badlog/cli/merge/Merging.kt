@@ -77,7 +77,8 @@ internal class Merging(
         val known = moved.placed + leadIn(moved)
         // Nothing of the other logs is before 0 on the earliest clock.
         val first = moved.parts.filter { it.role == FileRole.ROBOT && it in known }.minBy { it.offset }
-        val errors = moved.moves.associate { it.part to it.error.takeIf { _ -> it.edges > 1 } }
+        // A given clock has no error that is known.
+        val errors = moved.moves.associate { it.part to it.error.takeIf { error -> it.edges > 1 || error > 0 } }
         val files = moved.parts.map { part ->
             FileForZip(part.file, part.role, (part.offset - first.offset).takeIf { part in known }, errors[part])
         }

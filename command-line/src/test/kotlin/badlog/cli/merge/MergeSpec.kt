@@ -100,12 +100,12 @@ class MergeSpec : FunSpec({
         }
     }
 
-    test("plain CSV files without x stand in the order of their names") {
+    test("plain CSV files without x stand in the order in which they were named") {
         inFolder { folder ->
             val one = folder.with("one.csv", "a,b\n1,x\n")
             val two = folder.with("two.csv", "b,a\ny,2\n")
             badlog("merge", two, one, "-o", folder / "m.csv").code shouldBe ExitCode.WHOLE
-            readRecording(folder / "m.csv", LOG_FORMATS).numbers("a") shouldContainExactly listOf(1.0, 2.0)
+            readRecording(folder / "m.csv", LOG_FORMATS).numbers("a") shouldContainExactly listOf(2.0, 1.0)
         }
     }
 

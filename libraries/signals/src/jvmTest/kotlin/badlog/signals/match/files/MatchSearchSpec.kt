@@ -6,6 +6,7 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
+import badlog.core.recording.TopicKind
 import badlog.core.recording.Value
 import badlog.core.text.wallTimeText
 import badlog.signals.clock.clocked
@@ -30,9 +31,38 @@ private class Left(val files: List<MatchFile>, val ahead: Map<String, Double>)
 
 private fun file(name: String, role: FileRole, recording: Recording, seconds: Double? = null, error: Double? = null) = MatchFile(name, role, clocked(recording, name), seconds, error)
 
+private fun column(name: String, cells: List<Double>, attributes: List<String> = emptyList(), unit: String = "") = Topic(
+    name,
+    unit,
+    attributes,
+    cells.toDoubleArray(),
+    TextColumn.EMPTY,
+    CellCounts(cells.count { !it.isNaN() }, 0, 0, 0, cells.count { it.isNaN() }, 0),
+)
+
+/** A bag of the topics of [log], with a row every [STEP] s. */
+private fun bag(log: Recording): Recording {
+    val rows = (log.topics.maxOf { checkNotNull(it.times).last() } / STEP).toInt() + 1
+    val columns = log.topics.map { topic ->
+        val times = checkNotNull(topic.times)
+        var at = 0
+        val samples = DoubleArray(rows) { row ->
+            while (at + 1 < times.size && times[at + 1] <= row * STEP) at++
+            topic.samples[at]
+        }
+        val isFlag = topic.kind == TopicKind.BOOLEAN
+        topic.copy(samples = samples, counts = CellCounts(if (isFlag) 0 else rows, 0, if (isFlag) rows else 0, 0, 0, 0), times = null)
+    }
+    val x = column("Time", List(rows) { it * STEP }, listOf("xaxis"), "s")
+    return Recording(RecordingFormat.BAG, null, log.values, listOf(x) + columns, rows, emptyList())
+}
+
+/** In s. */
+private const val STEP = 0.02
+
 /**
- * Twelve matches, some of them replayed, of two robots, each with a laptop of its own; one is an hour ahead. A robot writes a bag;
- * a CAN bus has a log on a clock of its own, and motor controllers count from the start of the program.
+ * Twelve matches, some of them replayed, of two robots, each with a laptop of its own; one is an hour ahead. One robot writes bags, the
+ * other WPILOGs. A CAN bus has a log on a clock of its own.
  */
 private fun day(random: Random): List<Left> {
     val numbers = (1..12).flatMap { if (random.nextInt(6) == 0) listOf(it, it) else listOf(it) }
@@ -61,7 +91,7 @@ private fun day(random: Random): List<Left> {
             if (random.nextBoolean()) values else emptyList(),
         )
         val files = listOf(
-            file("robot $index", FileRole.ROBOT, own),
+            file("robot $index", FileRole.ROBOT, if (robot == 0) bag(own) else own),
             file("station $index", FileRole.STATION, station),
             file("bus $index", FileRole.CAN_BUS, hoot),
         )
@@ -212,14 +242,6 @@ class MatchSearchSpec : FunSpec({
     }
 
     test("rows whose time goes backwards are sorted, and those without a time belong to the row before; both are said") {
-        fun column(name: String, cells: List<Double>, attributes: List<String> = emptyList(), unit: String = "") = Topic(
-            name,
-            unit,
-            attributes,
-            cells.toDoubleArray(),
-            TextColumn.EMPTY,
-            CellCounts(cells.count { !it.isNaN() }, 0, 0, 0, cells.count { it.isNaN() }, 0),
-        )
         val none = Double.NaN
         val x = column("Time", listOf(none, 1.0, 2.0, none, 1.5, 3.0), listOf("xaxis"), "s")
         val vision = Recording(RecordingFormat.BAG, null, emptyList(), listOf(x, column("Angle", listOf(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))), 6, emptyList())
