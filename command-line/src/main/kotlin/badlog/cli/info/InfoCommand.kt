@@ -22,6 +22,7 @@ import badlog.files.LogFile
 import badlog.files.LogMaker
 import badlog.report.NamedTopics
 import badlog.report.undefinedTexts
+import badlog.signals.clock.ClockedLog
 import badlog.signals.signalTopicsOf
 import badlog.signals.withSignals
 import badlog.signals.withVirtualTopics
@@ -116,6 +117,7 @@ internal class InfoTask(
         val isOverview = !isJson && parts.isEmpty() && (paths.size > 1 || isFolder)
         val shown = parts.ifEmpty { setOf(InfoPart.TOPICS, InfoPart.VALUES, InfoPart.WORST) }
         val overview = OverviewText(console.width)
+        val files = FilesBeside()
         var isFirst = true
         val undefined = ArrayList<List<UndefinedTopic>>()
         val code = LogLoop("info", console, isJson, opensMatches = true).run(paths) { input, progress ->
@@ -126,14 +128,16 @@ internal class InfoTask(
             val with = view.withVirtualTopics(virtualTopics, vocabulary)
             val signals = signalTopicsOf(with.view, vocabulary).all
             val summary = LogSummary(input.file, LogFile.of(input.file).size, with.view, numbers, only)
+            val log = ClockedLog(input.file.fileName.toString(), recording, vocabulary)
+            val beside = if (isOverview) emptyList() else files.of(input.file, log)
             val text = when {
                 isJson -> ""
                 isOverview -> (if (isFirst) overview.titles() + "\n" else "") + overview.line(summary)
-                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown, signals, console.width).text()
+                else -> (if (isFirst) "" else "\n") + InfoText(summary, shown, signals, console.width, beside).text()
             }
             isFirst = false
             undefined += with.errors.map(::UndefinedTopic)
-            val json = if (isJson) jsonOf(InfoJson(summary, signals, with.errors)) else emptyMap()
+            val json = if (isJson) jsonOf(InfoJson(summary, signals, with.errors)) + files.jsonOf(beside) else emptyMap()
             Outcome(recording.isSalvaged, text, json)
         }
         if (!isJson) undefinedTexts(undefined).forEach(console::say)

@@ -33,7 +33,7 @@ class ClockedLog(val name: String, val recording: Recording, internal val vocabu
     /** The time of day at which its x is 0, in s since 1970, from its values or its name; null if neither has it. */
     val start: Double? by lazy {
         // The logged start is the time of the first sample.
-        loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: NAMED.find(name)?.let { secondsOf(it.groupValues) }
+        loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: timeInName(name)
     }
 
     /** When the robot was enabled and disabled. */
@@ -41,12 +41,13 @@ class ClockedLog(val name: String, val recording: Recording, internal val vocabu
 
     /** What match it is of. */
     val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
-
-    private companion object {
-        /** The forms in which WPILib and CTRE name their logs, in UTC. */
-        val NAMED = Regex("(?<!\\d)(\\d{4})-?(\\d{2})-?(\\d{2})_(\\d{2})-?(\\d{2})-?(\\d{2})(?!\\d)")
-    }
 }
+
+/** Returns the time in [name], of a file, in s since 1970; null if there is none. */
+internal fun timeInName(name: String): Double? = NAMED.find(name)?.let { secondsOf(it.groupValues) }
+
+/** The forms in which WPILib and CTRE name their logs, in UTC. */
+private val NAMED = Regex("(?<!\\d)(\\d{4})-?(\\d{2})-?(\\d{2})_(\\d{2})-?(\\d{2})-?(\\d{2})(?!\\d)")
 
 /** The name of the value that says when a log began. */
 const val START_VALUE: String = "Start Time"
