@@ -47,11 +47,17 @@ internal class Move(val part: LogPart, val edges: Int, val error: Double, val wh
 internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
 
 /**
- * Logs on one clock, some of which were moved for that.
+ * Logs on one clock. Some were moved for that.
  *
- * @property placed those whose place is given or found; the others were only left where they are.
+ * @property placed those with a given or found place on the clock of all; the others were only left where they are.
+ * @property besides the log beside which the place of another one was found.
  */
-internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>, val placed: Set<LogPart>) {
+internal class MovedLogs(
+    val parts: List<LogPart>,
+    val moves: List<Move>,
+    val placed: Set<LogPart>,
+    val besides: Map<LogPart, LogPart> = emptyMap(),
+) {
     /** Pauses so long that the logs may have different clocks. */
     val pauses: List<Pause> = buildList {
         var last: LogPart? = null
@@ -100,20 +106,24 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
             val fit = place.fit ?: places.mapNotNull { it?.fit }.takeIf { later != 0.0 }?.minByOrNull { it.edges }
             by.also { moves += Move(it, fit?.edges ?: 0, fit?.error ?: 0.0, if (isByMotors) "motors driven" else "enabled", early) }
         }
-        val placed = moved.filterIndexedTo(HashSet()) { i, _ -> alignsEnabled || places[i]?.fit != null || isGiven(own[i]) }
+        val placed = moved.filterIndexedTo(HashSet()) { i, _ -> alignsEnabled || isGiven(own[i]) }
+        val besides = HashMap<LogPart, LogPart>()
+        for (i in own.indices) places[i]?.beside?.let { besides[moved[i]] = moved[it] }
         val beside = station?.let { one ->
-            one.beside(moved[own.indexOf(one.robot)]).also {
-                placed += it
+            val robot = moved[own.indexOf(one.robot)]
+            one.beside(robot).also {
+                besides[it] = robot
                 moves += Move(it, one.fit.edges, one.fit.error, early = one.part.recording.sampleCount - it.recording.sampleCount)
             }
         }
-        return MovedLogs(moved + listOfNotNull(beside), moves, placed)
+        return MovedLogs(moved + listOfNotNull(beside), moves, placed, besides)
     }
 
     /** Whether nothing says where one of [parts] stands, so that all of them may move. */
     private fun isFree(parts: List<LogPart>) = alignsEnabled && parts.none(::isGiven)
 
-    private fun isGiven(part: LogPart) = offsets.any { it.isOf(part.file) }
+    /** Whether the offset of [part] is known. */
+    fun isGiven(part: LogPart): Boolean = offsets.any { it.isOf(part.file) }
 
     private fun placesOf(parts: List<LogPart>): List<ClockPlace?> {
         val given = parts.indices.mapNotNull { i -> offsets.find { it.isOf(parts[i].file) }?.let { i to it.seconds } }.toMap()

@@ -10,7 +10,7 @@ import java.util.concurrent.ConcurrentHashMap
 /** A sentence about each log that is left out of this match. */
 internal val Recording.leftOutLogs: List<String> get() = leftOutIn(problems)
 
-/** Remembers what is left out of the logs that [maker] makes. Thread-safe. */
+/** Remembers the logs that are left out of those that [maker] makes. Thread-safe. */
 internal class LeftOutLogs(private val maker: LogMaker) : LogMaker {
     private val found = ConcurrentHashMap<Path, List<String>>()
 

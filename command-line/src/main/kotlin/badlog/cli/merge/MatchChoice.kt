@@ -33,7 +33,7 @@ internal sealed interface MatchChoice {
                     MergedLog.of(reader.partsOf(paths), merging, folder, console, isJson)
                 } catch (e: InterruptedException) {
                     throw e
-                } catch (e: Exception) {
+                } catch (e: Throwable) {
                     outcomes.failed(paths.first(), LogLoop.sentenceOf(e, paths.first()))
                     return@inMadeFolder outcomes.end()
                 }

@@ -6,6 +6,7 @@ import badlog.cli.input.Failure
 import badlog.cli.output.LogFormat
 import badlog.cli.output.writeLog
 import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
 import badlog.files.LogMaker
 import badlog.files.ReadResult
 import badlog.files.UnreadableFileException
@@ -64,12 +65,15 @@ internal class LogBesideStation(private val merging: Merging, private val isJson
     /** The place of each log; null in it for a log that has no Driver Station's. */
     private val places = ConcurrentHashMap<Path, List<Place>>()
 
+    /** A log may be made several times, for its page and for hooks. */
+    private val said = ConcurrentHashMap.newKeySet<String>()
+
     override fun isSource(file: Path, head: ByteArray): Boolean = MatchMaker.isSource(file, head) || placeOf(file) != null
 
     override fun make(file: Path, made: Path, checkpoint: () -> Unit): List<Problem> {
         val place = placeOf(file)
         if (place == null) {
-            warn("$file: --with-ds has no effect on a ZIP or match.json; put the Driver Station's log into that.")
+            say("$file: --with-ds has no effect on a ZIP or match.json; put the Driver Station's log into that.")
             return MatchMaker.make(file, made, checkpoint)
         }
         val part = readPart(file) ?: throw UnreadableFileException(file, "$file has changed while it was read; try again.")
@@ -77,20 +81,24 @@ internal class LogBesideStation(private val merging: Merging, private val isJson
         try {
             val station = readPart(place.station) ?: throw Failure("${place.station} cannot be read.")
             val result = merging.write(StationPart(part, station, place.fit), made, progress)
-            result.remarks(isOfDoubts = isJson).forEach(warn)
+            result.remarks(isOfDoubts = isJson).forEach(::say)
             return result.problems
         } catch (e: Failure) {
-            warn("$file is without the Driver Station log ${place.station}: ${e.message}")
             writeLog(part.recording, LogFormat.WPILOG, made, progress = progress)
-            return part.recording.problems
+            val message = "The Driver Station log ${place.station} is left out: ${e.message}"
+            return part.recording.problems + Problem(ProblemKind.LOG_LEFT_OUT, message)
         }
+    }
+
+    private fun say(text: String) {
+        if (said.add(text)) warn(text)
     }
 
     private fun placeOf(file: Path): Place? = places.computeIfAbsent(file) {
         val part = readPart(file)?.takeUnless { it.recording.isOfDriverStation }
         val station = part?.let(merging::stationOf)
-        if (part != null && station == null && !isJson) {
-            warn("$file: no Driver Station log of its match was found, so it is shown as it is.")
+        if (part != null && station == null) {
+            say("$file: no Driver Station log of its match was found, so it is shown as it is.")
         }
         listOfNotNull(station?.let { Place(it.part.file, it.fit) })
     }.singleOrNull()

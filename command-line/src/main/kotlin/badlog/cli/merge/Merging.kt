@@ -9,6 +9,9 @@ import badlog.cli.output.writeLog
 import badlog.files.terminal.Progress
 import badlog.files.writeAtomically
 import badlog.signals.match.files.FileRole
+import badlog.signals.match.files.MatchFile
+import badlog.signals.match.files.matchesOf
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -34,8 +37,11 @@ internal class Merging(
     fun write(logs: List<LogPart>, target: Path, progress: Progress): MergeResult {
         val sorted = if (logs.all { it.hasRows && it.xTopic == null }) logs else logs.sortedWith(PART_ORDER)
         if (sorted.isEmpty()) throw Failure("Merging needs at least two logs, but there is none.")
-        val beside = station?.let { stationFor(sorted, it) }
-        val parts = sorted + listOfNotNull(beside?.part)
+        val found = station?.let { stationFor(sorted, it) }
+        val twin = found?.let { sorted.find { part -> Files.isSameFile(part.file, found.part.file) } }
+        // A log that is given is not added a second time, and a place that is given counts.
+        val beside = found.takeUnless { twin != null && clocks.isGiven(twin) }
+        val parts = (if (beside == null) sorted else sorted - setOfNotNull(twin)) + listOfNotNull(beside?.part)
         if (parts.size < 2 && !parts[0].isMatch) throw Failure("Merging needs at least two logs, but there is one.")
         val moved = clocks.moved(parts, beside)
         return if (isZip(target)) zipped(moved, target) else merge(moved, target, progress)
@@ -71,10 +77,14 @@ internal class Merging(
         return MergeResult.Made(merged, moved, target, records.leftOut)
     }
 
-    /** The files stay as they are, with their clocks beside them, as far as these are known. */
+    /** The files stay as they are, with the known clocks beside them. */
     private fun zipped(moved: MovedLogs, target: Path): MergeResult {
         moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} is of several logs; name these, to make one ZIP of all.") }
-        val known = moved.placed + leadIn(moved)
+        val known = (moved.placed + leadIn(moved)).toMutableSet()
+        do {
+            val more = moved.besides.filter { (part, beside) -> part !in known && beside in known }.keys
+            known += more
+        } while (more.isNotEmpty())
         // Nothing of the other logs is before 0 on the earliest clock.
         val first = moved.parts.filter { it.role == FileRole.ROBOT && it in known }.minBy { it.offset }
         // A given clock has no error that is known.
@@ -82,11 +92,28 @@ internal class Merging(
         val files = moved.parts.map { part ->
             FileForZip(part.file, part.role, (part.offset - first.offset).takeIf { part in known }, errors[part])
         }
+        requireOneMatch(moved.parts, files)
         writeAtomically(target) { writeMatchZip(files, it) }
         return MergeResult.Zipped(moved, target, moved.parts.filter { it !in known })
     }
 
-    /** Returns the log of a robot from whose clock the offsets of the others count: one that was not moved, if there is one. */
+    /**
+     * Makes sure that the ZIP of [parts] opens with all of them.
+     *
+     * @throws Failure if nothing shows how their clocks fit.
+     */
+    private fun requireOneMatch(parts: List<LogPart>, files: List<FileForZip>) {
+        val found = matchesOf(
+            parts.zip(files) { part, file -> MatchFile("${part.file}", part.role, clocked(part), file.seconds, file.error) },
+        )
+        val (other, why) = found.left.firstOrNull()
+            ?: found.matches.getOrNull(1)?.robot?.let { it to "Nothing shows for sure how the clock of ${it.name} fits the other logs." }
+            ?: return
+        val remedy = " For a ZIP that opens as one match, use --align enabled, or --offset ${other.name}=SECONDS."
+        throw Failure(why + if (other.log.hasClock) remedy else "")
+    }
+
+    /** Returns the log of a robot that has the clock of the match: one that was not moved, if there is one. */
     private fun leadIn(moved: MovedLogs): LogPart {
         val robots = moved.parts.filter { it.role == FileRole.ROBOT }
         val kept = robots.filter { it.offset == 0.0 }.ifEmpty { robots }

@@ -1,5 +1,6 @@
 package badlog.cli.merge
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.Ended
 import badlog.cli.Logged
 import badlog.cli.badlog
@@ -7,7 +8,10 @@ import badlog.cli.badlogJson
 import badlog.cli.command.ExitCode
 import badlog.cli.with
 import badlog.cli.wpilog
+import badlog.files.ReadOptions
 import badlog.files.inFolder
+import badlog.files.readRecording
+import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.STATION_START
 import badlog.formats.driverstation.Status
 import badlog.formats.driverstation.TestDslog
@@ -26,6 +30,8 @@ import kotlinx.serialization.json.double
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Path
 import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
@@ -141,6 +147,62 @@ class MatchSpec : FunSpec({
         }
     }
 
+    test("a ZIP of a log shows what the log itself shows: types of structs, poses, and sizes that are no values") {
+        inFolder { folder ->
+            fun bytes(vararg numbers: Double) = ByteBuffer.allocate(numbers.size * 8).order(ByteOrder.LITTLE_ENDIAN).also { all -> numbers.forEach { all.putDouble(it) } }.array()
+            val log = folder.wpilog(
+                "arm.wpilog",
+                listOf(
+                    Logged("/.schema/struct:Translation2d", "structschema", "", listOf(0.0 to "double x;double y")),
+                    Logged("/.schema/struct:Rotation2d", "structschema", "", listOf(0.0 to "double value")),
+                    Logged("/.schema/struct:Pose2d", "structschema", "", listOf(0.0 to "Translation2d translation;Rotation2d rotation")),
+                    Logged("/.schema/struct:Transform2d", "structschema", "", listOf(0.0 to "Translation2d translation;Rotation2d rotation")),
+                    Logged("/Drive/Target", "struct:Translation2d", "", List(5) { it * 1.0 to bytes(it * 1.0, 2.0) }),
+                    Logged("/Drive/Pose", "struct:Pose2d", "", List(5) { it * 1.0 to bytes(it * 1.0, 2.0, 0.5) }),
+                    Logged("/Camera/Transform", "struct:Transform2d", "", List(5) { it * 1.0 to bytes(it * 1.0, 2.0, 0.5) }),
+                    Logged("NT:/FMSInfo/MatchNumber", "raw", "", listOf(1.0 to ByteArray(8))),
+                ),
+            )
+            val zipped = zip(folder / "arm.zip", "arm.wpilog" to log.readBytes())
+            fun typesIn(file: Path) = readRecording(file, LOG_FORMATS, ReadOptions(maker = MatchMaker)).topics.map { Triple(it.name, it.type, it.unit) }.toSet()
+            typesIn(zipped) shouldBe typesIn(log)
+            val (own, others) = listOf(log, zipped).map { badlogJson("info", it).json.single() }
+            for (key in listOf("match", "signals", "topics")) own[key] shouldBe others[key]
+            val (found, alike) = listOf(log, zipped).map { file -> badlogJson("report", file, "--no-cache").json.single() }
+            found["findings"] shouldBe alike["findings"]
+            badlog("info", zipped, "--problems").oneLine() shouldContain "not decoded have only their sizes here"
+            badlog("merge", zipped, "-o", folder / "all.wpilog").oneLine() shouldContain "undecoded bytes"
+        }
+    }
+
+    test("a ZIP that would not open as one match is not written") {
+        inFolder { folder ->
+            // A program that was started again.
+            val (one, two) = folder.robot("first.wpilog", "Arm", 0.0) to folder.robot("second.wpilog", "Arm", 0.0)
+            val ended = badlog("merge", one, two, "-o", folder / "m.zip")
+            ended.code shouldBe ExitCode.NOTHING
+            ended.oneLine() shouldContain "use --align enabled, or --offset $two=SECONDS"
+            (folder / "m.zip").exists() shouldBe false
+            badlog("merge", one, two, "--offset", "second.wpilog=40", "-o", folder / "m.zip").code shouldBe ExitCode.WHOLE
+            badlog("info", folder / "m.zip").code shouldBe ExitCode.WHOLE
+        }
+    }
+
+    test("a Driver Station's log that is given and found is there once; a place that is given counts") {
+        inFolder { folder ->
+            folder.robot("robot.wpilog", "Arm", 2.0)
+            folder.with("2026_03_07 10_04_05 Sat.dslog", dslog().bytes)
+            val alone = badlogJson("merge", folder / "robot.wpilog", "--with-ds", "-o", folder / "alone.out").json.single()
+            val both = badlogJson("merge", folder, "--with-ds", "-o", folder / "both.out").json.single()
+            both["samples"] shouldBe alone["samples"]
+            both["moved"] shouldBe alone["moved"]
+            val given = badlogJson("merge", folder, "--with-ds", "--offset", "2026_03_07 10_04_05 Sat.dslog=1.5", "-o", folder / "given.out").json.single()
+            given.getValue("moved").jsonArray.map { it.jsonObject.getValue("seconds").jsonPrimitive.double } shouldBe listOf(1.5)
+            badlog("merge", folder, "--with-ds", "-o", folder / "m.zip").code shouldBe ExitCode.WHOLE
+            badlog("info", folder / "m.zip").code shouldBe ExitCode.WHOLE
+        }
+    }
+
     test("what a ZIP must not hold is refused in a sentence, and writes nothing outside") {
         inFolder { folder ->
             val log = folder.robot("arm.wpilog", "Arm", 0.0).readBytes()
@@ -149,11 +211,11 @@ class MatchSpec : FunSpec({
                 ended.code shouldBe ExitCode.NOTHING
                 return ended.oneLine()
             }
-            said("../arm.wpilog" to log) shouldContain "not the name of a file in a ZIP"
+            said("../arm.wpilog" to log) shouldContain "not the name of a file on every system"
             said("/etc/arm.wpilog" to log) shouldContain "not the name of a file"
             said("C:arm.wpilog" to log, "b.wpilog" to log) shouldContain "not the name of a file"
             said("a.wpilog" to log, "A.wpilog" to log) shouldContain "are one name on some systems"
-            said("a.wpilog" to ByteArray(8 shl 20)) shouldContain "grows more than 200 times"
+            said("a.wpilog" to ByteArray(65 shl 20)) shouldContain "grows more than 200 times"
             said("a.wpilog" to log, "match.json" to "{\"version\":1,\"files\":[3]}".encodeToByteArray()) shouldContain "match.json cannot be read"
             said("a.wpilog" to log, "b.wpilog" to log) shouldContain "the logs of 2 matches"
             said("a.wpilog" to "%PDF-1.4".encodeToByteArray()) shouldContain "no robot's log that can be read"
@@ -259,7 +321,7 @@ class MatchSpec : FunSpec({
                         listOf("merge", beside, "--with-ds", "-o", log),
                         listOf("export", robot, "--with-ds=$stations", "-o", log),
                     )
-                } + listOf<List<Any>>(listOf("merge", day, robot, "-o", day / "match.json"), listOf("convert", station, "-o", events))
+                } + listOf(listOf<Any>("merge", day, robot, "-o", day / "match.json"))
             val before = (logs + listOf(station, events, day / "match.json")).associateWith { it.readBytes().toList() }
             for (arguments in tried) {
                 val ended = badlog(*arguments.toTypedArray(), "--force")
@@ -387,7 +449,7 @@ class MatchSpec : FunSpec({
             val other = (folder / "other").createDirectory()
             other.with("2026_03_07 10_04_05 Sat.dslog", TestDslog(start = STATION_START).records(100).records(30, Status.BOTH_AUTO).records(100).bytes)
             for (command in listOf("info", "report")) {
-                val ended = badlogJson(command, robot, "--with-ds=$other").json.single()
+                val ended = badlog(command, robot, "--with-ds=$other", "--json").json.single()
                 "$ended" shouldNotContain "Driver Station/Battery Voltage"
                 "$ended" shouldNotContain "driverStation"
             }

@@ -25,7 +25,8 @@ internal fun newMadeFile(ending: String, folder: Path = Path.of(System.getProper
 /** Removes what [newMadeFile] and [inMadeFolder] made in [folder] for programs that are no longer running. */
 internal fun removeLeftFiles(folder: Path) {
     try {
-        Files.newDirectoryStream(folder, "badlog-*").use { files -> files.filter(::isLeft).forEach(::removeQuietly) }
+        val left = Files.newDirectoryStream(folder, "badlog-*").use { files -> files.filter(::isLeft) }
+        for (file in left) if (!Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS) || isOwn(file)) removeQuietly(file)
     } catch (_: IOException) {
         // Something else may clean up the folder instead.
     }
@@ -56,10 +57,20 @@ private fun onlyForOwner(): Array<FileAttribute<*>> {
 }
 
 private fun isLeft(file: Path): Boolean {
-    // A folder of anybody else must not be emptied, so only one that is surely made is.
+    // No other folder may be emptied, so only one that badlog surely made is.
     val made = if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) MADE_FOLDER else MADE_FILE
     val pid = made.matchEntire(file.fileName.toString())?.groupValues?.get(1)?.toLongOrNull() ?: return false
     return ProcessHandle.of(pid).isEmpty
+}
+
+/** Whether [folder] belongs to the user of this program. Another user may put a link into his own at any time. */
+private fun isOwn(folder: Path): Boolean {
+    val own = Files.createTempFile("badlog-${ProcessHandle.current().pid()}-", ".txt")
+    try {
+        return Files.getOwner(folder, LinkOption.NOFOLLOW_LINKS) == Files.getOwner(own)
+    } finally {
+        Files.deleteIfExists(own)
+    }
 }
 
 private fun removeQuietly(file: Path) {

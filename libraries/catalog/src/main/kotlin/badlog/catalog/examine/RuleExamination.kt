@@ -59,7 +59,7 @@ class RuleExamination(
             CachedResult(none, content.why.isLasting)
         }
 
-        // What a match lacks is said each time.
+        // A log that is left out of a match is named each time.
         is LogContent.Log -> CachedResult(
             of(content, name, checkpoint),
             isLasting = content.recording.problems.none { it.kind == ProblemKind.LOG_LEFT_OUT },

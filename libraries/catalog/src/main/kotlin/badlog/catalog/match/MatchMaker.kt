@@ -1,6 +1,7 @@
 package badlog.catalog.match
 
 import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.files.LogMaker
 import badlog.files.LogName
@@ -10,6 +11,7 @@ import badlog.files.ReadResult
 import badlog.files.UnreadableFileException
 import badlog.files.inMadeFolder
 import badlog.files.isOfDriverStation
+import badlog.files.naming
 import badlog.files.partsOfLog
 import badlog.files.readLog
 import badlog.files.reading
@@ -18,6 +20,7 @@ import badlog.files.writing
 import badlog.formats.LOG_FORMATS
 import badlog.formats.revlog.RevlogFormat
 import badlog.formats.wpilog.WpilogWriter
+import badlog.formats.wpilog.isOfBytes
 import badlog.rules.folder.FolderRules
 import badlog.signals.clock.ClockedLog
 import badlog.signals.match.files.FileRole
@@ -67,11 +70,18 @@ object MatchMaker : LogMaker {
         }
         writing(made) {
             BufferedOutputStream(Files.newOutputStream(made), BUFFER).use { out ->
-                // Its losses are problems of the logs already.
                 WpilogWriter(recording).write({ _, _ -> checkpoint() }) { bytes, size -> out.write(bytes, 0, size) }
             }
         }
-        return recording.problems
+        return recording.problems + sizesIn(recording)
+    }
+
+    /** Returns a problem about content of [recording] that its WPILOG lacks, and the logs have. */
+    private fun sizesIn(recording: Recording): List<Problem> {
+        val count = recording.topics.count { it.isOfBytes }
+        if (count == 0) return emptyList()
+        val message = "Topics of bytes that are not decoded have only their sizes here; the logs of the match have the bytes."
+        return listOf(Problem(ProblemKind.NOT_DECODED, message, count = count))
     }
 
     /** Returns the `match.json` in [folder]; null if there is none, or only one that another program wrote. */
@@ -115,6 +125,7 @@ object MatchMaker : LogMaker {
         val signals = FolderRules.of(file).rules.signals
         val statedOf = stated.associateBy { it.name }
         val sentences = ArrayList<String>()
+        var isLasting = true
         val first = wholeLogs(files.values.toList()) { it }.toSet()
         val given = files.filterValues { it in first }.mapNotNull { (name, path) ->
             checkpoint()
@@ -129,12 +140,18 @@ object MatchMaker : LogMaker {
                     )
                 }
 
-                is ReadResult.NotRead -> null.also { sentences += "$name: ${read.message.replace("$path", name)}" }
+                is ReadResult.NotRead -> null.also {
+                    sentences += "$name: ${read.message.replace("$path", name)}"
+                    isLasting = isLasting && read.isLasting
+                }
             }
         }
         (statedOf.keys - files.keys).mapTo(sentences) { "$it is missing, which ${MatchManifest.NAME} names." }
         val found = matchesOf(given)
-        val match = found.matches.singleOrNull() ?: throw refused(file, sentenceFor(found, sentences))
+        val match = found.matches.singleOrNull() ?: throw sentenceFor(found, sentences).let { sentence ->
+            // With more memory, for example, the same file may be a match.
+            if (isLasting) refused(file, sentence) else UnreadableFileException(file, naming(file, sentence))
+        }
         return match.recording(found.left.map { (_, why) -> why } + sentences)
     }
 

@@ -13,6 +13,8 @@ import java.io.IOException
 import java.nio.charset.Charset
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption
+import java.text.Normalizer
 import java.util.zip.CRC32
 import java.util.zip.GZIPInputStream
 import java.util.zip.ZipEntry
@@ -92,7 +94,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         val bound = Bound(log, log.entry.compressedSize, most, checkpoint)
         val piece = ByteArray(PIECE)
         inside(log) { zip.getInputStream(log.entry) }.use { stream ->
-            writing(target) { Files.newOutputStream(target) }.use { out ->
+            writing(target) { Files.newOutputStream(target, StandardOpenOption.CREATE_NEW) }.use { out ->
                 while (true) {
                     val count = inside(log) { stream.read(piece) }
                     if (count < 0) break
@@ -165,7 +167,8 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
 
     private fun contentOf(all: Sequence<ZipEntry>): Content {
         // Windows PowerShell 5 writes backslashes.
-        val files = all.map { Named(it.name.replace('\\', '/'), it) }.filterNot { it.name.endsWith('/') || isHidden(it.name) }.toList()
+        val named = all.map { Named(it.name.replace('\\', '/').removePrefix("./"), it) }
+        val files = named.filterNot { it.name.endsWith('/') || isHidden(it.name) }.toList()
         val manifest = manifestAmong(files)
         val stated = manifest?.let(::statedIn).orEmpty()
         val logs = files.filter { it !== manifest && (isNamedLikeLog(it.name) || it.name in stated) }
@@ -197,10 +200,10 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         for (file in files) {
             val (name, entry) = file.name to file.entry
             if (!isNameInside(name)) {
-                throw refused("“${shown(name)}” in it is not the name of a file in a ZIP; make the ZIP again from the folder.")
+                throw refused("“${shown(name)}” in it is not the name of a file on every system; rename that file, and make the ZIP again.")
             }
             // Windows and macOS would take both for the same file.
-            seen.put(name.split('/').joinToString("/", transform = ::safeName).lowercase(), name)?.let { other ->
+            seen.put(sameOnAll(name), name)?.let { other ->
                 throw refused("“${shown(other)}” and “${shown(name)}” in it are one name on some systems; rename one of them.")
             }
             bytes += maxOf(0, entry.size)
@@ -227,9 +230,9 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         const val MAX_SHOWN = 100
         const val PIECE = 1 shl 16
 
-        /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
+        /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. Small logs may hold nearly nothing. */
         const val RATIO = 200L
-        const val RATIO_COUNTS_FROM = 1L shl 20
+        const val RATIO_COUNTS_FROM = 64L shl 20
 
         /** How a file begins that is compressed with gzip. */
         val GZIP = byteArrayOf(0x1f, 0x8b.toByte())
@@ -240,6 +243,10 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
 }
 
 private fun isNamedLikeLog(name: String) = LogName.of(name.substringAfterLast('/')).mayBeLog
+
+/** Returns what names have in common with [name] that are the same file on some system. */
+private fun sameOnAll(name: String): String =
+    Normalizer.normalize(name.split('/').joinToString("/", transform = ::safeName), Normalizer.Form.NFC).lowercase()
 
 /** Returns whether a file called [name] is hidden, or one that macOS adds to a ZIP. */
 private fun isHidden(name: String): Boolean = name.split('/').any { it == "__MACOSX" || (it.startsWith(".") && it != ".." && it != ".") }

@@ -1,6 +1,7 @@
 package badlog.catalog.match
 
 import badlog.files.NotReadException
+import badlog.files.UnreadableFileException
 import badlog.signals.match.files.MatchManifest
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -71,8 +72,8 @@ class MatchZipSpec : FunSpec({
         unpacked(zip("match\\robot.csv" to LOG, "match\\ds\\a.dslog" to "x", "match\\" to "")).keys shouldContainExactly setOf("match/robot.csv", "match/ds/a.dslog")
         val dos = Charset.forName("IBM437")
         unpacked(zipOf("Prüfstand.csv" to LOG.encodeToByteArray(), charset = dos)) shouldBe mapOf("Prüfstand.csv" to LOG)
-        said(zip("..\\robot.csv" to LOG)) shouldContain "not the name of a file in a ZIP"
-        said(zip("\\robot.csv" to LOG)) shouldContain "not the name of a file in a ZIP"
+        said(zip("..\\robot.csv" to LOG)) shouldContain "not the name of a file on every system"
+        said(zip("\\robot.csv" to LOG)) shouldContain "not the name of a file on every system"
     }
 
     test("names beside a match.json are relative to it, and there is only one") {
@@ -135,6 +136,9 @@ class MatchZipSpec : FunSpec({
         said(zip("a.csv" to LOG, "A.csv" to LOG)) shouldContain "“a.csv” and “A.csv” in it are one name"
         said(zip("m/a?.csv" to LOG, "m/a*.csv" to LOG)) shouldContain "are one name on some systems; rename one"
         said(zip("M/a.csv" to LOG, "m/a.csv" to LOG)) shouldContain "are one name"
+        // Composed and decomposed, which is one name on macOS.
+        said(zip("\u00e9.csv" to LOG, "e\u0301.csv" to LOG)) shouldContain "are one name"
+        unpacked(zip("./a.csv" to LOG, "./x/b.csv" to LOG)).keys shouldContainExactly setOf("a.csv", "x/b.csv")
         unpacked(zip("a/x.csv" to LOG, "b/x.csv" to "Time,B\n0,3\n")) shouldBe mapOf("a/x.csv" to LOG, "b/x.csv" to "Time,B\n0,3\n")
     }
 
@@ -148,15 +152,27 @@ class MatchZipSpec : FunSpec({
     }
 
     test("whatever grows without end is refused, also inside a compressed log, before it fills the disk") {
-        val zeros = ByteArray(8 shl 20)
+        val zeros = ByteArray(65 shl 20)
         said(zipOf("a.csv" to zeros)) shouldContain "grows more than 200 times"
         said(zipOf("a.csv.gz" to gzip(zeros))) shouldContain "“a.csv.gz” in it grows more than 200 times"
         said(zipOf("a.csv" to gzip(zeros))) shouldContain "grows more than 200 times"
         said(zipOf("a.wpilogxz" to byteArrayOf(0xFD.toByte(), 0x37, 0x7A, 0x58, 0x5A, 0))) shouldContain "compressed with xz"
+        // A log that recorded nearly nothing is small, too.
+        unpacked(zipOf("a.csv" to ByteArray(8 shl 20))).keys shouldBe setOf("a.csv")
         val random = Random(1).nextBytes(4 shl 20)
         unpacked(zipOf("a.csv.gz" to gzip(random))).keys shouldBe setOf("a.csv.gz")
         // A log that a robot did not finish is read up to its end.
         unpacked(zipOf("a.csv.gz" to gzip(random).copyOf(100_000))).keys shouldBe setOf("a.csv.gz")
+    }
+
+    test("that a match cannot be read now is no lasting answer, if what its logs need may be there later") {
+        val folder = tempdir().toPath()
+        fun failure(vararg entries: Pair<String, String>) = shouldThrow<UnreadableFileException> {
+            MatchMaker.make((folder / "m.zip").apply { writeBytes(zip(*entries)) }, folder / "made.wpilog") {}
+        }
+        // CTRE's converter may be installed later.
+        failure("rio.hoot" to "rio").let { (it is NotReadException) to ("no robot's log" in it.message) } shouldBe (false to true)
+        failure("a.wpilog" to "%PDF-1.4").let { (it as NotReadException).why.isLasting } shouldBe true
     }
 
     test("a ZIP of other files is not one of a match, however many they are") {

@@ -5,8 +5,9 @@ package badlog.signals.clock
  *
  * @property seconds the offset to add to its times, in s.
  * @property fit how that was found; its error includes the errors of the logs on the way. Null if the offset was given.
+ * @property beside the index of the log beside which it was found; null if the offset was given.
  */
-class ClockPlace(val seconds: Double, val fit: ClockFit? = null)
+class ClockPlace(val seconds: Double, val fit: ClockFit? = null, val beside: Int? = null)
 
 /**
  * Returns where each of [count] logs stands on one clock; null where nothing shows it.
@@ -30,7 +31,7 @@ fun onOneClock(count: Int, given: Map<Int, Double>, fitOf: (own: Int, other: Int
         val (own, other, fit) = links.minWithOrNull(SUREST) ?: return places.asList()
         val before = checkNotNull(places[other])
         val error = fit.error + (before.fit?.error ?: 0.0)
-        place(own, ClockPlace(before.seconds + fit.seconds, ClockFit(before.seconds + fit.seconds, fit.edges, error)))
+        place(own, ClockPlace(before.seconds + fit.seconds, ClockFit(before.seconds + fit.seconds, fit.edges, error), other))
     }
 }
 

@@ -16,11 +16,21 @@ internal fun MatchOfLog.isSameAs(other: MatchOfLog): Boolean? {
     val (own, others) = (number ?: return null) to (other.number ?: return null)
     // A playoff goes on counting in its finals; until 2022, it counted quarterfinals in another order.
     if (differ && (one in RECOUNTED || two in RECOUNTED)) return null
-    if (own == others) return true
+    // Each event counts its own matches.
+    if (own == others) return if (areOtherEvents(event, other.event)) null else true
     val isCountedOtherwise = arePlayoffs && ('-' in own) != ('-' in others)
     if (!isCountedOtherwise) return false
     return if (own.removeSuffix("-1") == others.removeSuffix("-1")) true else null
 }
+
+/** Whether both are codes of events, or both names, and not the same. One may be the code of the other. */
+private fun areOtherEvents(one: String?, other: String?): Boolean {
+    if (one == null || other == null) return false
+    val (own, others) = listOf(one, other).map { it.trim().lowercase().replace(YEAR, "") }
+    return own != others && (' ' in own) == (' ' in others)
+}
+
+private val YEAR = Regex("^20\\d\\d")
 
 /** Types that count all matches of a playoff in one row. */
 private val COUNTED = setOf(MatchType.ELIMINATION, MatchType.PLAYOFF)

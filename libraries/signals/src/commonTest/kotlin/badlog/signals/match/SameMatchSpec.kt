@@ -19,6 +19,16 @@ class SameMatchSpec : FunSpec({
         same("Qualification 17", "Elimination 17") shouldBe false
     }
 
+    test("the same number at another event is open; one log may have the name of the event, and the other its code") {
+        fun at(event: String?, number: String = "4") = MatchOfLog(event, "Qualification", number)
+        at("MILLC").isSameAs(at("OHCL")) shouldBe null
+        at("Mill Creek Regional").isSameAs(at("Buckeye Regional")) shouldBe null
+        at("MILLC").isSameAs(at("2026millc")) shouldBe true
+        at("Mill Creek Regional").isSameAs(at("MILLC")) shouldBe true
+        at(null).isSameAs(at("MILLC")) shouldBe true
+        at("MILLC").isSameAs(at("OHCL", "5")) shouldBe false
+    }
+
     test("a playoff is counted by the field, or named by its set and its match") {
         same("Elimination 5", "Semifinal 5-1") shouldBe true
         same("Semifinal 5-1", "Semifinal 5-1") shouldBe true

@@ -35,8 +35,8 @@ class MatchManifest(val files: List<StatedFile>) {
         private const val MOST_SECONDS = 1e10
 
         /**
-         * Returns whether [text], of a file with this name, is meant as a manifest, even if it has mistakes: other programs also call
-         * what they know of a match so.
+         * Returns whether [text], of a file with this name, is meant as a manifest, even if it has mistakes. Other programs have files
+         * of this name, too.
          */
         fun isOne(text: String): Boolean {
             val keys = JsonReader.readObject(text.removePrefix(BYTE_ORDER_MARK))?.map { it.key }
@@ -64,7 +64,12 @@ class MatchManifest(val files: List<StatedFile>) {
 
         private fun statedFile(fields: JsonFields): StatedFile {
             val name = fields.string("name")
-            if (!isNameInside(name)) throw MatchManifestException("$NAME names something outside its folder; name only files beside it.")
+            if (!isNameInside(name)) {
+                throw MatchManifestException(
+                    "$NAME names “${name.take(MOST_SHOWN)}”, which is outside its folder or no file name on every system; " +
+                        "name only files beside it.",
+                )
+            }
             val role = fields.optional("role")?.let { role ->
                 FileRole.of(role) ?: throw MatchManifestException(
                     "$NAME gives $name the role “${role.take(MOST_SHOWN)}”; roles are ${FileRole.entries.joinToString { it.role }}.",

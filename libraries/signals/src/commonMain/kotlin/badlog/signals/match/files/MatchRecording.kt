@@ -67,6 +67,10 @@ private class PartBeside(val part: MatchPart, private val robot: ClockedLog) {
                     ),
                 )
             }
+            if (places.isNotEmpty() && places.values.all { it.rows.isEmpty() }) {
+                val message = "No sample of ${part.file.name} is during the robot's log; check its clock (${part.why})."
+                add(Problem(ProblemKind.LOG_LEFT_OUT, message))
+            }
             val lost = places.values.sumOf { it.withoutTime }
             if (lost > 0) {
                 val rows = if (lost == 1) "A row" else "$lost rows"
@@ -110,7 +114,7 @@ private fun isInOneFolder(recording: Recording): Boolean {
     return (folders.size == 1 && folders.single().isNotEmpty()) || folders.all { it in OF_STATION }
 }
 
-private fun folderOf(name: String) = name.substringAfterLast('/').substringBeforeLast('.').ifEmpty { name }
+private fun folderOf(name: String) = name.substringAfterLast('/').removeSuffix(".gz").substringBeforeLast('.').ifEmpty { name }
 
 private fun OneMatch.valuesOf(beside: List<PartBeside>, left: List<String>): List<Value> {
     val values = ArrayList(robot.log.recording.values)

@@ -37,14 +37,19 @@ fun matchesOf(files: List<MatchFile>): FoundMatches {
     }
     val open = others.filter { it.seconds == null }
     val (stations, logs) = open.partition { it.role == FileRole.STATION }
-    stationsOf(robots, stations, found.map { parts -> parts.any { it.file.role == FileRole.STATION } }, left)
+    // Of several logs of a robot, a camera's may have the clock of the match, but not show when the robot was enabled.
+    val shown = found.map { parts -> parts.filter { it.file.role == FileRole.ROBOT }.maxBy { it.file.log.edges.size } }
+    stationsOf(shown, stations, found.map { parts -> parts.any { it.file.role == FileRole.STATION } }, left)
         .forEachIndexed { i, part -> part?.let { found[i] += it } }
     for (file in logs) {
-        val fits = robots.map { fitOf(file, it) }
+        val fits = groups.map { parts ->
+            val all = parts.mapNotNull { fitOf(file, it) }
+            all.find { it.isSure } ?: all.firstOrNull()
+        }
         val only = fits.indices.filter { fits[it]?.isSure == true }.singleOrNull()
         if (only != null) found[only] += checkNotNull(fits[only]).part else left += file to reasonFor(file, robots, fits)
     }
-    return FoundMatches(found.map { parts -> OneMatch(parts, missingIn(parts, left.map { it.first })) }, left)
+    return FoundMatches(found.map { parts -> OneMatch(parts, missingIn(parts, left.map { it.first }) + doubtsIn(parts)) }, left)
 }
 
 /** The log that is stated to have the clock of the match comes first, then others with a stated clock. */
@@ -68,39 +73,45 @@ private fun homeOf(file: MatchFile, robots: List<MatchFile>): Int? = robots.indi
 /** A place for a file in a match; doubtful unless [isSure]. */
 private class PossiblePart(val part: MatchPart, val isSure: Boolean, val contradicts: Boolean)
 
+/** Returns [seconds], which put a log on the clock of this one, and their [error] on the clock of the match. */
+private fun MatchPart.placed(file: MatchFile, seconds: Double, reason: ClockReason, error: Double? = null, edges: Int = 0): MatchPart =
+    MatchPart(file, this.seconds + seconds, reason, error?.let { it + (this.error ?: 0.0) }, edges)
+
 /**
  * Returns for each of [robots] that does not [have][haveOne] one the Driver Station's log of its match, or null. [stations] that
  * are in no match are added to [left].
  */
 private fun stationsOf(
-    robots: List<MatchFile>,
+    robots: List<MatchPart>,
     stations: List<MatchFile>,
     haveOne: List<Boolean>,
     left: MutableList<Pair<MatchFile, String>>,
 ): List<MatchPart?> {
-    val found = robots.mapIndexed { i, robot -> if (haveOne[i]) null else stationOf(robot, stations) }
+    val areAlone = robots.size == 1 && stations.size == 1
+    val found = robots.mapIndexed { i, robot -> if (haveOne[i]) null else stationOf(robot, stations, areAlone) }
     for (station in stations) {
         val claims = robots.indices.filter { found[it]?.part?.file === station }
         if (claims.size == 1 && found[claims[0]]?.isSure == true) continue
-        left += station to reasonFor(station, robots, found.map { it?.takeIf { one -> one.part.file === station } })
+        left += station to reasonFor(station, robots.map { it.file }, found.map { it?.takeIf { one -> one.part.file === station } })
     }
     return found.map { one -> one?.part?.takeIf { one.isSure && found.count { it?.part?.file === one.part.file } == 1 } }
 }
 
-private fun stationOf(robot: MatchFile, stations: List<MatchFile>): PossiblePart? {
-    val pair = StationSearch<MatchFile>(robot.log, { it.log.start }, { it.log }).over(stations) ?: return null
-    val isSame = pair.station.match.isSameAs(robot.log.match) == true
-    val byClocks = clocksOf(pair.station, robot.log)
+private fun stationOf(robot: MatchPart, stations: List<MatchFile>, areAlone: Boolean): PossiblePart? {
+    val log = robot.file.log
+    val pair = StationSearch<MatchFile>(log, { it.log.start }, { it.log }).over(stations) ?: return null
+    val isSame = pair.station.match.isSameAs(log.match) == true
+    val byClocks = clocksOf(pair.station, log)
     val contradicts = byClocks != null && !agree(pair.fit.seconds, byClocks)
     val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
-    // A single edge may be of any match, and a laptop's clock an hour off.
-    val isSure = if (pair.fit.edges < FEWEST_EDGES) isSame && byClocks != null else isSame || !contradicts
-    return PossiblePart(MatchPart(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges), isSure, contradicts)
+    // A single edge may be of any match, all matches have the same periods, and a replay has the same number.
+    val isSure = !contradicts && if (pair.fit.edges < FEWEST_EDGES) isSame && byClocks != null else isSame || byClocks != null || areAlone
+    return PossiblePart(robot.placed(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges), isSure, contradicts)
 }
 
 /** Returns the place of [file], a log of devices, beside [robot]; null if nothing shows it, or the match is another one. */
-private fun fitOf(file: MatchFile, robot: MatchFile): PossiblePart? {
-    val (own, others) = file.log to robot.log
+private fun fitOf(file: MatchFile, robot: MatchPart): PossiblePart? {
+    val (own, others) = file.log to robot.file.log
     val isSame = own.match.isSameAs(others.match)
     if (isSame == false) return null
     val byClocks = clocksOf(own, others)
@@ -108,7 +119,7 @@ private fun fitOf(file: MatchFile, robot: MatchFile): PossiblePart? {
         val agrees = byClocks != null && agree(fit.seconds, byClocks)
         val contradicts = byClocks != null && !agrees
         return PossiblePart(
-            MatchPart(file, fit.seconds, reason, fit.error, fit.edges),
+            robot.placed(file, fit.seconds, reason, fit.error, fit.edges),
             agrees || (isSame == true && !contradicts),
             contradicts,
         )
@@ -118,7 +129,7 @@ private fun fitOf(file: MatchFile, robot: MatchFile): PossiblePart? {
     batteryFit(own, others)?.let { return part(it, ClockReason.BATTERY) }
     if (byClocks == null) return null
     val isDuring = own.first + byClocks < others.last && own.last + byClocks > others.first
-    return PossiblePart(MatchPart(file, byClocks, ClockReason.SYSTEM_TIME), isDuring && isSame == true, !isDuring)
+    return PossiblePart(robot.placed(file, byClocks, ClockReason.SYSTEM_TIME), isDuring && isSame == true, !isDuring)
         .takeIf { isDuring || isSame == true }
 }
 
@@ -149,6 +160,17 @@ private fun doubt(file: MatchFile, robots: List<MatchFile>): String =
 private fun missingIn(parts: List<MatchPart>, left: List<MatchFile>): List<String> = buildList {
     if (parts.none { it.file.role == FileRole.STATION } && left.none { it.role == FileRole.STATION }) {
         add("The Driver Station's log is missing; it is on the laptop that drove.")
+    }
+}
+
+/** Returns a sentence about each Driver Station's log of [parts] that nothing but its edges places there. */
+private fun doubtsIn(parts: List<MatchPart>): List<String> {
+    val robots = parts.filter { it.file.role == FileRole.ROBOT }.map { it.file.log }
+    return parts.filter { part ->
+        part.file.role == FileRole.STATION && part.reason != ClockReason.STATED &&
+            robots.all { part.file.log.match.isSameAs(it.match) != true && clocksOf(part.file.log, it) == null }
+    }.map {
+        "${it.file.name} fits by when the robot was enabled, but neither the time of day nor the number shows that it is of this match."
     }
 }
 

@@ -25,8 +25,7 @@ internal class RobotGroups(files: List<MatchFile>) {
     private fun besideOf(file: MatchFile, first: MatchFile): MatchPart? {
         if (file.seconds != null && first.seconds != null) return file.statedBeside(first)
         val isSame = file.log.match.isSameAs(first.log.match)
-        // Two robots with one program log the same topics; one robot does not log them twice.
-        if (isSame == false || namesOf(file) == namesOf(first)) return null
+        if (isSame == false || areAlike(namesOf(file), namesOf(first))) return null
         val byClocks = clocksOf(file.log, first.log)
         val fit = ClockFit.ofEdges(file.log.edges, first.log.edges, byClocks)?.takeIf { it.edges >= FEWEST_EDGES } ?: return null
         // Every match has the same periods, and one robot has one clock.
@@ -34,5 +33,15 @@ internal class RobotGroups(files: List<MatchFile>) {
         return if (isSure) MatchPart(file, fit.seconds, ClockReason.ENABLED, fit.error, fit.edges) else null
     }
 
-    private fun namesOf(file: MatchFile) = file.log.recording.topics.mapTo(HashSet()) { it.name }
+    /** Two robots with one program log the same topics, nearly; one robot does not log them twice. */
+    private fun areAlike(one: Set<String>, other: Set<String>): Boolean =
+        one == other || one.count { it in other } * 2 > minOf(one.size, other.size)
+
+    /** The names of topics, without those that each log of WPILib has. */
+    private fun namesOf(file: MatchFile): Set<String> =
+        file.log.recording.topics.map { it.name }.filterNotTo(HashSet()) { name -> EVERYWHERE.any { it in name } }
+
+    private companion object {
+        val EVERYWHERE = listOf("DS:", "FMSInfo", "systemTime", "messages", "/.schema/")
+    }
 }
