@@ -1,6 +1,5 @@
 package badlog.cli.info
 
-import badlog.cli.text.jsonOf as fieldsOf
 import badlog.files.filesAround
 import badlog.files.isOfDriverStation
 import badlog.formats.revlog.RevlogFormat
@@ -11,6 +10,7 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
+import badlog.cli.text.jsonOf as fieldsOf
 
 /**
  * A file of a match that lies near its robot's log.
