@@ -41,7 +41,7 @@ private fun payload(type: String, value: Any): ByteArray = when (type) {
     "int64" -> littleEndian(8) { putLong((value as Double).toLong()) }
     "float" -> littleEndian(4) { putFloat((value as Double).toFloat()) }
     "double" -> littleEndian(8) { putDouble(value as Double) }
-    else -> (value as String).encodeToByteArray()
+    else -> value as? ByteArray ?: (value as String).encodeToByteArray()
 }
 
 private fun littleEndian(size: Int, put: ByteBuffer.() -> Unit): ByteArray = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN).apply(put).array()

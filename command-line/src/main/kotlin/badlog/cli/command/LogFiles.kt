@@ -10,8 +10,8 @@ import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
 
 /** The current logs below [paths], for evaluating all of them at once, and reporting each result afterwards. */
-internal class LogFiles(paths: List<Path>, console: Console) {
-    private val found = console.searching().use { LogSearch(it::next).find(paths) }
+internal class LogFiles(paths: List<Path>, console: Console, opensMatches: Boolean = false) {
+    private val found = console.searching().use { LogSearch(opensMatches, it::next).find(paths) }
     private val failures = LinkedHashMap<LogInput, UnreadableFileException>()
     private val fileOf = LinkedHashMap<LogInput, LogFile>()
 

@@ -15,13 +15,14 @@ import java.nio.file.Path
  * Processes many logs one at a time, so that memory is bounded by the largest. A failure does not affect the others.
  *
  * @param isJson whether each log is one line of JSON.
+ * @param opensMatches whether a folder with a `match.json` is one log.
  */
-internal class LogLoop(command: String, private val console: Console, isJson: Boolean) {
+internal class LogLoop(command: String, private val console: Console, isJson: Boolean, private val opensMatches: Boolean = false) {
     private val outcomes = Outcomes(command, console, isJson, isSummed = true)
 
     /** Does [work] on every log below [paths], in order, and reports the outcomes. */
     fun run(paths: List<Path>, work: (LogInput, Progress) -> Outcome): ExitCode {
-        val found = console.searching().use { LogSearch(it::next).find(paths) }
+        val found = console.searching().use { LogSearch(opensMatches, it::next).find(paths) }
         for (failure in found.failures) outcomes.failed(failure.file, failure.message)
         for ((index, input) in found.inputs.withIndex()) {
             // Nobody would read the results of the others.

@@ -84,11 +84,7 @@ internal class Outcomes(
      * @param isNothingFine whether it is a success if there was nothing to do.
      */
     fun end(isNothingFine: Boolean = false): ExitCode {
-        if (!isJson) {
-            for (message in skipped.take(LISTED)) console.warn("Skipped $message")
-            val more = skipped.size - LISTED
-            if (more > 0) console.warn("Skipped ${counted(more.toLong(), "more file")}; --json names them.")
-        }
+        listSkipped()
         val done = whole + salvaged
         val isNothing = done + failed == 0
         if (isSummed && !isJson && done + failed > 1) console.warn(summary())
@@ -99,6 +95,14 @@ internal class Outcomes(
             salvaged + failed > 0 || isIncomplete -> ExitCode.SALVAGED
             else -> ExitCode.WHOLE
         }
+    }
+
+    /** Prints which files in folders are not logs. */
+    fun listSkipped() {
+        if (isJson) return
+        for (message in skipped.take(LISTED)) console.warn("Skipped $message")
+        val more = skipped.size - LISTED
+        if (more > 0) console.warn("Skipped ${counted(more.toLong(), "more file")}; --json names them.")
     }
 
     /** Returns a summary, such as `4 logs: 2 complete, 1 incomplete, 1 failed.` */

@@ -3,6 +3,7 @@ package badlog.cli.export
 import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
+import badlog.cli.merge.MatchOptions
 import badlog.cli.output.OutputOptions
 import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
@@ -31,14 +32,25 @@ internal class ExportCommand :
     private val search by SearchOptions()
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
+    private val match by MatchOptions()
 
     override val examples: List<String> = listOf(
         "export match.bag",
         "export logs --out pages/",
+        "export match.bag --with-ds=ds-logs",
         "export match.bag --compare other.bag",
         "export match.bag --rules my-rules.toml --attach notes.txt",
     )
 
-    override fun makeTask(): Task =
-        ExportTask(paths, output.plan(paths), attachments, compared, video, search.search(hooks, virtual.definitions), isJson, field)
+    override fun makeTask(): Task = ExportTask(
+        paths,
+        output.plan(paths, match.isOne, match.station),
+        attachments,
+        compared,
+        video,
+        search.search(hooks, virtual.definitions),
+        isJson,
+        field,
+        match.choice(paths, isJson),
+    )
 }

@@ -6,6 +6,8 @@ import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.LogInput
+import badlog.cli.merge.MatchChoice
+import badlog.cli.merge.matched
 import badlog.cli.output.OutputPlan
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
@@ -23,6 +25,7 @@ import badlog.exporter.fieldFor
 import badlog.exporter.layoutFor
 import badlog.exporter.videoFor
 import badlog.expression.undefinedTopics
+import badlog.files.LogMaker
 import badlog.files.NotReadException
 import badlog.files.UnreadableFileException
 import badlog.files.requireRegularFile
@@ -48,6 +51,7 @@ import java.nio.file.Path
  * @param video a video of the match of the only log; null for none.
  * @param search the rules of the pages, and the hooks to run on the logs.
  * @param field the field of all pages; null for those beside the logs.
+ * @param match which logs are read as one.
  */
 internal class ExportTask(
     private val paths: List<Path>,
@@ -58,8 +62,11 @@ internal class ExportTask(
     private val search: Search,
     private val isJson: Boolean,
     private val field: Path? = null,
+    private val match: MatchChoice = MatchChoice.AsTheyAre,
 ) : Task {
-    override fun run(console: Console): ExitCode {
+    override fun run(console: Console): ExitCode = matched("export", paths, match, console, isJson, ::run)
+
+    private fun run(paths: List<Path>, maker: LogMaker, console: Console): ExitCode {
         try {
             (attachments + compared + listOfNotNull(video)).forEach(::requireRegularFile)
         } catch (e: UnreadableFileException) {
@@ -81,9 +88,9 @@ internal class ExportTask(
             return ExitCode.USAGE
         }
         val hooks = search.hooksWith(named)
-        val exporter = HtmlExporter(attachments, compared)
+        val exporter = HtmlExporter(attachments, compared, maker = maker)
         val refused = ArrayList<List<SkippedRule>>()
-        val code = LogLoop("export", console, isJson).run(paths) { input, progress ->
+        val code = LogLoop("export", console, isJson, opensMatches = true).run(paths) { input, progress ->
             val rules = if (named == null) rulesBeside(input.file, console) else null
             val all = rules?.rules ?: checkNotNull(named).rules.with(signalsBeside(input.file))
             val layout = layoutFor(input.file, all.signals)
@@ -92,7 +99,7 @@ internal class ExportTask(
             val additions = PageAdditions(search.virtualTopics, all, rules?.problem, layout = layout.text, field = ground.json)
             // Without hooks, the log need not be read before it is embedded in a page.
             if (hooks.isEmpty()) return@run export(exporter, input, additions, rules, PageFindings.NONE, refused, progress)
-            val found = PageFindings.of(input.file, hooks) { done, total -> progress.advanced(done, total * 2) }
+            val found = PageFindings.of(input.file, hooks, maker) { done, total -> progress.advanced(done, total * 2) }
             export(exporter, input, additions, rules, found, refused) { done, total -> progress.advanced(total + done, total * 2) }
         }
         return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code

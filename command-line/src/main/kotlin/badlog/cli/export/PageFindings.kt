@@ -1,6 +1,7 @@
 package badlog.cli.export
 
 import badlog.cli.input.readLog
+import badlog.files.LogMaker
 import badlog.files.NotReadException
 import badlog.files.ReadResult
 import badlog.files.terminal.Progress
@@ -26,9 +27,9 @@ internal class PageFindings private constructor(val hooks: List<HookOutcome>, va
         /** Nothing, because there are no hooks. */
         val NONE = PageFindings(emptyList(), null)
 
-        /** Runs [hooks] for the log in [file], which they need with its samples. */
-        fun of(file: Path, hooks: List<HookRunner>, progress: Progress): PageFindings = try {
-            val recording = readLog(file, progress)
+        /** Runs [hooks] for the log in [file], read with [maker], which they need with its samples. */
+        fun of(file: Path, hooks: List<HookRunner>, maker: LogMaker, progress: Progress): PageFindings = try {
+            val recording = readLog(file, progress, maker = maker)
             PageFindings(hooks.map { HookOutcome.of(it, recording) }, null)
         } catch (e: NotReadException) {
             // The page itself needs little memory.

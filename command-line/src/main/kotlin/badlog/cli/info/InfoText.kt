@@ -24,12 +24,14 @@ import kotlin.math.roundToLong
  * @param parts the parts to show below its summary.
  * @param signals the topics recognized as signals.
  * @param width the number of columns.
+ * @param beside the other files of its match.
  */
 internal class InfoText(
     private val summary: LogSummary,
     private val parts: Set<InfoPart>,
     private val signals: List<SignalTopic>,
     private val width: Int,
+    private val beside: List<FileBeside> = emptyList(),
 ) {
     private val view = summary.view
     private val recording = view.recording
@@ -68,12 +70,18 @@ internal class InfoText(
         )
         add("  holds   ${sizes.joinToString()}")
         add(wrapped("  x       ", xText(), width = lineWidth))
+        if (beside.isNotEmpty()) add(wrapped("  beside  ", besideText(), width = lineWidth))
     }
 
     private fun xText(): String {
         val range = summary.range ?: return view.xAxis.title
         val text = "${view.xAxis.title} from ${shortNumber(range.start)} to ${shortNumber(range.endInclusive)}"
         return summary.seconds?.let { "$text, ${XTime.clock(it)} long" } ?: text
+    }
+
+    private fun besideText(): String {
+        val more = if (beside.size > MOST_BESIDE) ", and ${beside.size - MOST_BESIDE} more" else ""
+        return beside.take(MOST_BESIDE).joinToString { "${printable(it.path)} (${it.role})" } + more
     }
 
     private fun valueLines(): List<String> {
@@ -131,5 +139,6 @@ internal class InfoText(
         )
         const val VALUE_NAME = 32
         const val DIGITS = 4
+        const val MOST_BESIDE = 10
     }
 }

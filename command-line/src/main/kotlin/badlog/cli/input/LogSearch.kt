@@ -1,5 +1,6 @@
 package badlog.cli.input
 
+import badlog.catalog.match.MatchMaker
 import badlog.files.FolderScan
 import badlog.files.LogFile
 import badlog.files.UnreadableFileException
@@ -31,9 +32,10 @@ internal class LogInput(val file: Path, val folder: Path?, val seen: LogFile? = 
  * Finds the logs below files and folders. Files in a folder are selected by name, which is cheap; named files are
  * always included.
  *
+ * @param opensMatches whether the files that a `match.json` in a folder names are one log, that file.
  * @param checkpoint called for each file.
  */
-internal class LogSearch(private val checkpoint: () -> Unit = {}) {
+internal class LogSearch(private val opensMatches: Boolean = false, private val checkpoint: () -> Unit = {}) {
     /**
      * The result of a search.
      *
@@ -48,14 +50,24 @@ internal class LogSearch(private val checkpoint: () -> Unit = {}) {
 
     /** Searches below [paths]. Call it once. */
     fun find(paths: List<Path>): SearchResult {
-        for (path in paths) if (Files.isDirectory(path)) lookInto(path) else inputs += LogInput(path, null)
+        for (path in paths) {
+            val manifest = if (opensMatches) MatchMaker.manifestIn(path) else null
+            if (manifest != null) {
+                inputs += LogInput(manifest, null)
+                lookInto(path, MatchMaker.filesOf(manifest))
+            } else if (Files.isDirectory(path)) {
+                lookInto(path)
+            } else {
+                inputs += LogInput(path, null)
+            }
+        }
         return SearchResult(wholeLogs(inputs.distinctBy { identityOf(it.file) }) { it.file }, failures)
     }
 
-    private fun lookInto(folder: Path) {
+    private fun lookInto(folder: Path, except: Set<Path> = emptySet()) {
         try {
             val scan = reading(folder) { FolderScan.of(folder, checkpoint) }
-            val files = scan.files.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
+            val files = scan.files.filter { it.path !in except }.sortedWith(compareBy(NaturalOrder) { it.path.toString() })
             files.mapTo(inputs) { LogInput(it.path, folder, it) }
             scan.unreadable.mapTo(failures) { unreadable(it, AccessDeniedException("$it")) }
         } catch (e: UnreadableFileException) {

@@ -3,6 +3,7 @@ package badlog.cli.input
 import badlog.core.recording.NumberSinks
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
+import badlog.files.LogMaker
 import badlog.files.ReadOptions
 import badlog.files.readLog
 import badlog.files.terminal.Progress
@@ -14,13 +15,20 @@ import java.nio.file.Path
 /**
  * Reads [file] with its samples, and with the topic [xTopic] as x axis unless it is null.
  *
+ * @param maker makes one log of a file with several in it; null if no such file is read.
  * @param sinks where numbers go that the recording is not to keep.
  * @throws badlog.files.NotReadException if there is nothing to show.
  * @throws badlog.report.TopicException if there is no such topic.
  * @throws Failure if the beginning of a WPILOG is lost.
  */
-internal fun readLog(file: Path, progress: Progress, xTopic: String? = null, sinks: NumberSinks = NumberSinks.RECORDING): Recording {
-    val recording = readLog(file, LOG_FORMATS, ReadOptions(sinks = sinks), progress::advanced).orThrow()
+internal fun readLog(
+    file: Path,
+    progress: Progress,
+    xTopic: String? = null,
+    sinks: NumberSinks = NumberSinks.RECORDING,
+    maker: LogMaker? = null,
+): Recording {
+    val recording = readLog(file, LOG_FORMATS, ReadOptions(sinks = sinks, maker = maker), progress::advanced).orThrow()
     if (isFormerWpilog(file, recording)) {
         throw Failure(
             "$file is named like a WPILOG, but does not begin like one: its beginning is lost, so nothing can be read.",

@@ -1,14 +1,18 @@
 package badlog.cli.merge
 
+import badlog.catalog.match.roleOf
 import badlog.cli.input.Failure
 import badlog.cli.search.signalsBeside
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Units
-import badlog.formats.revlog.RevlogFormat
 import badlog.signals.clock.ClockFit
+import badlog.signals.clock.ClockPlace
+import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.EnabledEdge
-import badlog.signals.clock.enabledEdges
 import badlog.signals.clock.motorFit
+import badlog.signals.clock.onOneClock
+import badlog.signals.match.NaturalOrder
+import badlog.signals.match.files.FileRole
 import badlog.signals.withSignals
 import java.math.BigDecimal
 import java.nio.file.Path
@@ -35,14 +39,25 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
  *
  * @property edges the number of starts and ends of [what] that match those of the first log; 0 if the move was given.
  * @property error their largest distance from those, or else the possible error of the clocks, in s; 0 if the move was given.
+ * @property early the number of its samples that would be before 0, and are left out of a merged log.
  */
-internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled")
+internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled", val early: Long = 0)
 
 /** A time of [seconds] seconds without any log, after [one] and before [other]. */
 internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
 
-/** Logs on one clock, some of which were moved for that. */
-internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>) {
+/**
+ * Logs on one clock. Some were moved for that.
+ *
+ * @property placed those with a given or found place on the clock of all; the others were only left where they are.
+ * @property besides the log beside which the place of another one was found.
+ */
+internal class MovedLogs(
+    val parts: List<LogPart>,
+    val moves: List<Move>,
+    val placed: Set<LogPart>,
+    val besides: Map<LogPart, LogPart> = emptyMap(),
+) {
     /** Pauses so long that the logs may have different clocks. */
     val pauses: List<Pause> = buildList {
         var last: LogPart? = null
@@ -65,91 +80,129 @@ internal class MovedLogs(val parts: List<LogPart>, val moves: List<Move>) {
 /**
  * How logs are put on one clock.
  *
- * @param alignsEnabled whether logs without an offset are moved so that the robot is enabled at the same time as in the
- * first log.
+ * @param alignsEnabled whether logs without an offset are moved so that the robot is enabled at the same times in all.
  */
 internal class ClockChoice(private val offsets: List<Offset>, private val alignsEnabled: Boolean) {
     /**
      * Returns [parts], moved.
      *
-     * @param station the one of them that is a Driver Station log, to be put beside the first.
+     * @param station the one of them that is a Driver Station log, to be put beside a robot's.
      * @throws Failure if one cannot be moved.
      */
     fun moved(parts: List<LogPart>, station: StationPart? = null): MovedLogs {
-        if (alignsEnabled && offsets.isEmpty() && station == null && parts.none(::isOfMotors)) return aligned(parts)
+        val own = parts.filter { it !== station?.part }
+        val places = placesOf(own)
+        val later = if (isFree(own)) laterFor(own, places) else 0.0
         val moves = ArrayList<Move>()
-        val edges = if (alignsEnabled) edgesOf(parts.first()) else emptyList()
-        val all = parts.mapIndexed { index, part ->
-            val offset = offsets.find { it.isOf(part.file) }
-            when {
-                offset != null -> part.later(offset.seconds).also { moves += Move(it, 0, 0.0) }
-
-                part === station?.part -> station.beside(parts.first()).also { moves += Move(it, station.fit.edges, station.fit.error) }
-
-                index > 0 && isOfMotors(part) -> byMotors(part, parts.first())?.also { moves += it }?.part ?: part
-
-                alignsEnabled && index > 0 -> fitOf(part, edges).let { fit ->
-                    Move(part.later(fit.seconds), fit.edges, fit.error).also { moves += it }.part
-                }
-
-                else -> part
+        val moved = own.mapIndexed { index, part ->
+            val place = places[index] ?: return@mapIndexed part
+            val seconds = place.seconds + later
+            if (round(seconds * MICROS) == 0.0) return@mapIndexed part
+            val isByMotors = isOfMotors(part) && place.fit != null
+            // The robot's clock stays, so that what motor controllers logged before its 0 has no place.
+            val kept = if (isByMotors) part.since(-seconds) else part
+            val by = kept.later(seconds)
+            val early = part.recording.sampleCount - kept.recording.sampleCount
+            val fit = place.fit ?: places.mapNotNull { it?.fit }.takeIf { later != 0.0 }?.minByOrNull { it.edges }
+            by.also { moves += Move(it, fit?.edges ?: 0, fit?.error ?: 0.0, if (isByMotors) "motors driven" else "enabled", early) }
+        }
+        val placed = moved.filterIndexedTo(HashSet()) { i, _ -> alignsEnabled || isGiven(own[i]) }
+        val besides = HashMap<LogPart, LogPart>()
+        for (i in own.indices) places[i]?.beside?.let { besides[moved[i]] = moved[it] }
+        val beside = station?.let { one ->
+            val robot = moved[own.indexOf(one.robot)]
+            one.beside(robot).also {
+                besides[it] = robot
+                moves += Move(it, one.fit.edges, one.fit.error, early = one.part.recording.sampleCount - it.recording.sampleCount)
             }
         }
-        return MovedLogs(all, moves)
+        return MovedLogs(moved + listOfNotNull(beside), moves, placed, besides)
     }
 
-    /**
-     * Returns [parts], moved so that the robot is enabled at the same times, on the clock of the one that would otherwise move to later
-     * times; on a later one if another would begin before 0. Their order makes no difference.
-     */
-    private fun aligned(parts: List<LogPart>): MovedLogs {
-        val edges = edgesOf(parts.first())
-        val fits = parts.drop(1).map { fitOf(it, edges) }
-        val offsets = listOf(0.0) + fits.map { it.seconds }
-        val last = offsets.max()
-        val early = parts.zip(offsets).filterNot { (part, _) -> part.hasRows || part.firstX.isNaN() }.minOfOrNull { (part, offset) ->
-            part.firstX +
-                offset -
-                last
+    /** Whether nothing says where one of [parts] stands, so that all of them may move. */
+    private fun isFree(parts: List<LogPart>) = alignsEnabled && parts.none(::isGiven)
+
+    /** Whether the offset of [part] is known. */
+    fun isGiven(part: LogPart): Boolean = offsets.any { it.isOf(part.file) }
+
+    private fun placesOf(parts: List<LogPart>): List<ClockPlace?> {
+        val given = parts.indices.mapNotNull { i -> offsets.find { it.isOf(parts[i].file) }?.let { i to it.seconds } }.toMap()
+        val others = parts.indices.filter { it !in given && !isOfMotors(parts[it]) }
+        // The others are aligned with a log that has an offset, or else with the first; without --align, all keep their clocks.
+        val isBesideGiven = given.keys.any { !isOfMotors(parts[it]) }
+        val kept = if (!alignsEnabled) {
+            others
+        } else if (isBesideGiven) {
+            emptyList()
+        } else {
+            others.take(1)
         }
-        val later = maxOf(0.0, -(early ?: 0.0)) - last
-        val moved = parts.zip(offsets) { part, offset -> if (round((offset + later) * MICROS) == 0.0) part else part.later(offset + later) }
-        val moves = moved.mapIndexedNotNull { index, part ->
-            if (part ===
-                parts[index]
-            ) {
-                null
+        val edges = if (alignsEnabled && others.size + given.size > 1) edgesOf(parts, others, given.keys) else emptyMap()
+        val places = onOneClock(parts.size, given + kept.associateWith { 0.0 }) { one, other -> fitOf(parts, edges, one, other) }
+        if (alignsEnabled) parts.indices.find { places[it] == null }?.let { throw unplaced(parts, it) }
+        return places
+    }
+
+    /** Returns when each of [parts] was enabled and disabled; of those that were [given] a place, only if they show it. */
+    private fun edgesOf(parts: List<LogPart>, others: List<Int>, given: Set<Int>): Map<Int, List<EnabledEdge>> {
+        val shown = (others + given).associateWith { clocked(parts[it]).edges }
+        others.find { shown.getValue(it).isEmpty() }?.let { silent ->
+            val file = parts[silent].file
+            throw Failure("$file does not show when the robot was enabled or disabled; use --offset $file=SECONDS instead.")
+        }
+        return shown
+    }
+
+    private fun fitOf(parts: List<LogPart>, edges: Map<Int, List<EnabledEdge>>, own: Int, other: Int): ClockFit? {
+        val (part, beside) = parts[own] to parts[other]
+        if (isOfMotors(beside)) return null
+        if (isOfMotors(part)) return byMotors(part, beside)
+        return ClockFit.ofEdges(edges[own] ?: return null, edges[other] ?: return null)
+    }
+
+    private fun unplaced(parts: List<LogPart>, index: Int): Failure {
+        val file = parts[index].file
+        return Failure(
+            if (isOfMotors(parts[index])) {
+                "Nothing in $file matches the other logs; use --offset $file=SECONDS instead."
             } else {
-                (fits.getOrNull(index - 1) ?: fits.minBy { it.edges }).let { Move(part, it.edges, it.error) }
-            }
-        }
-        return MovedLogs(moved, moves)
+                "$file shares no time of enabling or disabling with the other logs; use --offset $file=SECONDS instead."
+            },
+        )
     }
 
-    private fun isOfMotors(part: LogPart) = part.recording.format == RevlogFormat
+    /** Returns by how much all of [parts] move, so that one keeps its clock, and none without rows begins before 0. */
+    private fun laterFor(parts: List<LogPart>, places: List<ClockPlace?>): Double {
+        val offsets = parts.indices.filterNot { isOfMotors(parts[it]) }.map { parts[it] to (places[it]?.seconds ?: 0.0) }
+        val last = offsets.maxOfOrNull { (_, offset) -> offset } ?: return 0.0
+        val early = offsets.filterNot { (part, _) -> part.hasRows || part.firstX.isNaN() }
+            .minOfOrNull { (part, offset) -> part.firstX + offset - last }
+        return maxOf(0.0, -(early ?: 0.0)) - last
+    }
 
     /**
-     * Returns the move of a log of REV's motor controllers, which does not show when the robot was enabled, beside [robot]; null if no
-     * motor shows it.
+     * Returns how the clock of a log of REV's motor controllers, which does not show when the robot was enabled, relates to [robot]'s.
      */
-    private fun byMotors(part: LogPart, robot: LogPart): Move? {
+    private fun byMotors(part: LogPart, robot: LogPart): ClockFit? {
         val signals = signalsBeside(robot.file)
         val (own, others) = listOf(part, robot).map { LogView.of(it.recording).withSignals(signals, it.file.fileName.toString()) }
-        val fit = motorFit(own, others, signals)
-        if (fit == null && alignsEnabled) {
-            throw Failure("Nothing in ${part.file} matches ${robot.file}; use --offset ${part.file}=SECONDS instead.")
-        }
-        return fit?.let { Move(part.later(maxOf(it.seconds, -part.firstX)), it.edges, it.error, "motors driven") }
+        return motorFit(own, others, signals)
     }
-
-    private fun fitOf(part: LogPart, edges: List<EnabledEdge>): ClockFit = ClockFit.ofEdges(edgesOf(part), edges)
-        ?: throw Failure("The logs share no time of enabling or disabling; use --offset instead.")
-
-    private fun edgesOf(part: LogPart): List<EnabledEdge> =
-        LogView.of(part.recording).withSignals(signalsBeside(part.file), part.file.fileName.toString()).enabledEdges().ifEmpty {
-            throw Failure("${part.file} does not show when the robot was enabled or disabled; use --offset ${part.file}=SECONDS instead.")
-        }
 }
+
+private fun isOfMotors(part: LogPart): Boolean = part.role == FileRole.MOTORS
+
+/** Returns what shows which other log is from the same time as [part]. */
+internal fun clocked(part: LogPart) = ClockedLog(part.file.fileName.toString(), part.recording, signalsBeside(part.file))
+
+/** What wrote this log. */
+internal val LogPart.role: FileRole get() = roleOf(file.fileName.toString(), recording)
+
+/** The order of logs in a merge, whatever the order in which they were named: by what wrote them, and then by name. */
+internal val PART_ORDER: Comparator<LogPart> =
+    compareBy<LogPart> { it.role }
+        .thenBy(NaturalOrder) { it.file.fileName.toString() }
+        .thenBy { it.file.toAbsolutePath().normalize().toString() }
 
 /** The number of seconds per unit of x. */
 internal val LogPart.secondsPerX: Double
@@ -168,7 +221,7 @@ internal fun LogPart.later(seconds: Double): LogPart {
         fun later(times: DoubleArray) = moved.getOrPut(times) { DoubleArray(times.size) { round(times[it] * MICROS + micros) / MICROS } }
         val topics = recording.topics.map { it.copy(times = it.times?.let(::later)) }
         if (firstX * MICROS + micros < 0) throw Failure("$file would start before 0; give the other logs a positive --offset instead.")
-        return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
+        return with(recording.copy(topics = topics), offset + micros / MICROS)
     }
     val x = xTopic ?: throw Failure("$file has no x axis, so it cannot be moved; name the topic of time with --x.")
     if (Units.secondsIn(x.unit) == null && !Units.isNone(x.unit)) {
@@ -177,7 +230,7 @@ internal fun LogPart.later(seconds: Double): LogPart {
     val by = BigDecimal.valueOf(micros / MICROS / secondsPerX)
     val later = x.copy(samples = DoubleArray(x.samples.size) { x.samples[it].plus(by) })
     val topics = recording.topics.map { if (it === x) later else it }
-    return LogPart(file, recording.copy(topics = topics), offset + micros / MICROS)
+    return with(recording.copy(topics = topics), offset + micros / MICROS)
 }
 
 /** Decimal addition, without rounding errors of binary fractions. */

@@ -20,13 +20,15 @@ import java.nio.file.Path
  *
  * @property recording its content, at its times in the merge.
  * @property offset how much later those are than in the file, in s.
+ * @property isMatch whether the file is a ZIP or `match.json` of several logs.
  * @property isOfFile whether its samples are records of a WPILOG in the file.
  */
 internal class LogPart(
     val file: Path,
     val recording: Recording,
     val offset: Double = 0.0,
-    val isOfFile: Boolean = recording.format.hasRecords,
+    val isMatch: Boolean = false,
+    val isOfFile: Boolean = recording.format.hasRecords && !isMatch,
 ) {
     val axis: XAxis = LogView.of(recording).xAxis
     private val topicOf = recording.topics.associateBy { it.name }
@@ -49,6 +51,9 @@ internal class LogPart(
     /** The last x there is, NaN without any. */
     val lastX: Double get() = (if (hasRows) x.lastOrNull { it.isFinite() } else axis.range?.endInclusive) ?: Double.NaN
 
+    /** Returns the same log with another [recording], at the times of [offset]. */
+    fun with(recording: Recording, offset: Double = this.offset) = LogPart(file, recording, offset, isMatch, isOfFile)
+
     /** Its topic [name], or null. */
     fun topic(name: String): Topic? = topicOf[name]
 }
@@ -60,7 +65,7 @@ internal class LogPart(
  * @throws Failure if its x is not a time.
  */
 internal fun LogPart.withOwnTimes(): LogPart {
-    if (!hasRows) return if (isOfFile) this else LogPart(file, recording, isOfFile = false)
+    if (!hasRows) return if (isOfFile) this else LogPart(file, recording, isMatch = isMatch, isOfFile = false)
     val x = xTopic ?: throw Failure("$file has no x axis, so its rows cannot be placed; name the time topic with --x.")
     val seconds = Units.secondsIn(x.unit) ?: 1.0.takeIf { Units.isNone(x.unit) }
         ?: throw Failure("$file counts x in ${x.unit}, but a WPILOG in s; these are not one clock.")

@@ -18,7 +18,9 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
     val parts = merge.groups.flatMap { it.parts }
     val salvaged = parts.filter { it.recording.isSalvaged }
         .map { wrapped("  salvaged: ", "${it.file}; badlog info shows what is lost", INDENT) }
-    val text = listOf("-> $target") + textLines(merge, leftOut) + clockLines(moved) + leftOut.lines + salvaged
+    val lacking = parts.flatMap { it.recording.leftOutLogs }
+    val text = listOf("-> $target") + textLines(merge, leftOut) + clockLines(moved.moves, moved.pauses) + leftOut.lines + salvaged +
+        lacking.map { wrapped("  left out: ", it, INDENT) }
     val repeated = merge.groups.sumOf { it.repeated }
     val hasRows = recording.format.hasRows
     val json = MergeJson(
@@ -30,11 +32,25 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
         repeatedRows = if (hasRows) repeated else 0,
         repeatedSamples = if (hasRows) 0 else repeated,
         renamed = merge.renamed.map(::RenamingJson),
-        leftOut = leftOut.all,
+        leftOut = leftOut.all + lacking,
         moved = moved.moves.map(::MoveJson),
         apart = moved.pauses.map(::PauseJson),
     )
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
+}
+
+/** Returns the outcome of a ZIP of the logs [moved], as they are, which was written to [target] without the clocks of the logs [open]. */
+internal fun zipOutcome(moved: MovedLogs, target: Path, open: List<LogPart>): Outcome {
+    val count = counted(moved.parts.size.toLong(), "log")
+    val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved.moves, moved.pauses) +
+        open.map { wrapped("  open: ", "${it.file}; its clock is found when the ZIP is read, or given by --align or --offset", INDENT) }
+    val json = ZipJson(
+        moved.parts.map { it.file.toString() },
+        moved.moves.map(::MoveJson),
+        moved.pauses.map(::PauseJson),
+        open.map { it.file.toString() },
+    )
+    return Outcome(isSalvaged = false, text.joinToString("\n"), jsonOf(json))
 }
 
 private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildList {
@@ -45,6 +61,7 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     merge.groups.forEachIndexed { index, group ->
         val how = when {
             index > 0 -> "  joined: "
+            group.parts.size > 1 && group.parts.all { it.hasRows && it.xTopic == null } -> "  in the order given: "
             group.parts.size > 1 -> "  in order of x: "
             else -> "  "
         }
@@ -55,6 +72,11 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
         }
         if (group.repeated > 0) add("  ${counted(group.repeated.toLong(), "duplicate $noun")}, kept once")
     }
+    addAll(renamedLines(merge))
+}
+
+/** Returns the topics and values with another name than in their logs. */
+internal fun renamedLines(merge: Merged): List<String> = buildList {
     for (renaming in merge.renamed.take(LISTED)) {
         val why = if (renaming.reason.isEmpty()) "" else "; ${renaming.reason}"
         add(wrapped("  renamed: ", "“${renaming.from}” of ${renaming.part.file} is “${renaming.to}”$why", INDENT))
@@ -62,15 +84,17 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
 
-private fun clockLines(moved: MovedLogs): List<String> = moved.moves.map { move ->
+/** Returns what [moves] and [pauses] mean. */
+internal fun clockLines(moves: List<Move>, pauses: List<Pause>): List<String> = moves.map { move ->
     val by = "${move.part.file} by ${shortNumber(move.part.offset, DIGITS)} s"
     val how = when (move.edges) {
         0 -> if (move.error > 0) "; aligned by the clocks, to about ${shortNumber(move.error, ERROR_DIGITS)} s" else ""
         1 -> "; one edge of ${move.what} fits, which may be chance"
         else -> "; ${move.edges} edges of ${move.what} fit within ${shortNumber(move.error, ERROR_DIGITS)} s"
     }
-    wrapped("  moved: ", by + how, INDENT)
-} + moved.pauses.map { pause ->
+    val early = if (move.early == 0L) "" else "; without ${counted(move.early, "sample")} before 0"
+    wrapped("  moved: ", by + how + early, INDENT)
+} + pauses.map { pause ->
     val text = "${pause.one.file} ends ${XTime.clock(pause.seconds)} before ${pause.other.file} begins; if they were recorded together, " +
         "use --align enabled or --offset"
     wrapped("  apart: ", text, INDENT)
@@ -94,8 +118,22 @@ private class MergeJson(
 )
 
 @Serializable
-private class MoveJson(private val log: String, private val seconds: JsonNumber, private val edges: Int, private val error: JsonNumber) {
-    constructor(move: Move) : this(move.part.file.toString(), move.part.offset, move.edges, move.error)
+private class ZipJson(
+    private val logs: List<String>,
+    private val moved: List<MoveJson>,
+    private val apart: List<PauseJson>,
+    private val open: List<String>,
+)
+
+@Serializable
+private class MoveJson(
+    private val log: String,
+    private val seconds: JsonNumber,
+    private val edges: Int,
+    private val error: JsonNumber,
+    private val early: Long,
+) {
+    constructor(move: Move) : this(move.part.file.toString(), move.part.offset, move.edges, move.error, move.early)
 }
 
 @Serializable

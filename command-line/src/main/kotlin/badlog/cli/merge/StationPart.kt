@@ -2,53 +2,65 @@ package badlog.cli.merge
 
 import badlog.cli.cut.samplePart
 import badlog.cli.input.Failure
-import badlog.cli.search.signalsBeside
 import badlog.cli.station.StationLogs
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 import badlog.core.recording.Value
 import badlog.signals.clock.ClockFit
-import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.START_VALUE
 import badlog.signals.clock.loggedStart
 import java.nio.file.Path
 import java.time.LocalDateTime
 import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
+import java.util.concurrent.ConcurrentHashMap
 
-/** A Driver Station log that becomes part of a merge, beside the robot's log, with [fit] for their clocks. */
-internal class StationPart(val part: LogPart, val fit: ClockFit) {
-    /** Returns it at the times of [robot]; anything before those begin is omitted. */
-    fun beside(robot: LogPart): LogPart {
-        val all = if (part.firstX + fit.seconds < 0) part.from(-fit.seconds + ONE_MICRO) else part
-        return all.later(fit.seconds).withStartOf(robot)
-    }
-
-    companion object {
-        /** So that rounding puts nothing before 0. */
-        private const val ONE_MICRO = 1e-6
-
-        /**
-         * Returns the Driver Station log of the same match as [robot], below [folder].
-         *
-         * @throws Failure if none can be identified.
-         */
-        fun of(robot: LogPart, folder: Path): StationPart {
-            val logs = StationLogs(folder)
-            if (logs.size == 0) throw Failure("No Driver Station log found in $folder; name its folder with --with-ds=FOLDER.")
-            val clocked = ClockedLog(robot.file.fileName.toString(), robot.recording, signalsBeside(robot.file))
-            val found = logs.of(clocked, robot.file, acceptsOnly = true) ?: throw Failure(
-                "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
-                    "to merge one anyway, name it as a log, with --align enabled.",
-            )
-            return StationPart(LogPart(found.log.path, found.station.recording), found.fit)
-        }
+/** A Driver Station log that becomes part of a merge, beside the log of [robot], with [fit] for their clocks. */
+internal class StationPart(val robot: LogPart, val part: LogPart, val fit: ClockFit) {
+    /** Returns it at the times of [moved], the robot's log in its place; anything before 0 is left out. */
+    fun beside(moved: LogPart): LogPart {
+        val seconds = fit.seconds + moved.offset
+        return part.since(-seconds).later(seconds).withStartOf(moved)
     }
 }
 
-/** Returns the same log from [seconds] on. */
-private fun LogPart.from(seconds: Double): LogPart =
-    LogPart(file, samplePart(LogView.of(recording), listOf(Span(seconds, maxOf(seconds, lastX)))).recording)
+/** Finds the Driver Station logs of the same matches as robots' logs. */
+internal class StationFinder {
+    private val logsIn = ConcurrentHashMap<Path, StationLogs>()
+
+    /**
+     * Returns the Driver Station log of the same match as [robot], below [folder].
+     *
+     * @param acceptsOnly see [badlog.signals.clock.StationSearch.over].
+     * @throws Failure if none can be identified.
+     */
+    fun of(robot: LogPart, folder: Path, acceptsOnly: Boolean): StationPart = find(robot, folder, acceptsOnly) ?: throw Failure(
+        if (logsBelow(folder).size == 0) {
+            "No Driver Station log found in $folder; name its folder with --with-ds=FOLDER."
+        } else {
+            "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
+                "to merge one anyway, name it as a log, with --align enabled."
+        },
+    )
+
+    /** Returns the same, or null if none can be identified. */
+    fun find(robot: LogPart, folder: Path, acceptsOnly: Boolean): StationPart? =
+        logsBelow(folder).of(clocked(robot), robot.file, acceptsOnly)?.let { found ->
+            StationPart(robot, LogPart(found.log.path, found.station.recording), found.fit)
+        }
+
+    private fun logsBelow(folder: Path) = logsIn.computeIfAbsent(folder, ::StationLogs)
+}
+
+/** Returns the same log without its samples before [seconds]. */
+internal fun LogPart.since(seconds: Double): LogPart {
+    if (!(firstX * secondsPerX < seconds)) return this
+    // So that rounding puts nothing before that.
+    val span = Span((seconds + ONE_MICRO) / secondsPerX, maxOf(seconds / secondsPerX, lastX))
+    return LogPart(file, samplePart(LogView.of(recording), listOf(span)).recording, isOfFile = false)
+}
+
+private const val ONE_MICRO = 1e-6
 
 /** Returns this log, which was moved beside [robot], with the time of day at which its new x is 0; without it if [robot] has its own. */
 private fun LogPart.withStartOf(robot: LogPart): LogPart {
@@ -60,7 +72,7 @@ private fun LogPart.withStartOf(robot: LogPart): LogPart {
             else -> Value(START_VALUE, TIME.format(LocalDateTime.ofEpochSecond((start - offset).toLong(), 0, ZoneOffset.UTC)) + " UTC")
         }
     }
-    return LogPart(file, recording.copy(values = values), offset)
+    return with(recording.copy(values = values))
 }
 
 private val TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss")

@@ -1,11 +1,18 @@
 package badlog.cli.output
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.input.Failure
 import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
+import badlog.cli.input.folderBeside
 import badlog.files.ResultPlace
+import badlog.files.UnreadableFileException
+import badlog.files.partsOfLog
+import badlog.files.reading
 import badlog.files.requireTarget
+import badlog.files.stationLogsIn
+import badlog.signals.match.files.MatchManifest
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
@@ -13,6 +20,7 @@ import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.name
 
 /**
  * Decides where results go, never overwriting an input.
@@ -22,13 +30,32 @@ import java.nio.file.Path
  *
  * @param paths the paths given on the command line.
  * @param isForced whether existing files may be replaced.
+ * @param isOne whether all logs are one.
+ * @param station the folder that is searched for Driver Station logs; empty for the folder of each log, null for none.
  */
-internal class OutputPlan(private val out: ResultPlace?, private val paths: List<Path>, private val isForced: Boolean) {
+internal class OutputPlan(
+    private val out: ResultPlace?,
+    private val paths: List<Path>,
+    private val isForced: Boolean,
+    private val isOne: Boolean = false,
+    private val station: Path? = null,
+) {
     private val taken = HashSet<String>()
 
     // Determined before anything is written, so that it does not include results of this run.
     private val read: Set<Path> by lazy {
-        LogSearch().find(paths).inputs.filter { Files.exists(it.file) }.mapTo(HashSet()) { it.file.toRealPath() }
+        val logs = LogSearch().find(paths).inputs.map { it.file }
+        val manifests = paths.mapNotNull { if (it.name == MatchManifest.NAME) it else MatchMaker.manifestIn(it) }
+        val folders = station?.let { folder -> logs.mapTo(HashSet()) { folderBeside(it, folder) } }.orEmpty()
+        val all = logs.flatMap(::partsOfLog) + manifests + manifests.flatMap(MatchMaker::filesOf) + folders.flatMap(::stationsIn)
+        all.filter { Files.exists(it) }.mapTo(HashSet()) { it.toRealPath() }
+    }
+
+    private fun stationsIn(folder: Path): List<Path> = try {
+        reading(folder) { stationLogsIn(folder) }.flatMap { partsOfLog(it.path) }
+    } catch (_: UnreadableFileException) {
+        // Whoever searches it says so.
+        emptyList()
     }
 
     /** The single file that [out] names, or null if it is a folder or missing. */
@@ -36,7 +63,7 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
 
     val isGiven: Boolean get() = out != null
 
-    private fun isSingle() = paths.size == 1 && !Files.isDirectory(paths[0])
+    private fun isSingle() = isOne || (paths.size == 1 && !Files.isDirectory(paths[0]))
 
     /**
      * Returns where the result of [input] goes.
@@ -80,11 +107,11 @@ internal class OutputPlan(private val out: ResultPlace?, private val paths: List
 /** The options of all commands that write one file for each log. */
 internal class OutputOptions : OptionGroup() {
     private val out by option("-o", "--out", metavar = "PATH").convert { ResultPlace.of(it) }
-        .help("Write to this file; a name without an ending is a folder.")
+        .help("Write to this file; without an ending, to this folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
-    /** Returns the plan for the logs below [paths]. */
-    fun plan(paths: List<Path>) = OutputPlan(out, paths, isForced)
+    /** Returns the plan for the logs below [paths], which may be one, with the Driver Station logs in [station] beside them. */
+    fun plan(paths: List<Path>, isOne: Boolean = false, station: Path? = null) = OutputPlan(out, paths, isForced, isOne, station)
 
     /** What `--out` names, or null. */
     val outPath: Path? get() = out?.path

@@ -4,6 +4,7 @@ import badlog.cli.command.LogCommand
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
+import badlog.cli.merge.MatchOptions
 import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.HookOptions
 import badlog.cli.search.SearchOptions
@@ -13,7 +14,6 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.help
 import com.github.ajalt.clikt.parameters.options.option
-import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.types.path
 import java.nio.file.Path
 
@@ -34,8 +34,7 @@ internal class ReportCommand(private val parts: PluginLoader) :
         .help("WPILib's field file; default: field.json beside the log.")
     private val isForced by option("--force").flag().help("Replace files that badlog did not make, but never a log.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")
-    private val station by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
-        .help("Also use the Driver Station log of each match.")
+    private val match by MatchOptions()
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 
     override val examples: List<String> = listOf(
@@ -52,11 +51,7 @@ internal class ReportCommand(private val parts: PluginLoader) :
                 "--x and --out cannot be used together, since pages show logs as they are; make bags of them with convert --x first",
             )
         }
-        if (station != null && folder != null) {
-            throw UsageError(
-                "--with-ds and --out cannot be used together, since a page shows one log; merge both with merge --with-ds first",
-            )
-        }
+        if (xTopic != null && match.isOne) throw UsageError("--x cannot be used together with --align or --offset; merge the logs first")
         if (field != null && folder == null) throw UsageError("--field needs --out, since only pages draw a field")
         if (hasCharts && folder == null) throw UsageError("--charts needs --out, since charts are files beside the index")
         return ReportTask(
@@ -66,8 +61,9 @@ internal class ReportCommand(private val parts: PluginLoader) :
             folder?.let { PagesPlan(it, isForced, field, hasCharts) },
             if (isFresh) null else UserFolders.ofSystem().answers,
             xTopic,
-            station,
+            match.station.takeUnless { match.isOne },
             parts,
+            match.choice(paths, isJson),
         )
     }
 }

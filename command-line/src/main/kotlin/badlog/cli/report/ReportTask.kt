@@ -1,5 +1,6 @@
 package badlog.cli.report
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
@@ -7,6 +8,9 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.ResultForm
 import badlog.cli.command.Task
 import badlog.cli.console.Console
+import badlog.cli.merge.LeftOutLogs
+import badlog.cli.merge.MatchChoice
+import badlog.cli.merge.matched
 import badlog.cli.plugin.ChartService
 import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.Search
@@ -15,7 +19,9 @@ import badlog.cli.search.rulesBeside
 import badlog.cli.station.StationsBeside
 import badlog.cli.text.jsonOf
 import badlog.exporter.ExportException
+import badlog.exporter.HtmlExporter
 import badlog.exporter.fieldFor
+import badlog.files.LogMaker
 import badlog.report.LogReport
 import badlog.report.Report
 import badlog.report.ReportJson
@@ -27,7 +33,11 @@ import badlog.report.reportCsv
 import badlog.report.reportText
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
+import badlog.signals.match.files.MatchManifest
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
+import kotlin.io.path.name
 
 /**
  * Runs rules and hooks over every log below [paths].
@@ -39,6 +49,7 @@ import java.nio.file.Path
  * @param station the folder to search for Driver Station logs of the same matches, which provide what the robot's logs lack; empty for
  *   the folder of each log, null for none.
  * @param parts finds what draws charts.
+ * @param match which logs are read as one.
  */
 internal class ReportTask(
     private val paths: List<Path>,
@@ -49,41 +60,52 @@ internal class ReportTask(
     private val xTopic: String?,
     private val station: Path?,
     private val parts: PluginLoader,
+    private val match: MatchChoice = MatchChoice.AsTheyAre,
 ) : Task {
-    override fun run(console: Console): ExitCode {
-        if (pagesPlan?.hasCharts != true) return run(console, charts = null)
+    override fun run(console: Console): ExitCode = matched("report", paths, match, console, form == ResultForm.JSON, ::run)
+
+    private fun run(paths: List<Path>, maker: LogMaker, console: Console): ExitCode {
+        if (pagesPlan?.hasCharts != true) return run(paths, maker, console, charts = null)
         // Whoever lacks the part learns it before all logs are read.
-        return parts.call("report --charts", ChartService::class.java, console) { run(console, it) }
+        return parts.call("report --charts", ChartService::class.java, console) { run(paths, maker, console, it) }
     }
 
-    private fun run(console: Console, charts: ChartService?): ExitCode {
+    private fun run(paths: List<Path>, maker: LogMaker, console: Console, charts: ChartService?): ExitCode {
         pagesPlan?.field?.let { fieldFor(it, it).problem }?.let {
             console.warn(it)
             return ExitCode.USAGE
         }
         val rules: RuleSet
         val stations: StationsBeside?
+        val made: LeftOutLogs
         val report = try {
             val named = search.namedRules()
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
             stations = station?.let { StationsBeside(it, rules.signals) }
+            // Rules use the Driver Station's log only for signals that the robot's lacks.
+            made = LeftOutLogs(if (stations == null) maker else MatchMaker)
             Report(
                 rules,
                 search.hooksWith(named),
                 search.virtualTopics,
-                cache,
+                // The files of a match may change while its match.json, or the first of them, does not.
+                cache.takeIf { maker == MatchMaker && paths.none(::isMatchFolder) },
                 xTopic,
                 stations?.let { it::over },
                 measures = charts != null,
+                maker = made,
             )
         } catch (e: SearchException) {
             console.warn(e.message)
             return ExitCode.USAGE
         }
-        val logs = LogFiles(paths, console)
+        val logs = LogFiles(paths, console, opensMatches = true)
         val pages = try {
-            pagesPlan?.let { ReportPages(ReportFolder(it.folder, logs.files, rules, search.virtualTopics, it.isForced, it.field)) }
+            pagesPlan?.let {
+                val exporter = HtmlExporter(maker = maker)
+                ReportPages(ReportFolder(it.folder, logs.files, rules, search.virtualTopics, it.isForced, it.field, exporter))
+            }
         } catch (e: ExportException) {
             console.warn(e.message.orEmpty())
             return ExitCode.NOTHING
@@ -97,7 +119,11 @@ internal class ReportTask(
         logs.report(outcomes) { input, file ->
             val log = reportOf.getValue(file)
             val unreadable = log.unreadable
-            if (unreadable != null) outcomes.unreadable(input, unreadable, log.isNoLog) else report(log, pages, stations, outcomes, console)
+            if (unreadable != null) {
+                outcomes.unreadable(input, unreadable, log.isNoLog)
+            } else {
+                report(log, pages, stations, made.of(file.path), outcomes, console)
+            }
         }
         pages?.finish(result, outcomes) { if (charts == null) PageCharts.NONE else drawn(it, charts, console) }
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
@@ -107,6 +133,8 @@ internal class ReportTask(
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
     }
 
+    private fun isMatchFolder(path: Path) = path.name == MatchManifest.NAME || MatchMaker.manifestIn(path) != null
+
     private fun drawn(logs: List<LogReport>, charts: ChartService, console: Console): PageCharts {
         val drawn = console.progress("charts").use { bar ->
             charts.chartsOf(logs) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
@@ -115,14 +143,25 @@ internal class ReportTask(
         return drawn
     }
 
-    private fun report(log: LogReport, pages: ReportPages?, stations: StationsBeside?, outcomes: Outcomes, console: Console) {
+    private fun report(
+        log: LogReport,
+        pages: ReportPages?,
+        stations: StationsBeside?,
+        leftOut: List<String>,
+        outcomes: Outcomes,
+        console: Console,
+    ) {
         val failure = pages?.failureOf(log)
         val json = if (form == ResultForm.JSON) {
-            jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() + stations?.jsonOf(log.file).orEmpty()
+            jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() + stations?.jsonOf(log.file).orEmpty() +
+                (if (leftOut.isEmpty()) emptyMap() else mapOf("leftOut" to JsonArray(leftOut.map { JsonPrimitive(it) })))
         } else {
             emptyMap()
         }
-        if (form != ResultForm.JSON) stations?.sentenceOf(log.file)?.let(console::warn)
+        if (form != ResultForm.JSON) {
+            stations?.sentenceOf(log.file)?.let(console::warn)
+            leftOut.forEach { console.warn("${log.file.path}: $it") }
+        }
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
         if (failure != null && form != ResultForm.JSON) console.warn(failure)
     }

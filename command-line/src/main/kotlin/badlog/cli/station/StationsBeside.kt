@@ -1,5 +1,6 @@
 package badlog.cli.station
 
+import badlog.cli.input.folderBeside
 import badlog.cli.text.JsonNumber
 import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
@@ -29,7 +30,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
     /** Returns the view for rules for the robot's log [view] of [file]: that log, plus what only the Driver Station's has. */
     fun over(file: LogFile, view: LogView): LogView {
         if (view.recording.isOfDriverStation) return view
-        val below = if (folder.toString().isEmpty()) file.path.toAbsolutePath().parent else folder
+        val below = folderBeside(file.path, folder)
         val robot = ClockedLog(file.name, view.recording, signals)
         val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
         found[file.path] = Found(station.log.name, station.fit)

@@ -1,5 +1,6 @@
 package badlog.cli.merge
 
+import badlog.cli.BAG
 import badlog.cli.Logged
 import badlog.cli.badlog
 import badlog.cli.badlogJson
@@ -10,12 +11,14 @@ import badlog.core.recording.Recording
 import badlog.files.inFolder
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import io.kotest.property.PropertyTesting
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.double
 import kotlinx.serialization.json.int
@@ -23,7 +26,10 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
+import kotlin.io.path.createDirectories
 import kotlin.io.path.div
+import kotlin.io.path.exists
+import kotlin.io.path.readBytes
 import kotlin.random.Random
 
 class ClockChoiceSpec : FunSpec({
@@ -98,6 +104,54 @@ class ClockChoiceSpec : FunSpec({
         }
     }
 
+    test("a log that fits only another one than the first has its place beside that one") {
+        inFolder { folder ->
+            fun cut(name: String, topic: String, from: Int, until: Int, late: Double): Path {
+                val changes = List(12) { (10.0 + it * it * 3 + it) to (it % 2 == 0) }
+                val kept = listOf(changes[from].first - 5 to (from % 2 == 1)) + changes.subList(from, until) +
+                    listOf(changes[until - 1].first + 5 to ((until - 1) % 2 == 0))
+                val moved = kept.map { (time, on) -> time + late to on }
+                val others = List(5) { changes[from].first + it + late to it.toDouble() }
+                return folder.wpilog(name, listOf(Logged("$topic/Robot Enabled", "boolean", "", moved), Logged(topic, "int64", "", others)))
+            }
+            // The first and the last share no moment, and the one in the middle shares some with both.
+            val first = cut("a.wpilog", "a", 0, 5, 0.0)
+            val last = cut("b.wpilog", "b", 6, 12, 700.0)
+            val middle = cut("c.wpilog", "c", 2, 10, 90.0)
+            val json = badlogJson("merge", first, last, middle, "--align", "enabled", "-o", folder / "m.wpilog").json.single()
+            json.getValue("moved").jsonArray.size shouldBe 2
+            val merged = readRecording(folder / "m.wpilog", LOG_FORMATS)
+            val begins = listOf("a", "b", "c").map { checkNotNull(merged.times(it)).first() }
+            (begins[1] - begins[0]) shouldBe (10.0 + 36 * 3 + 6 - 10 plusOrMinus 0.001)
+            (begins[2] - begins[0]) shouldBe (10.0 + 12 + 2 - 10 plusOrMinus 0.001)
+        }
+    }
+
+    test("whatever is merged, in whatever way, the order of the logs changes no byte of the result, and no word about it") {
+        inFolder { folder ->
+            val random = Random(1959)
+            repeat(PropertyTesting.defaultIterationCount / 20) { run ->
+                val here = (folder / "run$run").createDirectories()
+                val begins = List(3) { random.nextInt(0, 400) / 2.0 }
+                val logs = begins.mapIndexed { i, begin -> here.match("log${random.nextInt(20)}-$i", listOf("a", "b", "a")[i], begin) } +
+                    listOf(here.with("rows.bag", BAG), here.with("more.bag", BAG.replace("Speed", "Force").replace("\"42\"", "\"43\"")))
+                val chosen = logs.shuffled(random).take(random.nextInt(2, 6))
+                val aligned = chosen.filter { "${it.fileName}".startsWith("log") }
+                val ways = listOf(emptyList(), listOf("--join"), listOf("--append"), listOf("--offset", "${chosen[0].fileName}=12.5")) +
+                    (if (aligned.size > 1) listOf(listOf("--align", "enabled")) else emptyList())
+                for ((index, way) in ways.withIndex()) {
+                    val taken = if ("--align" in way) aligned else chosen
+                    val made = List(3) { taken.shuffled(random) }.map { order ->
+                        val target = here / "merged$index.wpilog"
+                        val ended = badlog("merge", *order.toTypedArray(), *way.toTypedArray(), "-o", target, "--force")
+                        Triple(ended.code, ended.out + ended.err, if (target.exists()) target.readBytes().toList() else emptyList())
+                    }
+                    withClue("$way of $taken") { made.toSet().size shouldBe 1 }
+                }
+            }
+        }
+    }
+
     test("a log that would begin before 0 moves the others instead") {
         inFolder { folder ->
             val late = folder.match("late", "a", 3.0)
@@ -109,6 +163,29 @@ class ClockChoiceSpec : FunSpec({
             }
             times[0] shouldBe times[1]
             times[0].getValue("b")?.first() shouldBe 0.0
+        }
+    }
+
+    test("the log of a robot comes before that of a CAN bus, whatever their names") {
+        inFolder { folder ->
+            val recording = readRecording(folder.match("robot", "a", 7.0), LOG_FORMATS)
+            listOf("aaa.hoot", "robot.wpilog").map { LogPart(folder / it, recording) }.sortedWith(PART_ORDER).map { "${it.file.fileName}" } shouldBe
+                listOf("robot.wpilog", "aaa.hoot")
+        }
+    }
+
+    test("a log with an offset keeps that, and the others are aligned with it") {
+        inFolder { folder ->
+            val one = folder.match("one", "a", 7.0)
+            val two = folder.match("two", "b", 1200.0)
+            for (order in listOf(listOf(one, two), listOf(two, one))) {
+                for ((offset, begin) in listOf("one.wpilog=3" to 10.0, "two.wpilog=-1100" to 100.0)) {
+                    val target = folder / "m.wpilog"
+                    badlog("merge", *order.toTypedArray(), "--align", "enabled", "--offset", offset, "-o", target, "--force").code shouldBe ExitCode.WHOLE
+                    val merged = readRecording(target, LOG_FORMATS)
+                    listOf("a", "b").map { merged.times(it)?.first() } shouldBe listOf(begin, begin)
+                }
+            }
         }
     }
 

@@ -15,6 +15,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.nio.file.Path
 import kotlin.io.path.div
 
 /** The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s; a status frame every 20 ms from [from] s until 30 s. */
@@ -45,6 +46,61 @@ class RevlogMergeSpec : FunSpec({
             said shouldContain "REV_1.revlog by -0.6 s; 6 edges of motors driven fit within 0 s"
             val both = readRecording(folder / "both.wpilog", LOG_FORMATS)
             both.topics.single { it.name == "REV/Spark-3/APPLIED_OUTPUT" }.times?.first() shouldBe (0.4 plusOrMinus 0.001)
+        }
+    }
+
+    test("what motor controllers logged before the robot's 0 is left out, rather than put where it does not belong") {
+        inFolder { folder ->
+            val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val late = arm.map { it.start + 2..it.endInclusive + 2 }
+            val said = said("merge", robot, folder.with("REV_1.revlog", revlog(0.0, late)), "-o", folder / "both.wpilog")
+            said shouldContain "REV_1.revlog by -2 s"
+            said shouldContain Regex("; without [\\d,]+ samples before 0")
+            val output = readRecording(folder / "both.wpilog", LOG_FORMATS).topics.single { it.name == "REV/Spark-3/APPLIED_OUTPUT" }
+            output.times?.first() shouldBe (0.02 plusOrMinus 0.021)
+            // The first start of the motor in both.
+            output.times?.get(output.samples.indexOfFirst { it > 0.1 }) shouldBe (3.0 plusOrMinus 0.021)
+        }
+    }
+
+    test("a given offset leaves out no sample: it is refused if the log would begin before 0") {
+        inFolder { folder ->
+            val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val motors = folder.with("REV_1.revlog", revlog(1.0, arm))
+            fun samplesIn(log: Path) = readRecording(log, LOG_FORMATS).topics.filter { it.name.startsWith("REV/") }.sumOf { it.times?.size ?: 0 }
+            said("merge", robot, motors, "--offset", "REV_1.revlog=-2", "-o", folder / "both.wpilog") shouldContain "REV_1.revlog would start before 0"
+            said("merge", robot, motors, "--offset", "REV_1.revlog=-0.5", "-o", folder / "both.wpilog") shouldNotContain "samples before 0"
+            samplesIn(folder / "both.wpilog") shouldBe samplesIn(motors)
+        }
+    }
+
+    test("--align finds the clock of each log, also if the first of them would begin before 0 and there is one of motor controllers") {
+        inFolder { folder ->
+            fun enabled(late: Double) = listOf(late to false, late + 3 to true, late + 20 to false, late + 22 to true, late + 29 to false)
+            val early = folder.wpilog("a.wpilog", listOf(Logged("a/Robot Enabled", "boolean", "", enabled(5.0)), Logged("a/x", "double", "", listOf(0.0 to 1.0))))
+            val robot = folder.wpilog("b.wpilog", listOf(Logged("b/Robot Enabled", "boolean", "", enabled(0.0)), Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val motors = folder.with("REV_1.revlog", revlog(1.0, arm.map { it.start + 0.6..it.endInclusive + 0.6 }))
+            for (order in listOf(listOf(early, robot, motors), listOf(motors, robot, early))) {
+                val said = said("merge", *order.toTypedArray(), "--align", "enabled", "-o", folder / "all.wpilog", "--force")
+                said shouldContain "b.wpilog by 5 s"
+                said shouldContain "REV_1.revlog by 4.4 s"
+            }
+        }
+    }
+
+    test("a ZIP does not state the clock of a log that was found beside one whose own clock is open") {
+        inFolder { folder ->
+            fun enabled(late: Double) = listOf(late to false, late + 3 to true, late + 20 to false, late + 22 to true, late + 29 to false)
+            val first = folder.wpilog("a_Q3.wpilog", listOf(Logged("a/Robot Enabled", "boolean", "", enabled(12.0)), Logged("a/x", "double", "", listOf(12.0 to 1.0))))
+            val robot = folder.wpilog("b_Q3.wpilog", listOf(Logged("b/Robot Enabled", "boolean", "", enabled(0.0)), Logged("Arm/Applied Output", "double", "", outputs(arm))))
+            val motors = folder.with("REV_Q3.revlog", revlog(1.0, arm.map { it.start + 0.6..it.endInclusive + 0.6 }))
+            said("merge", first, robot, motors, "-o", folder / "m.zip").run {
+                this shouldContain "open: $robot"
+                this shouldContain "open: $motors"
+            }
+            val shown = said("info", folder / "m.zip")
+            shown shouldContain "b_Q3.wpilog robot: moved by 12.0 s"
+            shown shouldContain Regex("REV_Q3.revlog motors: moved by 11\\.[34]\\d* s")
         }
     }
 

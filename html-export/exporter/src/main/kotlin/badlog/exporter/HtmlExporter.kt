@@ -3,6 +3,7 @@ package badlog.exporter
 import badlog.core.bag.RecordingParser
 import badlog.exporter.NotesFile
 import badlog.files.AtomicFile
+import badlog.files.LogMaker
 import badlog.files.ReadOptions
 import badlog.files.Unpacked
 import badlog.files.partsOfLog
@@ -26,11 +27,13 @@ import java.util.concurrent.ConcurrentHashMap
  * @param attachments files to put into every page beside the recording.
  * @param compared logs that every page draws over its own; a page's own log is skipped.
  * @param parts the program and the styles of the pages.
+ * @param maker makes one log of a file with several in it; null if there is no page of such a file.
  */
 class HtmlExporter(
     private val attachments: List<Path> = emptyList(),
     private val compared: List<Path> = emptyList(),
     private val parts: PageParts = PageParts.bundled(),
+    private val maker: LogMaker? = null,
 ) {
     /** The compared logs that have been checked to be logs. */
     private val readable = ConcurrentHashMap.newKeySet<Path>()
@@ -58,7 +61,7 @@ class HtmlExporter(
         files.forEach(::checkReadable)
         checkWritable(page, files)
         return refusing {
-            unpacked(input, { progress.advanced(0, Files.size(input)) }) { log ->
+            unpacked(input, { progress.advanced(0, Files.size(input)) }, maker = maker) { log ->
                 val exported = ExportedLog(input, log, if (log.path == input) logParts else listOf(log.path))
                 export(exported, page, withNotes(additions, input), progress)
             }

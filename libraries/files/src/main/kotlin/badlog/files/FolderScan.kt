@@ -82,7 +82,8 @@ private fun isNamedLikeLog(name: String): Boolean {
 /** The end of the name of a folder with a pack of rules. */
 private const val PACK = ".badlog-rules"
 
-private fun isPassedOver(folder: Path): Boolean {
+/** Returns whether [folder] is passed over: it is hidden, made by a build, or a pack of rules. */
+internal fun isPassedOver(folder: Path): Boolean {
     val name = folder.fileName.toString()
     return name.startsWith(".") || name == "node_modules" || name == "\$RECYCLE.BIN" || name.endsWith(PACK, ignoreCase = true) ||
         (name == "build" && listOf("build.gradle", "build.gradle.kts").any { Files.exists(folder.resolveSibling(it)) })

@@ -14,6 +14,7 @@ import badlog.core.recording.NumberSinks
  *   returned when the log has been read. Each sink receives each row once, in order. Not used for logs of records.
  * @property cores the number of cores for reading a large file; 1 for only the calling thread, if others read other files meanwhile.
  * @property name the name of the log, if the file temporarily has another one; null for the name of the file.
+ * @property maker makes one log of a file with several in it; null if no such file is to be read.
  */
 public class ReadOptions(
     public val keepSamples: Boolean = true,
@@ -21,4 +22,5 @@ public class ReadOptions(
     public val sinks: NumberSinks = NumberSinks.RECORDING,
     public val cores: Int = Runtime.getRuntime().availableProcessors(),
     public val name: String? = null,
+    public val maker: LogMaker? = null,
 )

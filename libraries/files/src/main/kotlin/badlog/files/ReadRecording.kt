@@ -34,7 +34,7 @@ public fun readRecording(
 ): Recording {
     requireRegularFile(file)
     return withinMemory(file) {
-        unpacked(file, { progress(0, Files.size(file)) }, options.name ?: file.fileName.toString()) { log ->
+        unpacked(file, { progress(0, Files.size(file)) }, options.name ?: file.fileName.toString(), options.maker) { log ->
             val recording = read(log.path, formats, options, progress)
             recording.copy(format = log.format ?: recording.format, problems = log.problems + recording.problems)
         }

@@ -31,16 +31,25 @@ public class Unpacked internal constructor(
  * recognized by their content.
  *
  * @param name the name of the log, if the file temporarily has another one.
+ * @param maker makes a WPILOG of a file with several logs in it; null if no such file is to be read.
  * @param checkpoint called from time to time while a WPILOG is made; may throw to cancel.
  * @throws UnreadableFileException if the file cannot be read, or not converted to a WPILOG.
  * @throws UnwritableFileException if the WPILOG cannot be written, such as on a full disk.
  * @throws InterruptedException if the thread was interrupted.
  */
-public fun <T> unpacked(file: Path, checkpoint: () -> Unit = {}, name: String = file.fileName.toString(), work: (Unpacked) -> T): T {
+public fun <T> unpacked(
+    file: Path,
+    checkpoint: () -> Unit = {},
+    name: String = file.fileName.toString(),
+    maker: LogMaker? = null,
+    work: (Unpacked) -> T,
+): T {
     val head = reading(file) { Files.newInputStream(file).use { it.readNBytes(SIGNATURE_SIZE) } }
     val isXz = head.size >= XZ.HEADER_MAGIC.size && XZ.HEADER_MAGIC.indices.all { head[it] == XZ.HEADER_MAGIC[it] }
     val isRevlog = !isXz && RevlogFormat.matches(head, head.size)
     val make: (Path) -> List<Problem> = when {
+        maker != null && maker.isSource(file, head) -> { made -> maker.make(file, made, checkpoint) }
+
         isXz -> { made -> writing(made) { outputOf(made).use { inflateXz(file, it, checkpoint) } } }
 
         isRevlog -> { made -> writing(made) { outputOf(made).use { convertRevlog(file, it, checkpoint) } } }

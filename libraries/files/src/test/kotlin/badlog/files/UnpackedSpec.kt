@@ -14,6 +14,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldMatch
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.byte
 import io.kotest.property.arbitrary.int
@@ -125,6 +126,24 @@ internal class UnpackedSpec : FunSpec({
             kept.filter(Files::exists) shouldBe kept
             newMadeFile(".wpilog", folder).fileName.toString().startsWith("badlog-${ProcessHandle.current().pid()}-") shouldBe true
         }
+    }
+
+    test("folders that a killed program left are removed with what is in them, but no folder of anybody else") {
+        inFolder { folder ->
+            val killed = ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-version").start()
+            killed.waitFor()
+            fun madeOf(name: String): Path = Files.createDirectories(folder.resolve(name).resolve("0")).also { Files.write(it.resolve("a.wpilog"), log) }.parent
+            val left = madeOf("badlog-${killed.pid()}-1234567890.match")
+            val names = listOf("badlog-${killed.pid()}-12", "badlog-${killed.pid()}-1234567890", "badlog-${killed.pid()}-12.match", "badlog-${killed.pid()}-12.wpilog", "badlog-2025-2026")
+            val kept = (names + "badlog-${ProcessHandle.current().pid()}-1234567890.match").map(::madeOf)
+            removeLeftFiles(folder)
+            Files.exists(left) shouldBe false
+            kept.filter { Files.exists(it.resolve("0").resolve("a.wpilog")) } shouldBe kept
+        }
+        inMadeFolder { made ->
+            made.fileName.toString() shouldMatch "badlog-${ProcessHandle.current().pid()}-\\d{10}\\.match"
+            made.also { Files.write(it.resolve("a.wpilog"), log) }
+        }.let { Files.exists(it) } shouldBe false
     }
 
     test("a conversion that is canceled ends").config(enabledOrReasonIf = { IF_SHELL }) {

@@ -10,6 +10,7 @@ import badlog.core.recording.Recording
 import badlog.exporter.BADLOG_VERSION
 import badlog.files.FolderRun
 import badlog.files.LogFile
+import badlog.files.LogMaker
 import badlog.files.ReadOptions
 import badlog.report.hook.HookOutcome
 import badlog.report.hook.HookRunner
@@ -39,6 +40,7 @@ import java.nio.file.Path
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own, or its column of time.
  * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
  *   threads; such findings are not cached.
+ * @param maker makes one log of a file with several in it; null if no such file is read.
  * @param measures whether the numbers of each log are needed even if no rule compares logs.
  */
 class Report(
@@ -49,6 +51,7 @@ class Report(
     private val xTopic: String? = null,
     private val beside: ((LogFile, LogView) -> LogView)? = null,
     measures: Boolean = false,
+    private val maker: LogMaker? = null,
 ) {
     private val examination = RuleExamination(
         rules,
@@ -109,7 +112,9 @@ class Report(
             if (file in unreadable) {
                 emptyList()
             } else {
-                LogContent.examined(file, virtualTopics, rules.signals, { it.overX(file) }, ReadOptions(cores = cores)) { content ->
+                LogContent.examined(file, virtualTopics, rules.signals, {
+                    it.overX(file)
+                }, ReadOptions(cores = cores, maker = maker)) { content ->
                     if (content !is LogContent.Log) return@examined emptyList()
                     hooks.map { hook -> HookOutcome.of(hook, content.recording).let { it to it.findings(content.view.xAxis.unit) } }
                 }
@@ -154,7 +159,7 @@ class Report(
         virtualTopics,
         rules.signals,
         { it.overX(file) },
-        ReadOptions(cores = cores),
+        ReadOptions(cores = cores, maker = maker),
         beside = beside ?: { _, view -> view },
     ) { examination.of(it, file.name) }
 

@@ -3,8 +3,10 @@ package badlog.exporter.program
 import badlog.exporter.BADLOG_VERSION
 import badlog.exporter.EmptyPage
 import badlog.exporter.PageNetwork
+import badlog.files.GzipReader
 import badlog.files.LogName
 import badlog.files.ResultPlace
+import badlog.formats.LOG_FORMATS
 import badlog.formats.READABLE_LOGS
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.Context
@@ -22,6 +24,10 @@ import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.clikt.parameters.types.path
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
 
 internal class ArgumentParser {
     /** The request of a command line: to make pages, or to print a text and exit. */
@@ -37,15 +43,9 @@ internal class ArgumentParser {
     }
 
     fun parse(arguments: List<String>): Result {
-        val expanded = withEachAttached(arguments)
-        // A log may have any name, so the last file may be the log after all.
-        return parsed(expanded).let { if (it is Result.Refuse && expanded != arguments) parsed(arguments) else it }
-    }
-
-    private fun parsed(arguments: List<String>): Result {
         val command = Command()
         return try {
-            command.parse(arguments)
+            command.parse(withAllAttachments(arguments))
             Result.Run(command.result())
         } catch (e: CliktError) {
             val text = command.getFormattedHelp(e).orEmpty().trim()
@@ -53,13 +53,54 @@ internal class ArgumentParser {
         }
     }
 
+    /** Returns [arguments] with an option before each file after one to attach: the original badlog took several at once. */
+    private fun withAllAttachments(arguments: List<String>): List<String> {
+        val all = ArrayList<String>()
+        var isAttaching = false
+        var isValue = false
+        for ((index, argument) in arguments.withIndex()) {
+            if (argument == "--") return all + arguments.drop(index)
+            if (argument.startsWith("-")) {
+                isValue = BEFORE_FILE.matches(argument)
+                isAttaching = isValue || WITH_FILE.matches(argument)
+            } else {
+                isAttaching = isAttaching && (isValue || isAttachment(argument))
+                if (isAttaching && !isValue) all += "-a"
+                isValue = false
+            }
+            all += argument
+        }
+        return all
+    }
+
+    /** Whether [word], after a file to attach, is another one, rather than a log, a folder or the page. */
+    private fun isAttachment(word: String): Boolean = try {
+        val file = Path.of(word)
+        val name = "${file.fileName}"
+        // A log may have any name, also one without an ending.
+        '.' in name.drop(1) && !LogName.of(name).mayBeLog && PAGES.none { name.endsWith(it, ignoreCase = true) } &&
+            Files.isRegularFile(file) && !beginsLikeLog(file)
+    } catch (_: InvalidPathException) {
+        false
+    }
+
+    private fun beginsLikeLog(file: Path): Boolean {
+        val head = try {
+            Files.newInputStream(file).use { it.readNBytes(HEAD) }
+        } catch (_: IOException) {
+            return false
+        }
+        val isBag = head.decodeToString().removePrefix("\uFEFF").trimStart().let { it.startsWith("{") && BAG in it }
+        return isBag || GzipReader.isGzip(head, head.size) || LOG_FORMATS.any { it.matches(head, head.size) }
+    }
+
     private class Command : CoreCliktCommand(NAME) {
         private val paths by argument("INPUT").path().multiple()
             .help("A log, also gzipped, or a folder of logs: $READABLE_LOGS.")
         private val out by option("--out", metavar = "PATH").convert { ResultPlace.of(it) }
             .help("Write to this file; a name without an ending is a folder.")
-        private val attachments by option(*ATTACH, metavar = "FILE").path().multiple()
-            .help("Include this file in each page; several files may follow each other.")
+        private val attachments by option("-a", "--attach", metavar = "FILE").path().multiple()
+            .help("Include this file in each page; several may follow.")
         private val compared by option("--compare", metavar = "LOG").path().multiple()
             .help("Draw this log over the page's own; may be repeated.")
         private val isWithoutRules by option("--no-rules").flag()
@@ -114,5 +155,14 @@ internal class ArgumentParser {
 
     private companion object {
         const val NAME = "badlog-html"
+        val PAGES = listOf(".html", ".htm")
+
+        /** The option for a file to attach, which may follow others of one letter. */
+        val BEFORE_FILE = Regex("--attach|-[tcgo]*a")
+        val WITH_FILE = Regex("--attach=.+|-[tcgo]*a.+")
+
+        /** A key near the beginning of a bag. */
+        const val BAG = "\"topics\""
+        const val HEAD = 1 shl 16
     }
 }

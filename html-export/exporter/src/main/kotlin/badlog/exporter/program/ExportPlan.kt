@@ -41,7 +41,7 @@ internal class ExportPlan(private val arguments: Arguments) {
                 (Files.notExists(path) || (Files.isRegularFile(path) && beginsAsPage(path)))
             )
 
-    private fun isPage(path: Path) = PAGE_ENDINGS.any { path.toString().endsWith(it, ignoreCase = true) }
+    private fun isPage(path: Path) = PAGES.any { path.toString().endsWith(it, ignoreCase = true) }
 
     private fun isLayout(path: Path) = path.toString().endsWith(BoardLayout.ENDING, ignoreCase = true)
 
@@ -69,6 +69,8 @@ internal class ExportPlan(private val arguments: Arguments) {
     private fun keyOf(path: Path) = path.toAbsolutePath().normalize().toString().lowercase()
 
     private companion object {
+        val PAGES = listOf(".html", ".htm")
+
         /** The extensions of files that accompany logs in a repository. */
         val SOURCES = setOf("md", "gradle", "lockfile", "java", "kt", "kts", "py", "cpp", "h", "json", "toml", "xml", "yml", "properties")
     }

@@ -50,20 +50,33 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("several files can be attached at once, as by the original, and logs and pages after them are none of these") {
+    test("several files follow -a, as in the original, but no log, no page and no folder") {
         inFolder { folder ->
-            val text = folder.with("a.txt", "A")
-            val json = folder.with("b.json", "B")
+            val (one, two) = folder.with("a.txt", "one") to folder.with("b.txt", "two")
             val log = folder.with("match.bag")
-            val page = folder / "page.html"
-            val ways = listOf(arrayOf("-a", text, json, log, page), arrayOf(log, page, "-a", text, json), arrayOf("--attach", text, json, "-t", log, page))
+            val ways = listOf(
+                listOf("-a", one, two, log),
+                listOf(log, "--attach", one, two),
+                listOf("-a", one, "-a", two, log),
+                listOf(log, "--attach=$one", two),
+                listOf("-t", "-a$one", two, log),
+                listOf("-ta", one, two, log),
+            )
             for (arguments in ways) {
-                run(*arguments).lines shouldContainExactly listOf("$page")
-                ReadPage(page).attachments.mapValues { it.value.decodeToString() } shouldBe mapOf("a.txt" to "A", "b.json" to "B")
+                val ended = run(*arguments.toTypedArray(), "--out", folder / "out/page.html")
+                ended.code shouldBe ExitCode.WHOLE
+                ended.lines shouldContainExactly listOf("${folder / "out/page.html"}")
+                ReadPage(folder / "out/page.html").attachments.mapValues { it.value.decodeToString() } shouldBe mapOf("a.txt" to "one", "b.txt" to "two")
             }
-            // Both may be logs.
-            run("-a", text, folder.with("log.txt")).lines shouldContainExactly listOf("${folder / "log.txt.html"}")
-            run("-a", text, "--", log, folder.with("c.json")).lines shouldContainExactly listOf("${folder / "match.bag.html"}", "${folder / "c.json.html"}")
+            run("-a", one, log, folder / "out/page.html").code shouldBe ExitCode.WHOLE
+            ReadPage(folder / "out/page.html").attachments.keys shouldBe setOf("a.txt")
+            run("-a", one, two).code shouldBe ExitCode.USAGE
+            // A log is one by its content, whatever its name.
+            for (name in listOf("match", "match.txt", "match.dat")) {
+                val other = folder.with(name)
+                run("-a", one, other, "--out", folder / "$name.html").code shouldBe ExitCode.WHOLE
+                ReadPage(folder / "$name.html").attachments.keys shouldBe setOf("a.txt")
+            }
         }
     }
 

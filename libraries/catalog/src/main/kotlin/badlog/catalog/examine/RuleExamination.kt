@@ -2,6 +2,7 @@ package badlog.catalog.examine
 
 import badlog.catalog.store.CachedResult
 import badlog.catalog.store.ResultCache
+import badlog.core.recording.ProblemKind
 import badlog.rules.Finding
 import badlog.rules.RuleProgram
 import badlog.rules.RuleSet
@@ -58,7 +59,11 @@ class RuleExamination(
             CachedResult(none, content.why.isLasting)
         }
 
-        is LogContent.Log -> CachedResult(of(content, name, checkpoint), isLasting = true)
+        // A log that is left out of a match is named each time.
+        is LogContent.Log -> CachedResult(
+            of(content, name, checkpoint),
+            isLasting = content.recording.problems.none { it.kind == ProblemKind.LOG_LEFT_OUT },
+        )
     }
 
     private fun of(log: LogContent.Log, name: String, checkpoint: () -> Unit): ExaminedLog {

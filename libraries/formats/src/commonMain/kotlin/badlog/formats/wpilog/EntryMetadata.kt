@@ -20,9 +20,13 @@ internal const val SPARSE: String = "sparse"
 /** Returns the topic's role in a bag according to [metadata]; mostly null. A program's property of the same name has no effect. */
 internal fun formerRoleIn(metadata: String): String? = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text
 
-private fun roleOf(topic: Topic): String? = when {
+/** Returns the former type of a topic if [role] names it; otherwise null. */
+internal fun formerTypeIn(role: String?): String? = role?.takeIf { it.startsWith(TYPE_ROLE) }?.substring(TYPE_ROLE.length)
+
+private fun roleOf(topic: Topic, type: String): String? = when {
     X_AXIS in topic.attributes -> X_AXIS
     topic.isSparse && (topic.kind == TopicKind.NUMERIC || topic.kind == TopicKind.BOOLEAN) -> SPARSE
+    topic.type != type && (topic.isSizes || PARTED.any { topic.type.startsWith(it) }) -> TYPE_ROLE + topic.type
     else -> null
 }
 
@@ -50,17 +54,22 @@ private fun List<JsonMember>.last(key: String): JsonValue? = findLast { it.key =
 
 private fun List<JsonMember>.property(key: String): JsonValue? = last("properties")?.members?.last(key)
 
-/** Returns the original metadata of [topic] if they contain its unit and all attributes; otherwise JSON that does. */
-internal fun metadataOf(topic: Topic): String {
+/**
+ * Returns the original metadata of [topic] if they contain its unit and all attributes; otherwise JSON that does.
+ *
+ * @param type the type of the entry to which it is written.
+ */
+internal fun metadataOf(topic: Topic, type: String = topic.type): String {
     val attributes = attributesOf(topic)
-    val role = roleOf(topic)
+    val role = roleOf(topic, type)
     val unit = unitIn(topic.metadata)
     val isSameUnit = unit == topic.unit || (Units.isNone(unit) && Units.isNone(topic.unit))
     if (role == null && isSameUnit && attributesIn(topic.metadata, topic.name) == attributes) return topic.metadata
     val own = JsonReader.readObject(topic.metadata)
     val members = ArrayList<String>()
+    val rewritten = listOfNotNull(UNIT, ATTRIBUTES, BADLOG.takeIf { role != null })
     for (member in own.orEmpty()) {
-        if (member.key != UNIT && member.key != ATTRIBUTES) members += quotedJson(member.key) + ":" + member.value.json
+        if (member.key !in rewritten) members += quotedJson(member.key) + ":" + member.value.json
     }
     if (own == null && topic.metadata.isNotEmpty()) members += "\"metadata\":" + quotedJson(topic.metadata)
     if (role != null) members += quotedJson(BADLOG) + ":" + quotedJson(role)
@@ -97,3 +106,9 @@ private const val BADLOG = "badlog"
 
 /** The attribute of texts that are events. */
 internal const val LOG: String = "log"
+
+/** The beginning of the role of a topic that was part of a type, or the size of its bytes. */
+private const val TYPE_ROLE = "type "
+
+/** The beginnings of types with parts that are topics. */
+private val PARTED = listOf("struct:", "proto:")

@@ -51,7 +51,8 @@ internal class EntryWriter(
 
     fun start(out: RecordBuffer) {
         val isText = topic.type == "json" || topic.type == "structschema"
-        out.start(id, topic.name, if (isText) topic.type else payload.type, metadataOf(topic))
+        val type = if (isText) topic.type else payload.type
+        out.start(id, topic.name, type, metadataOf(topic, type))
     }
 
     /** Writes the next sample, if it can be written. */

@@ -21,6 +21,7 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
     private fun add(entry: Entry) {
         val decoder = entry.decoder
         decoder.timestamps.finish(span)
+        val role = entry.formerRole
         val withoutSamples = Topic(
             entry.name,
             entry.unit,
@@ -29,10 +30,10 @@ internal class WpilogTopics(private val span: ClosedFloatingPointRange<Double>, 
             TextColumn.EMPTY,
             decoder.timestamps.run { order?.size ?: size }.let { CellCounts(0, 0, 0, 0, it, if (it > 0) 1 else 0) },
             decoder.timestamps.times,
-            entry.type,
+            formerTypeIn(role) ?: entry.type,
             entry.metadata,
-            wasXAxis = entry.formerRole == X_AXIS,
-            wasSparse = entry.formerRole == SPARSE,
+            wasXAxis = role == X_AXIS,
+            wasSparse = role == SPARSE,
         )
         // An entry without records, or with only empty arrays, is still a topic.
         if (decoder.blocks.none { it.columns.isNotEmpty() }) topics += withoutSamples.copy(name = uniqueName(entry.name))

@@ -110,6 +110,21 @@ class WpilogWriterSpec : FunSpec({
             "All numbers are of type double, so whole numbers beyond 2^53 are rounded."
     }
 
+    test("parts of structs, and sizes of bytes, keep their type, however often they are written") {
+        val log = TestLog().start(1, "/.schema/struct:Translation2d", "structschema").start(2, "/Target", "struct:Translation2d", "{\"a\":1}")
+            .start(3, "Photo", "raw").start(4, "Other", "struct:Other")
+            .string(1, 1, "double x;double y").record(2, 2, doubles(1.0, 2.0)).record(3, 3, byteArrayOf(9, 8)).record(4, 4, byteArrayOf(9))
+        val recording = parseLog(log.bytes)
+        fun types(log: Recording) = log.topics.map { Triple(it.name, it.type, it.isSizes) }
+        var written = recording
+        repeat(3) {
+            written = parseLog(writeLog(written).first)
+            types(written) shouldBe types(recording)
+        }
+        types(recording).filter { it.third }.map { it.first } shouldBe listOf("Photo", "Other")
+        written.topic("/Target/x").metadata shouldBe "{\"a\":1,\"badlog\":\"type struct:Translation2d\"}"
+    }
+
     test("an element that its array lost has a gap again") {
         val log = TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0, 2.0)).record(1, 2, doubles(3.0))
             .record(1, 3, doubles(4.0)).record(1, 4, doubles(5.0, 6.0))

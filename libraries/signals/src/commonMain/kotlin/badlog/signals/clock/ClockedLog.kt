@@ -17,8 +17,8 @@ import badlog.signals.withSignals
  * @property recording its content.
  * @param vocabulary the names of its topics.
  */
-class ClockedLog(val name: String, val recording: Recording, private val vocabulary: SignalVocabulary) {
-    private val view: LogView = LogView.of(recording)
+class ClockedLog(val name: String, val recording: Recording, internal val vocabulary: SignalVocabulary) {
+    internal val view: LogView = LogView.of(recording)
 
     /** Whether its x is a time, or a number without a unit that a person has made the x axis. */
     val hasClock: Boolean =
@@ -33,20 +33,21 @@ class ClockedLog(val name: String, val recording: Recording, private val vocabul
     /** The time of day at which its x is 0, in s since 1970, from its values or its name; null if neither has it. */
     val start: Double? by lazy {
         // The logged start is the time of the first sample.
-        loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: NAMED.find(name)?.let { secondsOf(it.groupValues) }
+        loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: timeInName(name)
     }
 
     /** When the robot was enabled and disabled. */
     val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary, name).enabledEdges() }
 
     /** What match it is of. */
-    internal val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
-
-    private companion object {
-        /** The form in which WPILib names its logs, in UTC. */
-        val NAMED = Regex("(?<!\\d)(\\d{4})(\\d{2})(\\d{2})_(\\d{2})(\\d{2})(\\d{2})(?!\\d)")
-    }
+    val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
 }
+
+/** Returns the time in [name], of a file, in s since 1970; null if there is none. */
+internal fun timeInName(name: String): Double? = NAMED.find(name)?.let { secondsOf(it.groupValues) }
+
+/** The forms in which WPILib and CTRE name their logs, in UTC. */
+private val NAMED = Regex("(?<!\\d)(\\d{4})-?(\\d{2})-?(\\d{2})_(\\d{2})-?(\\d{2})-?(\\d{2})(?!\\d)")
 
 /** The name of the value that says when a log began. */
 const val START_VALUE: String = "Start Time"

@@ -1,7 +1,7 @@
 package badlog.signals.clock
 
 import badlog.signals.match.MatchOfLog
-import badlog.signals.match.MatchType
+import badlog.signals.match.isSameAs
 
 /**
  * The Driver Station log of the same match as a robot's log, and how its clock relates to the robot's.
@@ -61,15 +61,9 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private fun first(candidates: List<Candidate<F>>) = if (candidates.size > 1) byTime(candidates) else candidates.firstOrNull()
 
-    private fun isOfAnother(match: MatchOfLog): Boolean {
-        val own = robot.match
-        if (own.number != null && match.number != null && own.number != match.number) return true
-        val (one, other) = listOf(own, match).map { MatchType.of(it.type ?: return false) ?: return false }
-        // A log may call a semifinal an elimination.
-        return one != other && !(one in PLAYOFFS && other in PLAYOFFS)
-    }
+    private fun isOfAnother(match: MatchOfLog): Boolean = robot.match.isSameAs(match) == false
 
-    private fun isOfSame(match: MatchOfLog) = robot.match.number != null && robot.match.number == match.number
+    private fun isOfSame(match: MatchOfLog): Boolean = robot.match.isSameAs(match) == true
 
     /** Returns those of [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
     private fun withEdges(candidates: List<Candidate<F>>): List<Candidate<F>> {
@@ -128,7 +122,6 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
         /** Clocks that are not set to daylight saving time are an hour off. */
         const val HOUR = 3600.0
-        val PLAYOFFS = setOf(MatchType.QUARTERFINAL, MatchType.SEMIFINAL, MatchType.FINAL, MatchType.ELIMINATION, MatchType.PLAYOFF)
 
         /** A match has at least two: its start and its end. */
         const val FEWEST_EDGES = 2

@@ -23,6 +23,30 @@ internal fun Topic.slice(from: Int, until: Int, name: String, times: DoubleArray
     )
 }
 
+/** Returns the samples [rows] of this topic, in that order, as a topic called [name] at [times]. */
+internal fun Topic.picked(rows: IntArray, name: String, times: DoubleArray): Topic {
+    val from = rows.firstOrNull() ?: 0
+    if (rows.indices.all { rows[it] == from + it }) return slice(from, from + rows.size, name, times)
+    val ids = textIds()
+    val textRows = rows.indices.filter { ids[rows[it]] >= 0 }.toIntArray()
+    val numbers = if (samples.isEmpty()) samples else DoubleArray(rows.size) { samples[rows[it]] }
+    val column = TextColumn(textRows, IntArray(textRows.size) { ids[rows[textRows[it]]] }, texts.dictionary)
+    return copy(samples = numbers, texts = column).slice(0, rows.size, name, times)
+}
+
+/** Returns the same without the [rows] in which this topic has no sample. */
+internal fun Topic.pickedWhereSet(rows: IntArray, name: String, times: DoubleArray): Topic {
+    val ids = textIds()
+    val set = rows.indices.filter { i -> ids[rows[i]] >= 0 || (samples.isNotEmpty() && !samples[rows[i]].isNaN()) }.toIntArray()
+    return picked(IntArray(set.size) { rows[set[it]] }, name, DoubleArray(set.size) { times[set[it]] })
+}
+
+/** Returns the index of the text of each sample; -1 for a sample that is not a text. */
+private fun Topic.textIds() = IntArray(size).also { ids ->
+    ids.fill(-1)
+    for (i in texts.rows.indices) ids[texts.rows[i]] = texts.ids[i]
+}
+
 private fun Topic.countsOf(samples: DoubleArray, size: Int, textRows: IntArray): CellCounts {
     var finite = 0
     var notFinite = 0

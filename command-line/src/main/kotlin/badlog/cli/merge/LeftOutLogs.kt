@@ -1,0 +1,26 @@
+package badlog.cli.merge
+
+import badlog.core.recording.Problem
+import badlog.core.recording.ProblemKind
+import badlog.core.recording.Recording
+import badlog.files.LogMaker
+import java.nio.file.Path
+import java.util.concurrent.ConcurrentHashMap
+
+/** A sentence about each log that is left out of this match. */
+internal val Recording.leftOutLogs: List<String> get() = leftOutIn(problems)
+
+/** Remembers the logs that are left out of those that [maker] makes. Thread-safe. */
+internal class LeftOutLogs(private val maker: LogMaker) : LogMaker {
+    private val found = ConcurrentHashMap<Path, List<String>>()
+
+    /** Returns a sentence about each log that is left out of the one made of [file]. */
+    fun of(file: Path): List<String> = found[file].orEmpty()
+
+    override fun isSource(file: Path, head: ByteArray): Boolean = maker.isSource(file, head)
+
+    override fun make(file: Path, made: Path, checkpoint: () -> Unit): List<Problem> =
+        maker.make(file, made, checkpoint).also { found[file] = leftOutIn(it) }
+}
+
+private fun leftOutIn(problems: List<Problem>) = problems.filter { it.kind == ProblemKind.LOG_LEFT_OUT }.map { it.message }

@@ -1,0 +1,44 @@
+package badlog.cli.merge
+
+import badlog.cli.command.Outcome
+import badlog.cli.output.Omissions
+import badlog.core.recording.Problem
+import java.nio.file.Path
+
+/** One log that was made of several. */
+internal sealed interface MergeResult {
+    /** The logs, at their times in it. */
+    val moved: MovedLogs
+
+    /** The problems of all of them. */
+    val problems: List<Problem> get() = moved.parts.flatMap { it.recording.problems }
+
+    /** The outcome of the merge. */
+    val outcome: Outcome
+
+    /**
+     * Returns remarks for a person who reads that log in place of the others, each as one or more lines.
+     *
+     * @param isOfDoubts whether to return only doubts.
+     */
+    fun remarks(isOfDoubts: Boolean): List<String>
+
+    /** A log, [target], which was made by [merge], without [leftOut]. */
+    class Made(private val merge: Merged, override val moved: MovedLogs, private val target: Path, private val leftOut: Omissions) :
+        MergeResult {
+        override fun remarks(isOfDoubts: Boolean): List<String> {
+            // A single edge may match by chance.
+            val moves = if (isOfDoubts) moved.moves.filter { it.edges == 1 } else moved.moves
+            return clockLines(moves, moved.pauses) + renamedLines(merge) + leftOut.lines
+        }
+
+        override val outcome: Outcome get() = mergeOutcome(merge, moved, target, leftOut)
+    }
+
+    /** A ZIP, [target], of the logs as they are, which does not state the clocks of the logs [open]. */
+    class Zipped(override val moved: MovedLogs, private val target: Path, private val open: List<LogPart>) : MergeResult {
+        override fun remarks(isOfDoubts: Boolean): List<String> = emptyList()
+
+        override val outcome: Outcome get() = zipOutcome(moved, target, open)
+    }
+}

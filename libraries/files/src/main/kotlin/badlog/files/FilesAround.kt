@@ -1,0 +1,61 @@
+package badlog.files
+
+import java.io.IOException
+import java.nio.file.FileVisitResult
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.SimpleFileVisitor
+import java.nio.file.attribute.BasicFileAttributes
+
+/**
+ * Returns the files around [file] with names that are [wanted][isWanted].
+ *
+ * They are in its folder, in the folders in that, or in the folders beside that and the folders in these. Follows no links, and skips hidden and build folders. Looks at no more than 5,000 files and folders,
+ * the nearest first; what cannot be read is skipped.
+ */
+public fun filesAround(file: Path, isWanted: (String) -> Boolean): List<Path> {
+    val folder = file.toAbsolutePath().normalize().parent
+    val look = Around(isWanted)
+    look.into(folder, depth = 2)
+    // Beside a folder at the top of a disk lies everything.
+    folder.parent?.takeIf { it.parent != null }?.let { look.into(it, depth = 3, except = folder) }
+    return look.found.filter { it != file.toAbsolutePath().normalize() }
+}
+
+private class Around(private val isWanted: (String) -> Boolean) {
+    val found = ArrayList<Path>()
+    private var seen = 0
+
+    fun into(root: Path, depth: Int, except: Path? = null) {
+        val visitor = object : SimpleFileVisitor<Path>() {
+            override fun preVisitDirectory(folder: Path, attributes: BasicFileAttributes): FileVisitResult = when {
+                folder == root -> FileVisitResult.CONTINUE
+                folder == except || isPassedOver(folder) -> FileVisitResult.SKIP_SUBTREE
+                else -> next()
+            }
+
+            override fun visitFile(path: Path, attributes: BasicFileAttributes): FileVisitResult {
+                // Files in the folder above belong to other things.
+                val isNear = except == null || path.parent != root
+                val name = path.fileName.toString()
+                if (isNear && attributes.isRegularFile && !name.startsWith(".") && isWanted(name)) found.add(path)
+                return next()
+            }
+
+            override fun visitFileFailed(path: Path, e: IOException): FileVisitResult = next()
+
+            override fun postVisitDirectory(folder: Path, e: IOException?): FileVisitResult = FileVisitResult.CONTINUE
+        }
+        try {
+            Files.walkFileTree(root, emptySet(), depth, visitor)
+        } catch (_: IOException) {
+            // Nothing of it can be read.
+        }
+    }
+
+    private fun next() = if (++seen < MOST) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
+
+    private companion object {
+        const val MOST = 5000
+    }
+}

@@ -1,0 +1,47 @@
+package badlog.signals.match.files
+
+import badlog.signals.clock.ClockFit
+import badlog.signals.match.isSameAs
+
+/**
+ * Robots' logs, grouped by robot and match: a robot may write several at once, such as a bag and a WPILOG.
+ *
+ * @param files the logs, in order; those with a stated clock first.
+ */
+internal class RobotGroups(files: List<MatchFile>) {
+    /** The logs of each match, on the clock of the first. */
+    val groups: List<List<MatchPart>>
+
+    init {
+        val made = ArrayList<MutableList<MatchPart>>()
+        for (file in files) {
+            val only = made.mapNotNull { group -> besideOf(file, group.first().file)?.let { group to it } }.singleOrNull()
+            if (only == null) made += mutableListOf(MatchPart(file, 0.0, ClockReason.OWN)) else only.first += only.second
+        }
+        groups = made
+    }
+
+    /** Returns the place of [file] beside [first]; null if it is the log of another match, or of another robot in the same one. */
+    private fun besideOf(file: MatchFile, first: MatchFile): MatchPart? {
+        if (file.seconds != null && first.seconds != null) return file.statedBeside(first)
+        val isSame = file.log.match.isSameAs(first.log.match)
+        if (isSame == false || areAlike(namesOf(file), namesOf(first))) return null
+        val byClocks = clocksOf(file.log, first.log)
+        val fit = ClockFit.ofEdges(file.log.edges, first.log.edges, byClocks)?.takeIf { it.edges >= FEWEST_EDGES } ?: return null
+        // Every match has the same periods, and one robot has one clock.
+        val isSure = if (byClocks == null) isSame == true else areNear(fit.seconds, byClocks)
+        return if (isSure) MatchPart(file, fit.seconds, ClockReason.ENABLED, fit.error, fit.edges) else null
+    }
+
+    /** Two robots with one program log the same topics, nearly; one robot does not log them twice. */
+    private fun areAlike(one: Set<String>, other: Set<String>): Boolean =
+        one == other || one.count { it in other } * 2 > minOf(one.size, other.size)
+
+    /** The names of topics, without those that each log of WPILib has. */
+    private fun namesOf(file: MatchFile): Set<String> =
+        file.log.recording.topics.map { it.name }.filterNotTo(HashSet()) { name -> EVERYWHERE.any { it in name } }
+
+    private companion object {
+        val EVERYWHERE = listOf("DS:", "FMSInfo", "systemTime", "messages", "/.schema/")
+    }
+}
