@@ -91,14 +91,19 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Moves harder" to { lift(load = 20.0) { if (it < 15) 4.0 else 5.0 } },
     "Speed oscillates" to { shooter { 4000 + 40 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3900 + TestMatch.wave(it) } },
+    // It holds two game pieces, one after the other.
     "Driven without moving" to {
-        number("Intake/Velocity RPM") { if (it in 20.0..20.3) 0.0 else 1000 + TestMatch.wave(it) }
-        number("Intake/Current") { if (it in 20.0..20.3) 40.0 else 8.0 }
+        number("Intake/Velocity RPM") { if (it in 20.0..23.0 || it in 27.0..30.0) 0.0 else 1000 + TestMatch.wave(it) }
+        number("Intake/Current") { if (it in 20.0..23.0 || it in 27.0..30.0) 40.0 + TestMatch.wave(it) else 8.0 }
     },
     // It rests at a stop, and its motor pushes against that.
     "Position stands still" to {
         number("Wrist/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
         number("Wrist/Output") { if (it < 24) TestMatch.output(it) else -abs(TestMatch.output(it)) }
+        // A motor without power.
+        number("Elbow/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
+        number("Elbow/Output") { TestMatch.output(it) }
+        number("Elbow/Current") { if (it < 24) TestMatch.load(it) else 0.0 }
     },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) angle - 0.09 else angle }) },
     "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.947 else 0.95) * angle }) },

@@ -76,10 +76,11 @@ class Following(
     /** Returns what [missed] does, also if it never moved. */
     fun missedOrStill(): Series = if (spreadOf(measured) < STILL * range) away() else missed()
 
-    /** Returns what [missedOrStill] does while it does not move at all; NaN while it moves. */
+    /** Returns what [missed] does while it does not move at all; NaN while it moves. */
     fun standingAway(): Series {
-        val away = missedOrStill()
-        return Series(away.x, DoubleArray(away.size) { if (peakToPeak(it, STAYED_SECONDS) < STILL * range) away.y[it] else Double.NaN })
+        val away = missed()
+        val least = STILL * min(range, spreadOf(measured))
+        return Series(away.x, DoubleArray(away.size) { if (peakToPeak(it, STAYED_SECONDS) < least) away.y[it] else Double.NaN })
     }
 
     private fun away(): Series {
