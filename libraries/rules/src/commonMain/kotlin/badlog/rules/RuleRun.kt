@@ -37,13 +37,14 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
         val isByName = rule.each is TopicsByName && rule.isBuiltIn
         val asked = if (isByName) step.questions.filter { it.topic.orEmpty() !in lists } else step.questions
-        val all = asked.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
-        if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(it.topic) }
+        val all = asked.filter { known.isEmpty() || subjectOf(rule, it.topic) !in known }.flatMap { find(rule, it) }
+        if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(rule, it.topic) }
         val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
         return AskedRule(rule, findings, step.refusal)
     }
 
-    private fun subjectOf(topic: String?) = topic?.let(::busDeviceIn) ?: topic
+    // What a rule finds of a log's start or end is about the log.
+    private fun subjectOf(rule: Rule, topic: String?) = if (rule.needs.isEmpty()) topic?.let(::busDeviceIn) ?: topic else null
 
     private fun find(rule: Rule, question: RuleProgram.Question): List<Finding> {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)
@@ -160,7 +161,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
 
     private fun textOf(event: Meanwhile): String {
         fun text(value: Double) = timeText(roundedForText(value), event.unit)
-        return "${event.signal} rose to ${text(event.most)} from its usual ${text(event.usual)}"
+        return "${event.title} rose to ${text(event.most)} from its usual ${text(event.usual)}"
     }
 
     /** Returns the messages of the first topic of [question] that has some, or null. */
