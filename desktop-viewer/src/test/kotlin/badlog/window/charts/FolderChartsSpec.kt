@@ -6,6 +6,7 @@ import badlog.files.UserFolders
 import badlog.viewer.catalog.LogFound
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
+import badlog.window.task.LongTasks
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
@@ -30,11 +31,14 @@ class FolderChartsSpec : FunSpec({
 
     suspend fun until(condition: () -> Boolean) = eventually(60.seconds) { condition() shouldBe true }
 
+    var tasks: LongTasks? = null
+
     /** Runs [steps] with the charts, the list of logs, and permits; each permit lets one drawing end. */
     suspend fun following(steps: suspend (FolderCharts, MutableStateFlow<List<LogEntry>>, Semaphore) -> Unit) = withContext(Dispatchers.Main) {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         val permits = Semaphore(0)
+        tasks = viewer.tasks
         val charts = FolderCharts(viewer.scope, viewer.library, ChosenFiles(null), viewer.tasks, viewer.notices) { _, _, _ ->
             permits.acquire()
             DrawnCharts(emptyList(), emptyList())
@@ -60,6 +64,20 @@ class FolderChartsSpec : FunSpec({
             permits.release()
             until { charts.state.of == logs }
             charts.state.asked shouldBe logs
+        }
+    }
+
+    test("a stopped drawing is reported, and can be restarted") {
+        following { charts, lists, permits ->
+            lists.value = logs
+            until { charts.state.isDrawing && tasks!!.all.isNotEmpty() }
+            tasks!!.all.forEach { it.cancel() }
+            permits.release()
+            until { charts.state.isStopped }
+            charts.draw(logs)
+            permits.release()
+            until { charts.state.of == logs }
+            charts.state.isStopped shouldBe false
         }
     }
 

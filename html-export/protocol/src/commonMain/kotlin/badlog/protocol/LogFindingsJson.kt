@@ -62,6 +62,7 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "isForEach" to "true".takeIf { finding.isForEach },
     "isOnTrial" to "true".takeIf { finding.isOnTrial },
     "texts" to finding.texts.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
+    "meanwhile" to finding.meanwhile.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
 )
 
 internal fun findingOf(value: JsonValue): Finding {
@@ -86,5 +87,6 @@ internal fun findingOf(value: JsonValue): Finding {
         isForEach = json.find("isForEach")?.boolean == true,
         isOnTrial = json.find("isOnTrial")?.boolean == true,
         texts = if (json.find("texts") == null) emptyList() else json.list("texts") { it.string },
+        meanwhile = if (json.find("meanwhile") == null) emptyList() else json.list("meanwhile") { it.string },
     )
 }

@@ -54,6 +54,7 @@ private val FINDINGS = arbitrary {
         evidence = Arb.list(TEXTS, 0..3).bind(),
         next = TEXTS.bind(),
         texts = Arb.list(TEXTS, 0..3).bind(),
+        meanwhile = Arb.list(TEXTS, 0..3).bind(),
         caveats = Arb.list(TEXTS, 0..2).bind(),
         isForEach = Arb.boolean().bind(),
         isOnTrial = Arb.boolean().bind(),
@@ -86,7 +87,7 @@ private val RULES = arbitrary {
 class ProtocolSpec : FunSpec({
     fun partsOf(finding: Finding) = finding.run {
         val at = if (time.isNaN()) null else time
-        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next, texts, caveats, isForEach, isOnTrial)
+        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next, texts, meanwhile, caveats, isForEach, isOnTrial)
     }
 
     fun bitsOf(series: PageSeries) = listOf(series.data.x, series.data.y).map { numbers -> numbers.map { it.toBits() } }

@@ -147,8 +147,12 @@ class ReplayServer internal constructor(
     internal fun tick(): Boolean = synchronized(lock) {
         val now = serverNanos()
         offer(player.advance(now))
+        sockets.writeQueued()
         clients.values.map { it.flush(now / NANOS_PER_MICRO) }.all { it }
     }
+
+    /** Writes the data that clients have not received yet, see [SocketServer.writeQueued]; each [tick] does, too. */
+    internal fun writeQueued() = sockets.writeQueued()
 
     private fun offer(updates: List<Update>) {
         if (updates.isNotEmpty()) for (client in clients.values) client.offer(updates)

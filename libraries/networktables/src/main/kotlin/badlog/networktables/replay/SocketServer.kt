@@ -119,6 +119,14 @@ internal class SocketServer(
         if (socket == null) binding.completeExceptionally(error)
     }
 
+    /**
+     * Asks again to write the data that is still queued. The library forgets a frame that is queued while its thread finishes writing the one
+     * before, until the next frame follows.
+     */
+    fun writeQueued() {
+        for (socket in connections) if (socket.hasBufferedData()) onWriteDemand(socket)
+    }
+
     private fun connectionOf(socket: WebSocket): Connection? = socket.getAttachment<Connection?>()?.also { it.receivedMicros = micros() }
 
     /** Ends a client that sends requests without reading the answers, which would fill the memory. */

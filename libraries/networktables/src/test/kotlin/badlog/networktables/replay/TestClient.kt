@@ -87,7 +87,10 @@ internal class TestClient(private val replay: TestReplay, vararg protocols: Stri
     fun roundTrip() {
         val before = count { it.id == -1 }
         send(byteArrayOf(0x94.toByte(), -1, 0, 2, 7))
-        eventually("the server to answer") { count { it.id == -1 } > before }
+        eventually("the server to answer") {
+            replay.server.writeQueued()
+            count { it.id == -1 } > before
+        }
     }
 
     /** Waits until all answers to the messages sent so far have arrived. */
