@@ -56,13 +56,24 @@ class BlockedSpec : FunSpec({
         devices(1, 2, 3, 4) shouldBe emptyList()
     }
 
-    test("what stands until the robot is disabled may be what the robot hangs on") {
+    test("a mechanism that stands until the robot is disabled may hold the robot up") {
         devices(21, until = 40.0) shouldBe emptyList()
         lift({ if (it < 25) TestMatch.height(it) else 0.75 }, { if (it > 25) 45.0 else 6.0 }) shouldBe emptyList()
     }
 
-    test("a lift whose setpoint has another unit than its position is not away from it") {
+    test("a lift with a setpoint in another unit than its position is not away from it") {
         lift({ if (it < 17) TestMatch.height(it) / 0.03 else 0.5 / 0.03 }, { if (it in 17.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
+    }
+
+    test("a lift that stands away from its setpoint is found in a log of changes, which says nothing meanwhile") {
+        fun TestMatch.changes(name: String, at: (Double) -> Double) = cells(name) { if (it == 0.0 || at(it) != at(it - 0.02)) "${at(it)}" else "" }
+        fun isAway(most: Double) = TestMatch().apply {
+            without("Elevator/Output")
+            changes("Elevator/Setpoint", TestMatch::setpoint)
+            changes("Elevator/Height") { minOf(TestMatch.setpoint(it - 0.5), most) }
+        }.findings().any { it.rule == "Away from its setpoint" }
+        isAway(most = 1.0) shouldBe false
+        isAway(most = 0.5) shouldBe true
     }
 
     test("wheels that stand while the robot pushes are not blocked, whatever they are called") {
@@ -77,7 +88,7 @@ class BlockedSpec : FunSpec({
         for (name in listOf("Front Left", "LeftMaster", "Modules/FL")) wheels(name) shouldBe emptyList()
     }
 
-    test("several positions that stand at once are those of a robot that is held") {
+    test("several positions that stand at once show a robot that is held") {
         fun still(vararg ids: Int) = TestMatch().apply {
             for (id in ids) {
                 number("TalonFX-$id/Position") { if (it < 24) TestMatch.position(it) else 12.5 }

@@ -89,6 +89,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     // What it lifts pulls it down, too.
     "Moves harder" to { lift(load = 20.0) { if (it < 15) 4.0 else 5.0 } },
+    "Position oscillates" to { number("Elevator/Height") { TestMatch.height(it) + 0.015 * TestMatch.wave(it * 6) } },
     "Speed oscillates" to { shooter { 4000 + 40 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3900 + TestMatch.wave(it) } },
     // It holds two game pieces, one after the other.
@@ -155,6 +156,12 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
     "Link lost" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 } },
+    // Autonomous begins a moment after the robot is enabled, and ends.
+    "Disabled on the field" to {
+        flag("/DriverStation/FMSAttached") { true }
+        flag("/DriverStation/Autonomous") { it in 4.05..15.0 }
+        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 15.0..17.0 }
+    },
     "Packets very late" to { within(20.0..20.4, TRIP) { "150" } },
     "Packets late" to { within(20.0..20.8, TRIP) { "60" } },
     "Many packets lost" to { within(20.0..20.8, LOSS) { "0.3" } },

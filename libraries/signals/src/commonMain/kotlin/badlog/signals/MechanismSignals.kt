@@ -92,7 +92,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         target: PartTopic,
         measured: PartTopic,
         scale: Double,
-        times: DoubleArray = timesOf(listOf(measured, target).map { samples.raw(it.signal.name) }),
+        times: DoubleArray = steppedTimes(listOf(measured, target).map { samples.raw(it.signal.name) }, STEP_SECONDS),
     ): Following {
         val wanted = samples.raw(target.signal.name)
         val values = samples.raw(measured.signal.name).heldAt(times)
@@ -126,6 +126,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
         if (isOfDrive(part) || part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
+
         // Without a current, a motor without power looks like a blocked one.
         fun first(vararg quantities: Quantity) =
             quantities.firstNotNullOfOrNull { quantity -> part.find { it.quantity == quantity && !it.isTarget } }?.signal?.name
@@ -179,7 +180,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private companion object {
         val ARMS = setOf("arm", "arms")
 
-        /** What stands still under power, because it holds something up, shut or against a stop, or game pieces that wait. */
+        /** Mechanisms that stand still under power, because they hold something up, shut or against a stop, or game pieces that wait. */
         val HOLDING = listOf(
             "elevator", "lift", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
             "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
@@ -196,7 +197,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
         /** More than holds something up that is not loaded. */
         const val BLOCKED_AMPERES = 20.0
-        const val STEP_SECONDS = 0.1
+        const val STEP_SECONDS = 0.05
         const val STALLED_AMPERES = 12.0
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
     }

@@ -8,8 +8,8 @@ import badlog.signals.derived.standstill
 import badlog.signals.derived.timesOf
 
 /**
- * Returns whether a part stands still. Its [topics] are its place, the output of its motor, of which [full] is all, and its current if it is
- * logged.
+ * Returns whether a part stands still. Its [topics] are its place, the output of its motor, and its current if it is logged. The function [full]
+ * returns full output.
  */
 internal fun standstillOf(topics: List<String>, samples: NamedSamples, full: (Series) -> Double): Series {
     val series = topics.map(samples::raw)
@@ -35,7 +35,7 @@ internal fun standingAlone(signals: List<DerivedSignal>): List<DerivedSignal> = 
     }
 }
 
-/** Returns [stood] without what lasts until the robot is disabled, if that is not for long: the robot may hang on it then. */
+/** Returns [stood] without a short stretch that lasts until the robot is disabled: the robot may hang on it then. */
 internal fun unlessHanging(stood: Series, samples: NamedSamples): Series {
     val isEnabled = samples.enabledAt(stood.x)
     return withoutStretches(stood) { from, to ->

@@ -103,7 +103,7 @@ class BatterySeries private constructor(
     }
 }
 
-/** That of a roboRIO 1; a roboRIO 2 cuts outputs below 6.75 V. */
+/** For a roboRIO 1; a roboRIO 2 cuts outputs below 6.75 V. */
 private const val CUT_VOLTS = 6.3
 
 /** In seconds. */

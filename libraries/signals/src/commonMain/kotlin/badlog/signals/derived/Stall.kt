@@ -9,7 +9,7 @@ import kotlin.math.abs
  * that never turned has no usual speed: it gives 0. So does exactly the current with which it still turned, since a device without power
  * leaves its last values in the log.
  *
- * What holds a game piece stands under power, too. Its program lowers its output for that, so that it may take less than while it turns. If
+ * A mechanism that holds a game piece stands under power, too. Its program lowers its output for that, so that it may take less than while it turns. If
  * [outputs] are not logged (null), nothing that turns in between and stands again is known to be blocked.
  */
 fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double, outputs: DoubleArray? = null): Series {

@@ -8,7 +8,7 @@ import kotlin.math.sign
  * Returns whether something that moved before whenever it was driven stands still now, whichever way it is driven: 1 or 0 at [times].
  * Its [places] stay the same although its motor's [outputs] (1 is full) push it each way, so it does not rest at a stop: it is blocked, or its
  * sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows: pushes move the same way.
- * The less there is of that, and near an end of its range, the longer it has to stand. What comes back by a jump was not read meanwhile.
+ * The less there is of that, and near an end of its range, the longer it has to stand. A place that comes back by a jump was not read meanwhile.
  */
 fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, isEnabled: BooleanArray): Series {
     val used = DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }

@@ -99,7 +99,7 @@ class MechanismSensorsSpec : FunSpec({
         }
     }
 
-    test("what holds a game piece is not stalled: it takes less than while it turns, gets less output, or does so again as far as is known") {
+    test("a mechanism that holds a game piece is not stalled: it takes less than while it turns, gets less output, or does so again as far as is known") {
         fun stalled(amperes: Double, output: Double? = 0.75, isStill: (Double) -> Boolean = { it in 20.0..22.0 }): Double {
             val speeds = times.of { if (isStill(it)) 0.0 else 100.0 }
             return stall(times, speeds, times.of { if (isStill(it)) amperes else 25.0 }, 12.0, output?.let { own -> times.of { if (isStill(it)) own else 0.75 } }).most()

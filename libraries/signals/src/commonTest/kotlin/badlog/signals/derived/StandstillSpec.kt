@@ -49,7 +49,7 @@ class StandstillSpec : FunSpec({
         most(times.of { (it - 20).coerceIn(0.0, 4.0) }) shouldBe 0.0
     }
 
-    test("rollers that turn while what they sit on goes out and back do not move it") {
+    test("rollers that turn while their arm goes out and back do not move it") {
         fun time(it: Double) = if (it in 41.0..49.0) 1.0 else it % 4
         val places = times.of { minOf(time(it) / 0.4, 1.0, maxOf(0.0, (2 - time(it)) / 0.4)) }
         val rollers = times.of {
