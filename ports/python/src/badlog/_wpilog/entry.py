@@ -16,8 +16,8 @@ VALUE_METADATA = '{"badlog":"value"}'
 """The metadata that marks an entry as a value, written by badlog itself."""
 
 _SCHEMA_FOLDER = "/.schema/"
-# The name under which WPILib's logger puts the program's messages, and the Driver Station of 2027 its own.
-_MESSAGES = "messages"
+# The names under which WPILib's logger puts the program's output, and the Driver Station of 2027 its own.
+_MESSAGES = ("messages", "console")
 _CONSOLE = "DS:/Dscomm/Console/"
 # The name under which dashboards, and Telemetry from 2027 on, give the type of the object that the topics beside it form.
 _TYPE = "/.type"
@@ -66,7 +66,7 @@ class Entry:
             items = None if value is None else [value] if value.items is None else value.items
         if items is not None:
             return tuple(item.text for item in items if item.text is not None)
-        if self.name == _MESSAGES or _CONSOLE in self.name:
+        if self.name in _MESSAGES or _CONSOLE in self.name:
             return ("log",)
         return ("hide",) if self.name == SYSTEM_TIME or _SCHEMA_FOLDER in self.name or self.name.endswith(_TYPE) else ()
 

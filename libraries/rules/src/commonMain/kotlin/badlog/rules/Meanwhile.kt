@@ -9,10 +9,11 @@ import badlog.signals.NamedSignal
  * A signal that was unusual while a rule held.
  *
  * @property signal its name.
+ * @property title its name, or its topic's if others have the same name.
  * @property most the largest value then.
  * @property usual the median of the log; [most] is more than twice as large.
  */
-internal class Meanwhile(val signal: String, val most: Double, val usual: Double, val unit: String)
+internal class Meanwhile(val signal: String, val title: String, val most: Double, val usual: Double, val unit: String)
 
 /**
  * Returns each of [others] that rose to more than twice their usual value nearly each time in [spans], or just before, and hardly ever elsewhere. It
@@ -26,7 +27,8 @@ internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples
         if (!(usual > 0) || rareness(series, usual) > RARE) return@mapNotNull null
         val most = spans.map { span -> mostIn(series, span.from - BEFORE_SECONDS, span.to + AFTER_SECONDS) }
         val isEachTime = most.count { it > TIMES * usual } >= MOST_SPANS * spans.size
-        if (isEachTime) Meanwhile(other.name, most.max(), usual, other.listed.unit) else null
+        val title = if (others.count { it.name == other.name } > 1) other.topics[0] else other.name
+        if (isEachTime) Meanwhile(other.name, title, most.max(), usual, other.listed.unit) else null
     }
 }
 

@@ -10,7 +10,7 @@ import badlog.expression.signals.Signals
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignals
 import badlog.signals.derived.busDeviceIn
-import badlog.signals.kind.ListElements
+import badlog.signals.kind.NoSensors
 import badlog.signals.vocabulary.FRACTION
 import kotlin.math.round
 
@@ -26,7 +26,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     private val names = log.vocabulary.signals.mapTo(HashSet()) { it.name }
     private val isTimed = log.vocabulary.hasTime
     private val samples = NamedSamples(log, view)
-    private val lists = ListElements(log)
+    private val noSensors = NoSensors(log)
 
     /** What each rule has found something in: devices of the CAN bus, or else topics. */
     private val found = HashMap<String, Set<String?>>()
@@ -36,14 +36,15 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
         val isByName = rule.each is TopicsByName && rule.isBuiltIn
-        val asked = if (isByName) step.questions.filter { it.topic.orEmpty() !in lists } else step.questions
-        val all = asked.filter { known.isEmpty() || subjectOf(it.topic) !in known }.flatMap { find(rule, it) }
-        if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(it.topic) }
+        val asked = if (isByName) step.questions.filter { it.topic.orEmpty() !in noSensors } else step.questions
+        val all = asked.filter { known.isEmpty() || subjectOf(rule, it.topic) !in known }.flatMap { find(rule, it) }
+        if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(rule, it.topic) }
         val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
         return AskedRule(rule, findings, step.refusal)
     }
 
-    private fun subjectOf(topic: String?) = topic?.let(::busDeviceIn) ?: topic
+    // A finding about a log's start or end is about the log.
+    private fun subjectOf(rule: Rule, topic: String?) = if (rule.needs.isEmpty()) topic?.let(::busDeviceIn) ?: topic else null
 
     private fun find(rule: Rule, question: RuleProgram.Question): List<Finding> {
         val signals = NamedSignals(log, question.named, question.expression.vocabulary, samples)
@@ -155,12 +156,12 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     // A fraction is shown in percent, which needs no unit name.
     private fun textOf(quantity: Quantity): String {
         val (value, unit) = if (quantity.unit == FRACTION) PERCENT * quantity.value to "%" else quantity.value to quantity.unit
-        return quantity.copy(value = roundedForText(value), unit = unit).text
+        return quantity.copy(value = roundedForText(value, unit), unit = unit).text
     }
 
     private fun textOf(event: Meanwhile): String {
-        fun text(value: Double) = timeText(roundedForText(value), event.unit)
-        return "${event.signal} rose to ${text(event.most)} from its usual ${text(event.usual)}"
+        fun text(value: Double) = timeText(roundedForText(value, event.unit), event.unit)
+        return "${event.title} rose to ${text(event.most)} from its usual ${text(event.usual)}"
     }
 
     /** Returns the messages of the first topic of [question] that has some, or null. */

@@ -49,8 +49,15 @@ internal class TextedRule(
     }
 }
 
-/** Returns [value] as precisely as a sentence about a measurement needs it; a whole number, which may be a count, exactly. */
-internal fun roundedForText(value: Double): Double = if (value == round(value)) value else rounded(value, VALUE_DIGITS)
+/**
+ * Returns [value] as precisely as a sentence about a measurement needs it; a whole number, which may be a count, exactly. Robots measure
+ * currents to an eighth of an ampere at best, and voltages to a hundredth of a volt.
+ */
+internal fun roundedForText(value: Double, unit: String): Double = when {
+    value == round(value) -> value
+    unit == "A" || (unit == "V" && abs(value) < 10) -> rounded(value, VALUE_DIGITS - 1)
+    else -> rounded(value, VALUE_DIGITS)
+}
 
 /** Returns [value] with [digits] significant digits. */
 private fun rounded(value: Double, digits: Int): Double {

@@ -14,11 +14,11 @@ class BlockedSpec : FunSpec({
     }.blocked()
 
     /** Motors with these ids that do not turn for 13 s, at this output and current. */
-    fun devices(vararg ids: Int, output: Double = 0.6, amperes: Double = 24.0) = TestMatch().apply {
+    fun devices(vararg ids: Int, output: Double = 0.6, amperes: Double = 24.0, until: Double = 33.0) = TestMatch().apply {
         for (id in ids) {
-            number("TalonFX-$id/DutyCycle") { if (it in 20.0..33.0) output else 0.3 * TestMatch.output(it) }
-            number("TalonFX-$id/Velocity") { if (it in 20.0..33.0) 0.0 else 60 * TestMatch.output(it) }
-            number("TalonFX-$id/SupplyCurrent") { if (it in 20.0..33.0) amperes else 3.0 }
+            number("TalonFX-$id/DutyCycle") { if (it in 20.0..until) output else 0.3 * TestMatch.output(it) }
+            number("TalonFX-$id/Velocity") { if (it in 20.0..until) 0.0 else 60 * TestMatch.output(it) }
+            number("TalonFX-$id/SupplyCurrent") { if (it in 20.0..until) amperes else 3.0 }
         }
     }.blocked()
 
@@ -54,5 +54,48 @@ class BlockedSpec : FunSpec({
 
     test("several motors that do not turn at once push the robot against something") {
         devices(1, 2, 3, 4) shouldBe emptyList()
+    }
+
+    test("a mechanism that stands until the robot is disabled may hold the robot up") {
+        devices(21, until = 40.0) shouldBe emptyList()
+        lift({ if (it < 25) TestMatch.height(it) else 0.75 }, { if (it > 25) 45.0 else 6.0 }) shouldBe emptyList()
+    }
+
+    test("a lift with a setpoint in another unit than its position is not away from it") {
+        lift({ if (it < 17) TestMatch.height(it) / 0.03 else 0.5 / 0.03 }, { if (it in 17.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
+    }
+
+    test("a lift that stands away from its setpoint is found in a log of changes, which says nothing meanwhile") {
+        fun TestMatch.changes(name: String, at: (Double) -> Double) = cells(name) { if (it == 0.0 || at(it) != at(it - 0.02)) "${at(it)}" else "" }
+        fun isAway(most: Double) = TestMatch().apply {
+            without("Elevator/Output")
+            changes("Elevator/Setpoint", TestMatch::setpoint)
+            changes("Elevator/Height") { minOf(TestMatch.setpoint(it - 0.5), most) }
+        }.findings().any { it.rule == "Away from its setpoint" }
+        isAway(most = 1.0) shouldBe false
+        isAway(most = 0.5) shouldBe true
+    }
+
+    test("wheels that stand while the robot pushes are not blocked, whatever they are called") {
+        fun wheels(vararg names: String) = TestMatch().apply {
+            for (name in names) {
+                number("$name/Velocity") { if (it in 20.0..24.0) 0.0 else 100 * TestMatch.output(it) }
+                number("$name/Current") { if (it in 20.0..24.0) 50.0 + TestMatch.wave(it) else 5.0 + TestMatch.wave(it) }
+            }
+        }.blocked()
+        wheels("Flywheel Gearbox") shouldBe listOf("Flywheel Gearbox")
+        wheels("Outer Gearbox", "Inner Gearbox") shouldBe emptyList()
+        for (name in listOf("Front Left", "LeftMaster", "Modules/FL")) wheels(name) shouldBe emptyList()
+    }
+
+    test("several positions that stand at once show a robot that is held") {
+        fun still(vararg ids: Int) = TestMatch().apply {
+            for (id in ids) {
+                number("TalonFX-$id/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
+                number("TalonFX-$id/DutyCycle") { TestMatch.output(it) }
+            }
+        }.findings().count { it.rule == "Position stands still" }
+        still(1) shouldBe 1
+        still(1, 2) shouldBe 0
     }
 })

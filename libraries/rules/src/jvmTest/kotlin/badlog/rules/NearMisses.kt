@@ -89,16 +89,22 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     // What it lifts pulls it down, too.
     "Moves harder" to { lift(load = 20.0) { if (it < 15) 4.0 else 5.0 } },
+    "Position oscillates" to { number("Elevator/Height") { TestMatch.height(it) + 0.015 * TestMatch.wave(it * 6) } },
     "Speed oscillates" to { shooter { 4000 + 40 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3900 + TestMatch.wave(it) } },
+    // It holds two game pieces, one after the other.
     "Driven without moving" to {
-        number("Intake/Velocity RPM") { if (it in 20.0..20.3) 0.0 else 1000 + TestMatch.wave(it) }
-        number("Intake/Current") { if (it in 20.0..20.3) 40.0 else 8.0 }
+        number("Intake/Velocity RPM") { if (it in 20.0..23.0 || it in 27.0..30.0) 0.0 else 1000 + TestMatch.wave(it) }
+        number("Intake/Current") { if (it in 20.0..23.0 || it in 27.0..30.0) 40.0 + TestMatch.wave(it) else 8.0 }
     },
     // It rests at a stop, and its motor pushes against that.
     "Position stands still" to {
         number("Wrist/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
         number("Wrist/Output") { if (it < 24) TestMatch.output(it) else -abs(TestMatch.output(it)) }
+        // A motor without power.
+        number("Elbow/Position") { if (it < 24) TestMatch.position(it) else 12.5 }
+        number("Elbow/Output") { TestMatch.output(it) }
+        number("Elbow/Current") { if (it < 24) TestMatch.load(it) else 0.0 }
     },
     "Module does not turn" to { swerve(angle = { module, angle -> if (module == 2) angle - 0.09 else angle }) },
     "Module lags" to { swerve(angle = { module, angle -> (if (module == 2) 0.947 else 0.95) * angle }) },
@@ -150,6 +156,12 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
     "Link lost" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 } },
+    // Autonomous begins a moment after the robot is enabled, and ends.
+    "Disabled on the field" to {
+        flag("/DriverStation/FMSAttached") { true }
+        flag("/DriverStation/Autonomous") { it in 4.05..15.0 }
+        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 15.0..17.0 }
+    },
     "Packets very late" to { within(20.0..20.4, TRIP) { "150" } },
     "Packets late" to { within(20.0..20.8, TRIP) { "60" } },
     "Many packets lost" to { within(20.0..20.8, LOSS) { "0.3" } },

@@ -20,6 +20,32 @@ class NoFaultSpec : FunSpec({
         match.findings().filter { "[" in it.topic.orEmpty() }.shouldBeEmpty()
     }
 
+    test("elements of a queue that was exported one by one are no sensors; elements of an array with a constant length are") {
+        fun flat(length: (Double) -> Double) = TestMatch().apply {
+            number("Gyro/OdometryYawPositions/length", at = length)
+            for (i in 0..3) number("Gyro/OdometryYawPositions/$i/value") { if (i < 2) TestMatch.position(it) else 1.5 }
+            for (i in 0..3) number("Gyro/OdometryPositionsRad/$i") { if (i < 2) TestMatch.position(it) else 1.5 }
+            number("Gyro/OdometryPositionsRad/length", at = length)
+        }.findings().count { it.rule == "Flat sensor" }
+        flat { 2.0 + (it * 50).toInt() % 3 } shouldBe 0
+        flat { 4.0 } shouldBe 4
+    }
+
+    test("the size of an undecoded record is not measured by a sensor") {
+        TestMatch().apply { number("Drive/ModulePositions", "B") { 64.0 } }.rules().forNone { it shouldContain "Flat" }
+    }
+
+    test("a sensor that rests while the robot is disabled is not flat, nor is one of a robot that is enabled for a moment") {
+        fun flat(enabled: ClosedRange<Double>) = TestMatch().apply {
+            flag("/DriverStation/Enabled") { it in enabled }
+            number("Arm/Angle") { 12.5 }
+            number("Climber/Position") { 0.0 }
+        }.rules().count { it == "Flat sensor" }
+        flat(50.0..60.0) shouldBe 0
+        flat(20.0..26.0) shouldBe 0
+        flat(20.0..35.0) shouldBe 1
+    }
+
     test("an element that has no value while its array has one length is a lost sensor") {
         TestMatch().apply { cells("Arm/position") { if (it < 20) "$it" else "" } }.rules().count { it == "Sensor lost" } shouldBe 1
     }

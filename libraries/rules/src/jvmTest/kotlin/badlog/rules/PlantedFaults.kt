@@ -76,6 +76,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Output") { "0.2" }
     },
     "Moves harder" to { lift(load = 3.0) { if (it < 15) 4.0 else 12.0 } },
+    "Position oscillates" to { number("Elevator/Height") { TestMatch.height(it) + 0.05 * TestMatch.wave(it * 6) } },
     "Speed oscillates" to { shooter { 4000 + 200 * TestMatch.wave(it * 4) } },
     "Speed not reached" to { shooter { 3500 + TestMatch.wave(it) } },
     "Driven without moving" to {
@@ -141,6 +142,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 }
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
+    "Disabled on the field" to {
+        flag("/DriverStation/FMSAttached") { true }
+        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 25.0..25.1 }
+    },
     "Packets very late" to { from(20.0, "/DSLog/TripTimeMS") { "150" } },
     "Packets late" to { from(20.0, "/DSLog/TripTimeMS") { "60" } },
     "Many packets lost" to { from(20.0, "/DSLog/PacketLoss") { "0.3" } },
@@ -167,6 +172,8 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         number("/DriverStation/MatchTime") { 90 - it }
     },
     "Log begins in teleop" to {
+        // With the match time, it is known that the program had restarted.
+        without("/DriverStation/MatchTime")
         flag("/DriverStation/Enabled") { it < 38 }
         flag("/DriverStation/Autonomous") { false }
         flag("/DriverStation/FMSAttached") { true }

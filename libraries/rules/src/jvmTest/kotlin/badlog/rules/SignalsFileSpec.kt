@@ -113,8 +113,15 @@ class SignalsFileSpec : FunSpec({
         test("refuses ${text.replace('\n', ' ')}") { shouldThrow<RulesException> { SignalsFile.parse(text) }.message shouldContain message }
     }
 
+    test("devices in snake case that report whether they answer are recognized, others with such names are not") {
+        fun topics(name: String) = SignalTopics(RuleSet.BUILT_IN.signals, Vocabulary(listOf(Signal(name, SignalKind.CONDITION))), null)
+        for (name in listOf("arm_connected", "drive_right_2_connected")) topics(name).of("device connected").map { it.topic } shouldBe listOf(name)
+        topics("robot_autonomous").of("robot autonomous").map { it.topic } shouldBe listOf("robot_autonomous")
+        for (name in listOf("arm_disconnected", "radio_connected", "driver_controller_connected")) topics(name).of("device connected") shouldBe emptyList()
+    }
+
     test("snake case, units as suffixes and other libraries' paths are recognized") {
-        val names = mapOf("can/can_rx_errors" to "CAN errors", "canStatus/receiveErrorCount" to "CAN errors", "drive/gyro_yaw_deg" to "gyro angle", "intake/velocity_mps" to "motor velocity")
+        val names = mapOf("can/can_rx_errors" to "CAN errors", "canStatus/receiveErrorCount" to "CAN errors", "drive/gyro_yaw_deg" to "gyro angle", "intake/velocity_mps" to "motor velocity", "arm_temp_c" to "motor temperature", "cpu_temp_c" to "CPU temperature", "match_time_s" to "match time", "Imu/RobotHeading" to "gyro angle")
         for ((name, signal) in names) {
             val topics = SignalTopics(RuleSet.BUILT_IN.signals, Vocabulary(listOf(Signal(name, SignalKind.NUMBER))), null)
             topics.of(signal).map { it.topic } shouldBe listOf(name)

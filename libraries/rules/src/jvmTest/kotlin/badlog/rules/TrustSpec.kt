@@ -71,6 +71,22 @@ class TrustSpec : FunSpec({
         finding.evidence.filter { "Channel" in it } shouldBe listOf(2, 0, 3, 4).map(::channel)
     }
 
+    test("what rose at the same time is called by its topic if there are several of the kind") {
+        fun match(vararg cameras: String) = TestMatch().apply {
+            without("Vision/Latency")
+            from(20.0, "/RealOutputs/LoggedRobot/FullCycleMS") { if (it < 20.2) "160" else "9" }
+            for (camera in cameras) number("Vision/$camera/Latency") { if (it in 20.0..20.2) 90.0 else 25.0 }
+        }.finding("Loop blocked").text.substringAfter("at the same time, ")
+        match("Left") shouldBe "vision latency rose to 90 ms from its usual 25 ms."
+        match("Left", "Right") shouldBe
+            "Vision/Left/Latency rose to 90 ms from its usual 25 ms and Vision/Right/Latency rose to 90 ms from its usual 25 ms."
+    }
+
+    test("a log that begins in teleop, and says how much of the match was left, has one finding of that") {
+        val match = TestMatch().apply(PLANTED.getValue("Log begins in teleop")).apply { number("/DriverStation/MatchTime") { 100 - it } }
+        match.findings().map { it.rule }.filter { it == "Log begins in teleop" || it == "Restarted in the match" } shouldBe listOf("Restarted in the match")
+    }
+
     test("a finding says how rarely its topic is sampled, unless that is each loop") {
         val match = TestMatch().apply { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } }
         match.finding("Low battery").caveats.shouldBeEmpty()

@@ -19,12 +19,10 @@ import badlog.signals.derived.heldSpeeds
 import badlog.signals.derived.largestOf
 import badlog.signals.derived.longPressed
 import badlog.signals.derived.moduleSpeedShares
-import badlog.signals.derived.quantile
 import badlog.signals.derived.rangeOf
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sideFriction
 import badlog.signals.derived.stall
-import badlog.signals.derived.standstill
 import badlog.signals.derived.suppliedCurrent
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
@@ -42,8 +40,10 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     private val supplied = devices.filter { device -> !device.isMotor && SUPPLIED.all { it in device } }
 
     val signals: List<DerivedSignal>
-        get() = devices.map(::silent) + devices.flatMap(::coupling) + motors.flatMap(::ofMotor) + supplied.map(::blocked) +
-            devices.mapNotNull(::standstill)
+        get() = standingAlone(
+            devices.map(::silent) + devices.flatMap(::coupling) + motors.flatMap(::ofMotor) + supplied.map(::blocked) +
+                devices.mapNotNull(::standstill),
+        )
 
     /** Returns what the motors draw in all, if [battery] falls with it: otherwise others draw most. Null for too few motors. */
     fun totalCurrent(battery: (NamedSamples) -> Series): DerivedSignal? {
@@ -164,34 +164,29 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
             once(motion.times, sides?.let { (one, other) -> sideFriction(motion.times, one, other) })
         }
 
-    private fun jam(motor: BusDevice) = derived("stall", "", motor, BusSignal.VELOCITY, BusSignal.CURRENT) { motion ->
+    private fun jam(motor: BusDevice) = DerivedSignal("stall", "", motor.label, JAMMED.mapNotNull(motor::topic)) { samples ->
+        val motion = samples.motion()
         // What holds a place stands still under load.
         val holds = if (BusSignal.REFERENCE in motor) isPlace(motor, motion) else BusSignal.ABSOLUTE in motor
         if (holds || hasEnds(motor, motion) || !motion.isOfMechanism(motor)) {
             NOTHING
         } else {
-            stall(motion.times, motion.valuesOf(motor, BusSignal.VELOCITY), motion.valuesOf(motor, BusSignal.CURRENT), JAM_AMPERES)
+            val (speed, current) = JAMMED.map { motion.valuesOf(motor, it) }
+            val outputs = motor.topic(BusSignal.OUTPUT)?.let(motion::valuesOf)
+            unlessHanging(stall(motion.times, speed, current, JAM_AMPERES, outputs), samples)
         }
     }
 
-    /**
-     * Whether [device] hardly turns at more than half of full output and [BLOCKED_AMPERES]. Nothing tells its load, so several that stand at
-     * once are a robot that pushes.
-     */
+    /** Whether [device] hardly turns at more than half of full output and [BLOCKED_AMPERES]. */
     private fun blocked(device: BusDevice): DerivedSignal {
         val topics = SUPPLIED.mapNotNull(device::topic)
         return DerivedSignal("stall", "", device.label, topics) { samples ->
-            val times = samples.raw(topics[0]).x
-            fun isBlocked(of: BusDevice): BooleanArray {
-                val series = SUPPLIED.mapNotNull(of::topic).map(samples::raw)
-                val slow = SLOW * quantile(DoubleArray(series[0].size) { abs(series[0].y[it]) }, 0.98)
-                val half = 0.5 * fullOf(series[1])
-                val (speed, output, current) = series.map { it.heldAt(times) }
-                return BooleanArray(times.size) { abs(speed[it]) < slow && abs(output[it]) > half && current[it] > BLOCKED_AMPERES }
-            }
-            val own = isBlocked(device)
-            val others = if (own.none { it }) emptyList() else supplied.filter { it !== device }.map(::isBlocked)
-            Series(times, DoubleArray(times.size) { at -> if (own[at] && others.none { it[at] }) 1.0 else 0.0 })
+            val series = topics.map(samples::raw)
+            val times = series[0].x
+            val half = 0.5 * fullOf(series[1])
+            val (speed, output, current) = series.map { it.heldAt(times) }
+            val hard = DoubleArray(times.size) { if (abs(output[it]) > half) current[it] else 0.0 }
+            unlessHanging(stall(times, speed, hard, BLOCKED_AMPERES, output), samples)
         }
     }
 
@@ -200,11 +195,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         val place = device.topic(BusSignal.POSITION) ?: return null
         val output = device.topic(BusSignal.OUTPUT) ?: return null
         val topics = listOfNotNull(place, output, device.topic(BusSignal.CURRENT) ?: device.topic(BusSignal.SUPPLY_CURRENT))
-        return DerivedSignal("standstill", "", device.label, topics) { samples ->
-            val both = listOf(samples.raw(place), samples.raw(output))
-            val times = timesOf(both)
-            standstill(times, both[0].heldAt(times), scaled(both[1].heldAt(times), 1 / fullOf(both[1])), samples.enabledAt(times))
-        }
+        return DerivedSignal("standstill", "", device.label, topics) { samples -> standstillOf(topics, samples, ::fullOf) }
     }
 
     /** Returns whether a limit switch of [motor] was ever pressed: what travels between ends may stand at one of them under load. */
@@ -292,9 +283,9 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         const val SWING_PERCENT = 3.0
         const val SWING_SECONDS = 4.0
         const val JAM_AMPERES = 12.0
+        val JAMMED = listOf(BusSignal.VELOCITY, BusSignal.CURRENT)
         val SUPPLIED = listOf(BusSignal.VELOCITY, BusSignal.OUTPUT, BusSignal.SUPPLY_CURRENT)
         const val BLOCKED_AMPERES = 20.0
-        const val SLOW = 0.03
         val NOTHING = Series(DoubleArray(0), DoubleArray(0))
         val NOWHERE = Following(DoubleArray(0), DoubleArray(0), DoubleArray(0), BooleanArray(0))
     }

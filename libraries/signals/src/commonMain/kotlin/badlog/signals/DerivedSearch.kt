@@ -18,6 +18,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 /** The names of all [DerivedSignal]s; true for those that a log has at most once. */
 val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "voltage lost" to true, "setpoint error" to false, "speed shortfall" to false, "overshoot" to false, "speed swing" to false,
+    "position swing" to false,
     "module angle error" to false, "module angle lag" to false, "module speed share" to false, "coupling error" to false,
     "encoder frozen" to false,
     "heading jump" to false, "sight error" to true, "air loss" to true, "air gain" to true, "stall" to false, "standstill" to false,

@@ -10,6 +10,7 @@ import kotlin.math.abs
 internal fun placeSignals(part: String, topics: List<String>, following: (NamedSamples) -> Following): List<DerivedSignal> = listOf(
     DerivedSignal("setpoint error", "%", part, topics) { following(it).missed() },
     DerivedSignal("overshoot", "%", part, topics) { following(it).overshoot() },
+    DerivedSignal("position swing", "%", part, topics) { following(it).placeSwing() },
 )
 
 /** How [part], which [topics] show, follows a target that is a speed. */

@@ -11,20 +11,16 @@ import badlog.signals.derived.frictionRise
 import badlog.signals.derived.frozenWhileTurning
 import badlog.signals.derived.hasDirection
 import badlog.signals.derived.heldAt
-import badlog.signals.derived.limitedStall
-import badlog.signals.derived.scaled
 import badlog.signals.derived.stall
-import badlog.signals.derived.standstill
 import badlog.signals.derived.steppedTimes
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
-import kotlin.math.abs
 
 /** What can be calculated of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
 internal class MechanismSignals(private val robot: RobotParts, private val battery: ((NamedSamples) -> Series)?) {
     private val byPart get() = robot.byPart
 
-    val signals: List<DerivedSignal> get() = following() + byPart.values.flatMap(::ofPart)
+    val signals: List<DerivedSignal> get() = standingAlone(following() + byPart.values.flatMap(::ofPart))
 
     /** The pairs of a target and what follows it. */
     private fun following(): List<DerivedSignal> = robot.mechanisms.filter { it.isTarget && it.quantity in TARGETS }
@@ -86,7 +82,8 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         return DerivedSignal("stall", "", target.label, listOf(measured, target, current).map { it.signal.name }) { samples ->
             val drive = samples.raw(current.signal.name)
             val times = steppedTimes(listOf(measured, target).map { samples.raw(it.signal.name) } + drive, STEP_SECONDS)
-            heldBack(followingOf(samples, target, measured, scale, times).standingAway(), drive, BLOCKED_AMPERES)
+            val away = followingOf(samples, target, measured, scale, times).standingAway()
+            unlessHanging(heldBack(away, drive, BLOCKED_AMPERES), samples)
         }
     }
 
@@ -95,7 +92,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         target: PartTopic,
         measured: PartTopic,
         scale: Double,
-        times: DoubleArray = timesOf(listOf(measured, target).map { samples.raw(it.signal.name) }),
+        times: DoubleArray = steppedTimes(listOf(measured, target).map { samples.raw(it.signal.name) }, STEP_SECONDS),
     ): Following {
         val wanted = samples.raw(target.signal.name)
         val values = samples.raw(measured.signal.name).heldAt(times)
@@ -111,35 +108,35 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     /** Whether a part that its motor moved before stands still now. */
     private fun standstill(part: List<PartTopic>): DerivedSignal? {
+        if (isOfDrive(part)) return null
         val place = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }.minByOrNull { it.isMotor } ?: return null
         val output = part.filter { (it.quantity == Quantity.OUTPUT || it.quantity == Quantity.VOLTAGE) && !it.isTarget }
             .minByOrNull { it.quantity == Quantity.VOLTAGE } ?: return null
         val current = part.find { it.quantity == Quantity.CURRENT || it.quantity == Quantity.SUPPLY_CURRENT }
         val topics = listOfNotNull(place, output, current).map { it.signal.name }
         return DerivedSignal("standstill", "", place.label, topics) { samples ->
-            val both = listOf(samples.raw(place.signal.name), samples.raw(output.signal.name))
-            val times = timesOf(both)
-            standstill(times, both[0].heldAt(times), scaled(both[1].heldAt(times), 1 / fullOf(output, both[1])), samples.enabledAt(times))
+            standstillOf(topics, samples) { fullOf(output, it) }
         }
     }
 
+    /** Returns whether [part] is named as wheels of the drive are: a robot that pushes is not blocked. */
+    private fun isOfDrive(part: List<PartTopic>) = part[0].part.all { it in WHEELS }
+
     private fun stall(part: List<PartTopic>): DerivedSignal? {
         if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
-        if (part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
+        if (isOfDrive(part) || part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
-        val drive = listOf(Quantity.CURRENT, Quantity.SUPPLY_CURRENT, Quantity.OUTPUT, Quantity.VOLTAGE).firstNotNullOfOrNull { quantity ->
-            part.find { it.quantity == quantity && !it.isTarget }
-        } ?: return null
-        return DerivedSignal("stall", "", speed.label, listOf(speed.signal.name, drive.signal.name)) { samples ->
-            val both = listOf(samples.raw(speed.signal.name), samples.raw(drive.signal.name))
+
+        // Without a current, a motor without power looks like a blocked one.
+        fun first(vararg quantities: Quantity) =
+            quantities.firstNotNullOfOrNull { quantity -> part.find { it.quantity == quantity && !it.isTarget } }?.signal?.name
+        val drive = first(Quantity.CURRENT, Quantity.SUPPLY_CURRENT) ?: return null
+        val output = first(Quantity.OUTPUT, Quantity.VOLTAGE)
+        return DerivedSignal("stall", "", speed.label, listOf(speed.signal.name, drive)) { samples ->
+            val both = listOf(samples.raw(speed.signal.name), samples.raw(drive))
             val times = timesOf(both)
-            val drives = both[1].heldAt(times)
-            val speeds = both[0].heldAt(times)
-            // Without a current, a motor without power looks like a blocked one, unless a limit of its current shows that it has power.
-            when (drive.quantity) {
-                Quantity.CURRENT, Quantity.SUPPLY_CURRENT -> stall(times, speeds, drives, STALLED_AMPERES)
-                else -> limitedStall(times, speeds, drives, fullOf(drive, both[1]))
-            }
+            val outputs = output?.let { samples.raw(it).heldAt(times) }
+            stall(times, both[0].heldAt(times), both[1].heldAt(times), STALLED_AMPERES, outputs)
         }
     }
 
@@ -183,10 +180,16 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private companion object {
         val ARMS = setOf("arm", "arms")
 
-        /** What stands still under power, because it holds something up, shut or against a stop. */
+        /** Mechanisms that stand still under power, because they hold something up, shut or against a stop, or game pieces that wait. */
         val HOLDING = listOf(
             "elevator", "lift", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
             "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",
+            "algae", "effector", "feed", "index", "hopper", "magazine", "conveyor", "kicker", "queue",
+        )
+
+        val WHEELS = setOf(
+            "front", "back", "rear", "left", "right", "fl", "fr", "bl", "br", "rl", "rr", "modules", "wheel", "wheels",
+            "leader", "follower", "master", "slave",
         )
 
         /** The whole robot may hang on these. */
@@ -194,7 +197,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
         /** More than holds something up that is not loaded. */
         const val BLOCKED_AMPERES = 20.0
-        const val STEP_SECONDS = 0.1
+        const val STEP_SECONDS = 0.05
         const val STALLED_AMPERES = 12.0
         val TARGETS = setOf(Quantity.POSITION, Quantity.VELOCITY, Quantity.NONE)
     }

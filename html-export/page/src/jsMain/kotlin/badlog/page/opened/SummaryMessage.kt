@@ -39,7 +39,9 @@ internal object SummaryMessage {
         "content" to summary.content.ordinal,
         "trouble" to summary.trouble,
         "battery" to summary.battery?.let { battery ->
-            with(battery) { arrayOf(name, topic, lowest, restBefore, restAfter, energy, resistance?.milliohms, resistance?.uncertainty) }
+            with(battery) {
+                arrayOf(name, topic, lowest, restBefore, restAfter, energy, resistance?.milliohms, resistance?.uncertainty, isBrownedOut)
+            }
         },
         "topics" to summary.topics.map { it.name }.toTypedArray(),
         "units" to summary.topics.map { it.unit }.toTypedArray(),
@@ -117,6 +119,7 @@ internal object SummaryMessage {
             parts[4] as Double?,
             parts[5] as Double?,
             milliohms?.let { Resistance(it, parts[7] as Double) },
+            parts[8] == true,
         )
     }
 

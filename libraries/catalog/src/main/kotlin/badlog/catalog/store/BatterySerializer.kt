@@ -28,6 +28,7 @@ internal class StoredBattery(
     val energy: Double?,
     val milliohms: Double?,
     val uncertainty: Double?,
+    val isBrownedOut: Boolean = false,
 ) {
     fun use() = BatteryUse(
         name,
@@ -37,11 +38,12 @@ internal class StoredBattery(
         restAfter,
         energy,
         if (milliohms == null || uncertainty == null) null else Resistance(milliohms, uncertainty),
+        isBrownedOut,
     )
 
     companion object {
         fun of(use: BatteryUse): StoredBattery = with(use) {
-            StoredBattery(name, topic, lowest, restBefore, restAfter, energy, resistance?.milliohms, resistance?.uncertainty)
+            StoredBattery(name, topic, lowest, restBefore, restAfter, energy, resistance?.milliohms, resistance?.uncertainty, isBrownedOut)
         }
     }
 }

@@ -44,7 +44,7 @@ internal fun attributesIn(metadata: String, name: String): List<String> {
     val members = JsonReader.readObject(metadata).orEmpty()
     val own = members.last(ATTRIBUTES)?.items ?: members.property(BADLOG)?.run { items ?: listOf(this) }
     return own?.mapNotNull { it.text } ?: when {
-        name == MESSAGES || CONSOLE in name -> listOf(LOG)
+        name in MESSAGES || CONSOLE in name -> listOf(LOG)
         name == Entry.SYSTEM_TIME || Entry.SCHEMA_FOLDER in name || name.endsWith(TYPE) -> listOf("hide")
         else -> emptyList()
     }
@@ -90,8 +90,8 @@ private fun attributesOf(topic: Topic): List<String> {
     return if (isEvent) attributes + LOG else attributes
 }
 
-/** The entry to which WPILib's logger writes the program's messages. */
-private const val MESSAGES = "messages"
+/** The entries to which WPILib's logger writes the program's messages, and since 2024 all of its output. */
+private val MESSAGES = setOf("messages", "console")
 
 /** The folder in which the Driver Station of 2027 writes its messages, and the robot's errors. */
 private const val CONSOLE = "DS:/Dscomm/Console/"

@@ -84,7 +84,9 @@ class WpilogParserSpec : FunSpec({
     test("texts that repeat or are few are states, many different ones are events") {
         val log = TestLog().start(1, "mode", "string").start(2, "log", "string").start(3, "messages", "string")
         for (i in 0L..20L) log.string(1, i, if (i % 2 == 0L) "auto" else "teleop").string(2, i, "event $i")
+        log.start(4, "console", "string").string(4, 5, "Loop time of 0.02s overrun").string(4, 6, "Loop time of 0.02s overrun")
         val recording = log.string(3, 5, "hello").read()
+        recording.topic("console").attributes shouldBe listOf("log")
         recording.topic("mode").kind shouldBe TopicKind.STATE
         recording.topic("log").kind shouldBe TopicKind.EVENT
         recording.topic("messages").attributes shouldBe listOf("log")

@@ -24,6 +24,7 @@ private val CAN = setOf(
 )
 private val LINK = setOf(
     "Link lost",
+    "Disabled on the field",
     "Packets late",
     "Packets very late",
     "Packets lost",
@@ -39,9 +40,9 @@ private val SLOW = setOf(
 private val RESTARTED = setOf("Restarted in the match", "Log begins in teleop", "Ended in the match", "Code restarted", "Code crashed", "Error logged", "Gap in time")
 private val ENCODER = setOf(
     "Encoder frozen", "Encoder stopped", "Position stands still", "Encoders disagree", "Linked speeds differ", "Away from its setpoint", "Output without effect", "Flat sensor",
-    "Sensor lost", "Side stands still", "Output saturated", "Values frozen", "Motor and mechanism disagree", "Module does not turn",
+    "Sensor lost", "Device lost", "Side stands still", "Output saturated", "Values frozen", "Motor and mechanism disagree", "Module does not turn",
 )
-private val GYRO = setOf("Heading jumped", "Gyro drifts", "Pose jumped", "Sensor lost", "Left the plan", "Flat sensor")
+private val GYRO = setOf("Heading jumped", "Gyro drifts", "Pose jumped", "Sensor lost", "Device lost", "Left the plan", "Flat sensor")
 private val MODULE = setOf("Module does not turn", "Module lags", "Module draws less current", "Channel lost its share", "Away from its setpoint")
 private val UNPOWERED = setOf(
     "Breaker open", "Channel rests alone", "Device without values", "Device lost", "Output without voltage", "Linked motor without current",
@@ -97,6 +98,7 @@ private val RIGHT = mapOf(
     "setpoint_not_held" to setOf(
         "Overshoot",
         "Away from its setpoint",
+        "Position oscillates",
         "Speed oscillates",
         "Speed not reached",
         "Output saturated",

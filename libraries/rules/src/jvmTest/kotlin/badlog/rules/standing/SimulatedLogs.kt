@@ -50,7 +50,9 @@ private fun thirdLogsOf(folder: File): List<JudgedLog> {
         val right = if (from == null) emptySet() else rightRulesFor(fault.orEmpty())?.plus(MESSAGES).orEmpty()
         val other = if (fault == null || from == null || match.isTrue("visible")) Judgement.FALSE else Judgement.UNKNOWN
         judgedLog(file.readBytes(), file.name) { finding ->
-            val isAfter = finding.time.isNaN() || finding.time >= (from ?: 0.0) - BEFORE
+            // A count of messages may include some from before the fault.
+            val time = finding.spans.lastOrNull()?.to?.takeIf { finding.rule in MESSAGES } ?: finding.time
+            val isAfter = time.isNaN() || time >= (from ?: 0.0) - BEFORE
             if (finding.rule in FACTS || (finding.rule in right && isAfter)) Judgement.TRUE else other
         }
     }.toList().filterNotNull()

@@ -49,6 +49,17 @@ class BatterySeries private constructor(
         return if (weights.sum() < LEAST_REST) null else weightedPercentile(values, weights, size, HALF)
     }
 
+    /** Returns whether the voltage was so low for 0.1 s while the robot was enabled that any roboRIO cuts outputs. */
+    internal fun isLow(): Boolean = volts.isOrdered && enabled.any { span ->
+        var low = 0.0
+        var longest = 0.0
+        forEachHeld(volts) { from, to, volt ->
+            low = if (volt in LEAST_VOLTS..CUT_VOLTS) low + maxOf(0.0, minOf(to, span.to) - maxOf(from, span.from)) else 0.0
+            longest = maxOf(longest, low)
+        }
+        longest >= CUT_SECONDS
+    }
+
     /** Returns the energy that the robot took from the battery in watt-hours. Null if it is unknown for more than a tenth of the time. */
     internal fun energy(): Double? {
         if (amps == null || !volts.isOrdered || !amps.isOrdered || volts.size == 0 || amps.size == 0) return null
@@ -92,7 +103,11 @@ class BatterySeries private constructor(
     }
 }
 
+/** For a roboRIO 1; a roboRIO 2 cuts outputs below 6.75 V. */
+private const val CUT_VOLTS = 6.3
+
 /** In seconds. */
+private const val CUT_SECONDS = 0.1
 private const val LEAST_REST = 1.0
 private const val LONGEST_LOAD = 5.0
 

@@ -6,6 +6,7 @@ import badlog.core.recording.Topic
 import badlog.expression.LogViewSignals
 import badlog.signals.LogShape
 import badlog.signals.NamedSamples
+import badlog.signals.NamedSignal
 import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalVocabulary
 
@@ -19,6 +20,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property restAfter the voltage at rest after it was enabled for the last time, in volts.
  * @property energy the energy that the robot took from it, in watt-hours.
  * @property resistance the resistance of battery and wiring.
+ * @property isBrownedOut whether the robot's computer cut outputs while enabled because the voltage was too low.
  */
 data class BatteryUse(
     val name: String? = null,
@@ -28,6 +30,7 @@ data class BatteryUse(
     val restAfter: Double? = null,
     val energy: Double? = null,
     val resistance: Resistance? = null,
+    val isBrownedOut: Boolean = false,
 )
 
 /** Returns the facts in [view] about its battery, found by [vocabulary]; null if there are none. */
@@ -38,7 +41,8 @@ fun batteryUseOf(view: LogView, vocabulary: SignalVocabulary): BatteryUse? {
     val voltage = topics.of("battery").firstOrNull() ?: return name?.let { BatteryUse(it) }
     val use = BatteryUse(name, voltage.topic, lowestVoltage(view.recording.topics, voltage))
     if (!shape.vocabulary.hasTime) return use
-    val series = BatterySeries.of(view, topics, NamedSamples(LogViewSignals(view), view)) ?: return use
+    val samples = NamedSamples(LogViewSignals(view), view)
+    val series = BatterySeries.of(view, topics, samples) ?: return use
     val enabled = series.enabled
     return use.copy(
         restBefore = enabled.firstOrNull()?.let { series.atRest(Span(it.from - REST, it.from)) },
@@ -47,6 +51,11 @@ fun batteryUseOf(view: LogView, vocabulary: SignalVocabulary): BatteryUse? {
         },
         energy = series.energy(),
         resistance = series.resistance(),
+        isBrownedOut = topics.of("brownout").ifEmpty { null }?.any { flag ->
+            val flags = samples.of(NamedSignal.of("brownout", listOf(flag)))
+            val isEnabled = samples.enabledAt(flags.x)
+            flags.y.indices.any { isEnabled[it] && flags.y[it] > 0 }
+        } ?: series.isLow(),
     )
 }
 

@@ -76,10 +76,11 @@ class Following(
     /** Returns what [missed] does, also if it never moved. */
     fun missedOrStill(): Series = if (spreadOf(measured) < STILL * range) away() else missed()
 
-    /** Returns what [missedOrStill] does while it does not move at all; NaN while it moves. */
+    /** Returns what [missed] does while it does not move at all; NaN while it moves. */
     fun standingAway(): Series {
-        val away = missedOrStill()
-        return Series(away.x, DoubleArray(away.size) { if (peakToPeak(it, STAYED_SECONDS) < STILL * range) away.y[it] else Double.NaN })
+        val away = missed()
+        val least = STILL * min(range, spreadOf(measured))
+        return Series(away.x, DoubleArray(away.size) { if (peakToPeak(it, STAYED_SECONDS) < least) away.y[it] else Double.NaN })
     }
 
     private fun away(): Series {
@@ -129,35 +130,44 @@ class Following(
     }
 
     /** Returns by how much it swings around a constant target, from peak to peak in percent of the target; NaN if it does not swing. */
-    fun swing(): Series {
+    fun swing(): Series = swings { abs(target[it]) }
+
+    /** Returns by how much a place swings around a constant target, from peak to peak in percent of the range; NaN if it does not swing. */
+    fun placeSwing(): Series {
+        // Where there is hardly more than one target, noise is large beside their range.
+        val whole = max(range, spreadOf(measured))
+        return swings { whole }
+    }
+
+    private fun swings(whole: (Int) -> Double): Series {
         val swings = DoubleArray(times.size) { Double.NaN }
         var i = 0
         while (i < times.size) {
             val end = endOfStretch(i)
-            if (isEnabled[i] && target[i] != 0.0 && times[end - 1] - times[i] > SWING_SECONDS) swingsIn(i, end, swings)
+            if (isEnabled[i] && whole(i) > 0 && times[end - 1] - times[i] > SWING_SECONDS) swingsIn(i, end, whole(i), swings)
             i = end
         }
         return Series(times, swings)
     }
 
-    private fun swingsIn(from: Int, until: Int, swings: DoubleArray) {
-        val near = 0.25 * abs(target[from])
+    private fun swingsIn(from: Int, until: Int, whole: Double, swings: DoubleArray) {
+        val near = 0.25 * whole
         var start = from
         for (i in from until until) {
             if (abs(measured[i] - target[i]) > near) start = i + 1
             if (start > i || times[i] - times[start] < SWING_SECONDS) continue
             val first = indexBefore(times, i, SWING_SECONDS, start)
-            swings[i] = turnsIn(first, i)
+            swings[i] = turnsIn(first, i, whole)
         }
     }
 
     /**
-     * Returns the median size of the swings between two samples in percent of the target, if they go to both sides of the target in turn,
+     * Returns the median size of the swings between two samples in percent of the [whole], if they go to both sides of the target in turn,
      * and about as far; otherwise NaN. A wheel that loses speed with each shot is far below its target, and hardly above.
      */
-    private fun turnsIn(from: Int, to: Int): Double {
+    private fun turnsIn(from: Int, to: Int, whole: Double): Double {
         val wanted = target[to]
-        val least = LEAST_SWING / 2 * abs(wanted)
+        val least = LEAST_SWING / 2 * whole
         val sizes = ArrayList<Double>()
         val sums = doubleArrayOf(0.0, 0.0)
         var side = 0.0
@@ -178,7 +188,7 @@ class Following(
         }
         // Sides take turns, so their sums compare their sizes.
         val isEven = sums.min() > LEAST_EVEN * sums.max()
-        return if (sizes.size < LEAST_TURNS || !isEven) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / abs(wanted)
+        return if (sizes.size < LEAST_TURNS || !isEven) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / whole
     }
 
     private fun endOfStretch(from: Int): Int {

@@ -2,57 +2,46 @@ package badlog.signals.derived
 
 import badlog.core.analysis.Series
 import kotlin.math.abs
-import kotlin.math.sign
 
 /**
  * Returns whether something that should turn does not, at [times]: 1 while it hardly turns ([speeds] below 4 % of its usual speed) though
- * it takes at least half as much [current] as it ever does, and [least] A, otherwise 0. Something that never turned has no usual speed: it
- * gives 0. So does exactly the current with which it still turned, since a device without power leaves its last values in the log.
+ * it takes at least half as much [current] as it ever does, as much as it mostly takes while it turns, and [least] A, otherwise 0. Something
+ * that never turned has no usual speed: it gives 0. So does exactly the current with which it still turned, since a device without power
+ * leaves its last values in the log.
+ *
+ * A mechanism that holds a game piece stands under power, too. Its program lowers its output for that, so that it may take less than while it turns. If
+ * [outputs] are not logged (null), nothing that turns in between and stands again is known to be blocked.
  */
-fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double): Series {
-    val usual = quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
+fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double, outputs: DoubleArray? = null): Series {
+    val turning = TURNING * quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
+    fun whileTurning(values: DoubleArray, share: Double) =
+        quantile(DoubleArray(times.size) { if (abs(speeds[it]) > turning) abs(values[it]) else Double.NaN }, share)
+    val usual = whileTurning(current, 0.9)
+    val driven = outputs?.let { LOWERED * whileTurning(it, 0.5) } ?: 0.0
     val hard = maxOf(0.5 * quantile(DoubleArray(times.size) { abs(current[it]) }, 0.995), least)
     val stalled = DoubleArray(times.size)
     var isOld = false
+    var since = Double.NaN
+    var standings = 0
     for (at in times.indices) {
-        val speed = abs(speeds[at])
-        isOld = at > 0 && current[at] == current[at - 1] && (isOld || abs(speeds[at - 1]) > TURNING * usual)
-        if (abs(current[at]) >= hard && usual > 0 && speed < 0.04 * usual && !isOld) stalled[at] = 1.0
-    }
-    return Series(times, stalled)
-}
-
-/**
- * Returns whether something that should turn does not, at [times], where only the [outputs] of its motor are logged, of which [full] is all: 1
- * while it hardly turns though its motor pushes, and its output broke down from what it usually is as it stopped. A controller that limits
- * its current does that to a motor that is blocked. An output that is constant is none that a limit makes, but a program that holds
- * something with little power.
- */
-fun limitedStall(times: DoubleArray, speeds: DoubleArray, outputs: DoubleArray, full: Double): Series {
-    val usual = quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
-    val most = quantile(DoubleArray(times.size) { abs(outputs[it]) }, 0.995)
-    fun isStill(at: Int) = usual > 0 && abs(speeds[at]) < 0.04 * usual && abs(outputs[at]) > PUSHING * full
-    val stalled = DoubleArray(times.size)
-    var i = 0
-    while (i < times.size) {
-        if (!isStill(i)) {
-            i++
-            continue
+        isOld = at > 0 && current[at] == current[at - 1] && (isOld || abs(speeds[at - 1]) > turning)
+        if (abs(speeds[at]) > turning) since = Double.NaN
+        val isHard = abs(current[at]) >= hard && !(abs(current[at]) < usual) && !isOld
+        if (isHard && turning > 0 && abs(speeds[at]) < 0.2 * turning && !(outputs != null && abs(outputs[at]) < driven)) {
+            stalled[at] = 1.0
+            if (since.isNaN()) since = times[at]
+            if (times[at] - since >= HELD_SECONDS) {
+                standings++
+                since = Double.POSITIVE_INFINITY
+            }
         }
-        var end = i
-        while (end < times.size && isStill(end) && sign(outputs[end]) == sign(outputs[i])) end++
-        val before = indexBefore(times, i, JUST_SECONDS)
-        val brokeDown = (before..i).any { abs(outputs[it]) > 0.5 * most && sign(outputs[it]) == sign(outputs[i]) }
-        val isLimited = (i + 2 until end).any { outputs[it] != outputs[it - 1] } && abs(outputs[(i + end) / 2]) < 0.5 * most
-        if (brokeDown && isLimited) for (k in i until end) stalled[k] = 1.0
-        i = end
     }
-    return Series(times, stalled)
+    return Series(times, if (standings > 1 && outputs == null) DoubleArray(times.size) else stalled)
 }
 
 /** The share of its usual speed at which something clearly turns. */
 private const val TURNING = 0.2
 
-/** More than friction alone takes. */
-private const val PUSHING = 0.05
-private const val JUST_SECONDS = 0.3
+/** Of the output with which it turns. */
+private const val LOWERED = 0.75
+private const val HELD_SECONDS = 1.0

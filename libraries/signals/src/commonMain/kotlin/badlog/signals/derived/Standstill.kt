@@ -6,17 +6,18 @@ import kotlin.math.sign
 
 /**
  * Returns whether something that moved before whenever it was driven stands still now, whichever way it is driven: 1 or 0 at [times].
- * Its [places] stay the same although its motor's [outputs] (1 is full) push it for a second each way, so it does not rest at a stop: it is
- * blocked, or its sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows; the less
- * there is of that, the longer it has to stand.
+ * Its [places] stay the same although its motor's [outputs] (1 is full) push it each way, so it does not rest at a stop: it is blocked, or its
+ * sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows: pushes move the same way.
+ * The less there is of that, and near an end of its range, the longer it has to stand. A place that comes back by a jump was not read meanwhile.
  */
 fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, isEnabled: BooleanArray): Series {
-    val range = quantile(DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }, 0.99) -
-        quantile(DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }, 0.01)
+    val used = DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }
+    val low = quantile(used, 0.01)
+    val range = quantile(used, 0.99) - low
     val still = DoubleArray(times.size)
     if (!(range > 0)) return Series(times, still)
     fun way(at: Int) = if (isEnabled[at] && abs(outputs[at]) > PUSHED) sign(outputs[at]) else 0.0
-    var moved = 0
+    var moves = 0
     val run = StillRun(times, places, STILL * range)
     var i = 0
     while (i < times.size) {
@@ -25,15 +26,25 @@ fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, is
         while (end < times.size && way(end) == way) end++
         val seconds = times[minOf(end, times.size - 1)] - times[i]
         if (way != 0.0 && seconds >= PUSH_SECONDS) {
-            if (run.takes(i, end, way, seconds)) {
-                if (run.isLongFor(moved) && run.stood <= moved * MOST_STOOD) run.mark(still)
+            if (run.takes(i, end, way, seconds, still)) {
+                val moved = abs(moves)
+                val share = (places[i] - low) / range
+                val isAtEnd = share < END || share > 1 - END
+                if (run.isLongFor(if (isAtEnd) minOf(moved, LEAST_MOVED - 1) else moved) && run.stood <= moved * MOST_STOOD) run.mark(still)
             } else {
-                moved++
+                val step = (places[end - 1] - places[i]) / range
+                if (abs(step) > MOVED) moves += sign(step * way).toInt()
             }
         }
         i = end
     }
     return Series(times, still)
+}
+
+/** Returns [outputs] while [current] flows, otherwise 0: a motor without power pushes nothing. A current that is always 0 was never read. */
+internal fun powered(outputs: DoubleArray, current: DoubleArray): DoubleArray {
+    val least = 0.1 * quantile(DoubleArray(current.size) { abs(current[it]) }, 0.98)
+    return DoubleArray(outputs.size) { if (abs(current[it]) < least) 0.0 else outputs[it] }
 }
 
 /** The pushes during which something has not moved since the last that moved it by more than [most]. */
@@ -53,11 +64,14 @@ private class StillRun(private val times: DoubleArray, private val places: Doubl
         return if (moved >= LEAST_MOVED) eachWay >= EACH_WAY_SECONDS else moved >= FEW_MOVED && isLong
     }
 
-    /** Adds the push from [from] until [until]; false if it moved something, which ends the run. */
-    fun takes(from: Int, until: Int, way: Double, seconds: Double): Boolean {
+    /** Adds the push from [from] until [until]; false if it moved something, which ends the run and its mark in [still] if it jumped. */
+    fun takes(from: Int, until: Int, way: Double, seconds: Double, still: DoubleArray): Boolean {
         val start = pushes.firstOrNull()?.first ?: from
-        if ((start until until).any { !(abs(places[it] - places[start]) <= most) }) {
+        val moved = (start until until).firstOrNull { !(abs(places[it] - places[start]) <= most) }
+        if (moved != null) {
             if (!isMarked) stood += pushes.size
+            val jump = abs(places[moved] - places[maxOf(moved - 1, 0)])
+            if (isMarked && jump > JUMP * most) for (push in pushes) still.fill(0.0, push.first, push.last + 1)
             pushes.clear()
             isMarked = false
             up = 0.0
@@ -76,14 +90,19 @@ private class StillRun(private val times: DoubleArray, private val places: Doubl
 }
 
 /** More than holds most things up. */
-private const val PUSHED = 0.15
+private const val PUSHED = 0.25
 private const val PUSH_SECONDS = 0.3
-private const val EACH_WAY_SECONDS = 1.0
+private const val EACH_WAY_SECONDS = 2.0
 
 /** Of its range: more than play between gears. */
 private const val STILL = 0.005
+private const val MOVED = 0.05
+private const val END = 0.03
 
-/** The number of pushes that must have moved it before, and how many of those that did not there may be for each of them. */
+/** As many times [STILL]. */
+private const val JUMP = 40
+
+/** The number of pushes that must have moved it the same way before, and how many of those that did not there may be for each of them. */
 private const val LEAST_MOVED = 8
 private const val MOST_STOOD = 0.15
 

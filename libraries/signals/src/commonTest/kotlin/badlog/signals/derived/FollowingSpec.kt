@@ -5,6 +5,8 @@ import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import kotlin.math.cos
+import kotlin.math.exp
 
 class FollowingSpec : FunSpec({
     val times = timesFor(40)
@@ -61,5 +63,15 @@ class FollowingSpec : FunSpec({
         following({ 4000 - if (it % 2 < 0.3) 400.0 else 0.0 }, speed).swing().most().isNaN() shouldBe true
         // Between shots it is a little too fast.
         following({ 4000 - if (it % 1 < 0.3) 400.0 else -60.0 }, speed).swing().most().isNaN() shouldBe true
+    }
+
+    test("a place swings by a share of its range, also around 0") {
+        val place = times.of { if (it < 30) 0.0 else 1.0 }
+        val swing = following({ (if (it < 30) 0.0 else 1.0) + 0.05 * swing(it, 0.5) }, place).placeSwing()
+        swing.most(to = 29.0) shouldBe (9.0 plusOrMinus 1.5)
+        swing.most(from = 35.0) shouldBe (9.0 plusOrMinus 1.5)
+        // It went to a single target, and its sensor's steps are as large beside that as a swing.
+        following({ if (it < 5) 100.0 else 1.0 + 0.05 * swing(it, 0.5) }, times.of { 1.0 }).placeSwing().most().isNaN() shouldBe true
+        following({ if (it < 30) 0.0 else 1.0 - exp(30 - it) * cos(6 * it) }, place).placeSwing().most(from = 36.0).isNaN() shouldBe true
     }
 })

@@ -99,15 +99,17 @@ class MechanismSensorsSpec : FunSpec({
         }
     }
 
-    test("a motor is blocked whose output breaks down as it stops; one that holds with a constant output is not, nor is one that hardly pushes") {
-        val speed = times.of { if (it in 20.0..22.0) 0.0 else 100.0 }
-        fun stalled(output: (Double) -> Double) = limitedStall(times, speed, times.of { if (it in 20.0..22.0) output(it) else 0.75 }, 1.0)
-        stalled { 0.1 + 0.002 * swing(it, 0.5) }.run {
-            most(to = 19.9) shouldBe 0.0
-            most(20.0, 22.0) shouldBe 1.0
+    test("a mechanism that holds a game piece is not stalled: it takes less than while it turns, gets less output, or does so again as far as is known") {
+        fun stalled(amperes: Double, output: Double? = 0.75, isStill: (Double) -> Boolean = { it in 20.0..22.0 }): Double {
+            val speeds = times.of { if (isStill(it)) 0.0 else 100.0 }
+            return stall(times, speeds, times.of { if (isStill(it)) amperes else 25.0 }, 12.0, output?.let { own -> times.of { if (isStill(it)) own else 0.75 } }).most()
         }
-        stalled { 0.1 }.most() shouldBe 0.0
-        stalled { 0.02 + 0.002 * swing(it, 0.5) }.most() shouldBe 0.0
+        stalled(40.0) shouldBe 1.0
+        stalled(22.0) shouldBe 0.0
+        stalled(40.0, output = 0.3) shouldBe 0.0
+        stalled(40.0) { it in 20.0..22.0 || it in 40.0..42.0 } shouldBe 1.0
+        stalled(40.0, output = null) shouldBe 1.0
+        stalled(40.0, output = null) { it in 20.0..22.0 || it in 40.0..42.0 } shouldBe 0.0
     }
 
     test("a position that is set where the switch closes jumps by what it does beyond how it moved") {

@@ -47,6 +47,14 @@ class BatteryUseSpec : FunSpec({
         return batteryUseOf(view, vocabulary)
     }
 
+    test("a robot browned out if its computer says so while enabled; without that, if the voltage was as low as that then") {
+        fun browned(flags: (Int) -> Boolean) = logOf(texts = "Browned Out" to List(2000) { "${flags(it)}" }, amps = { if (it in 90.0..90.5) "320" else "60" })?.isBrownedOut
+        logOf()?.isBrownedOut shouldBe false
+        logOf(amps = { if (it in 90.0..90.5) "320" else "60" })?.isBrownedOut shouldBe true
+        browned { it in 1000..1002 } shouldBe true
+        browned { it > 1800 } shouldBe false
+    }
+
     for (unit in listOf("s", "ms")) {
         test("a log over $unit shows the voltage at rest, the energy and the resistance") {
             val use = logOf(unit = unit).shouldNotBeNull()

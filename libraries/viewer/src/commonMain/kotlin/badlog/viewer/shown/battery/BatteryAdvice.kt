@@ -48,12 +48,8 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
 
         /** Whether it fell so low in its last match that the roboRIO switched motors off. */
         private fun brownedOut(season: BatterySeason): AdvisedBattery? {
-            val match = season.matches.firstOrNull() ?: return null
-            val lowest = match.use.lowest?.takeIf { it < BROWNED_OUT } ?: return null
-            val reason = "It fell to ${voltsText(
-                lowest,
-            )} in ${match.title}: a roboRIO 2 switches motors off below ${voltsText(BROWNED_OUT)}."
-            return AdvisedBattery(season.title, BatteryStep.CHECK, reason)
+            val match = season.matches.firstOrNull()?.takeIf { it.use.isBrownedOut } ?: return null
+            return AdvisedBattery(season.title, BatteryStep.CHECK, "The robot browned out with it in ${match.title}.", "")
         }
 
         private fun notFull(season: BatterySeason): AdvisedBattery? {
@@ -118,8 +114,6 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
 
         private const val PERCENT = 100
 
-        /** In volts. */
-        private const val BROWNED_OUT = 6.75
         private const val WORN = 4.0 / 3
 
         /** The voltage at rest of a nearly full lead battery, in volts, with the robot's computers on. */
@@ -137,9 +131,9 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
  * @property name the name of the battery.
  * @property reason the reason, as a sentence.
  */
-class AdvisedBattery(val name: String, val step: BatteryStep, val reason: String) {
+class AdvisedBattery(val name: String, val step: BatteryStep, val reason: String, private val after: String = step.after) {
     /** The advice in a few words: `Use A1 next`. */
-    val headline: String get() = step.before + name + step.after
+    val headline: String get() = step.before + name + after
 
     /** The advice among others that are not about batteries: `Battery: use A1 next`. */
     val pitText: String get() = "Battery: ${headline.replaceFirstChar { it.lowercase() }}"

@@ -102,6 +102,7 @@ private fun matchOf(run: MatchRun<out ListedLog>): BatteryMatch {
         uses.firstNotNullOfOrNull { it.restAfter },
         uses.firstNotNullOfOrNull { it.energy },
         uses.mapNotNull { it.resistance }.minByOrNull { it.uncertainty },
+        uses.any { it.isBrownedOut },
     )
     return BatteryMatch(logs.first().title, logs.map { it.path }, run.second, use, logs.any(::counts))
 }

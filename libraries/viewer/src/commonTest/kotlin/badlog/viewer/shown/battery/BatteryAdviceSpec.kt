@@ -76,10 +76,10 @@ class BatteryAdviceSpec : FunSpec({
     }
 
     test("a battery that browned out in its last match is never the next one, but checked") {
-        fun low(name: String, volts: Double) = BatteryUse(name, lowest = volts, resistance = Resistance(20.0, 0.3))
+        fun low(name: String, volts: Double) = BatteryUse(name, lowest = volts, resistance = Resistance(20.0, 0.3), isBrownedOut = volts < 6.3)
         val advice = adviceOn(low("B3", 6.21), low("A1", 8.1))
         advice.next?.name shouldBe "A1"
-        advice.charge.single().text shouldBe "Check B3 and its charger. It fell to 6.21 V in Qualification 1: a roboRIO 2 switches motors off below 6.75 V."
+        advice.charge.single().text shouldBe "Check B3. The robot browned out with it in Qualification 1."
         adviceOn(low("B3", 6.21)).next.shouldBeNull()
         adviceOn(low("B3", 6.21), low("A1", 8.1), low("B3", 8.0), low("A1", 8.1)).next?.name shouldBe "B3"
     }
