@@ -15,11 +15,11 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         within(20.0..20.1, BATTERY) { "7.6" }
     },
     "Low battery" to { within(20.0..20.05, BATTERY) { "6.4" } },
-    "Weak battery" to { within(20.0..20.4, BATTERY) { "8.4" } },
+    "Weak battery" to { within(20.0..21.5, BATTERY) { "8.4" }; within(25.0..25.6, BATTERY) { "7.6" } },
     "Battery not charged" to { number(BATTERY) { 12.3 - 0.015 * TestMatch.load(it) } },
     "Bad battery contact" to { within(20.4..20.5, BATTERY) { (11.9 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.043 * TestMatch.load(it) } },
-    "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.03 * TestMatch.load(it) } },
+    "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.036 * TestMatch.load(it) } },
     "Current too long" to { within(20.0..21.9, CHANNEL) { "70" } },
     "High current" to { within(20.0..20.9, CHANNEL) { "55" } },
     // A motor starts, and rests after that.
@@ -133,7 +133,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Loop blocked" to { within(20.0..20.05, LOOP_TIME) { "95" } },
     "Loop and vision late together" to { within(20.0..20.05, LOOP_TIME) { "240" } },
     // Garbage is collected twice.
-    "Loop overrun" to { for (at in listOf(20.0, 25.0)) within(at..at + 0.05, LOOP_TIME) { "70" } },
+    "Loop overrun" to { for (at in 20..25) within(at.toDouble()..at + 0.03, LOOP_TIME) { "70" } },
     "Slow loops" to { within(20.0..21.4, LOOP_TIME) { "30" } },
     "Long garbage collection" to { within(20.0..20.05, "/RealOutputs/LoggedRobot/GCTimeMS") { "90" } },
     "Frequent garbage collection" to {
@@ -149,7 +149,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "CAN utilization high" to { within(20.0..20.8, "/SystemStats/CANBus/Utilization") { "0.88" } },
     "One CAN bus full" to { number("DS:/Dscomm/Status/Resources/CanBusUtilizations[3]") { if (it < 20) 20.0 else 89.0 } },
     "CAN bus off" to { number("/SystemStats/CANBus/OffCount") { 1.0 } },
-    "CAN errors" to { number("/SystemStats/CANBus/ReceiveErrorCount") { if (it < 2) 0.0 else 12.0 } },
+    "CAN errors" to { number("/SystemStats/CANBus/ReceiveErrorCount") { if (it < 2) 0.0 else if (it < 20) 12.0 else if (it < 25) 14.0 else 15.0 } },
     "Radio lost power" to {
         within(19.7..20.0, BATTERY) { "8.4" }
         flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 }
