@@ -62,23 +62,23 @@ internal class AssignTask(
         val vocabulary = signalsBeside(log)
         if (vocabulary.find(signal) == null) {
             val known = vocabulary.signals.map { it.name }
-            throw Failure("“$signal” is not a signal${meantOf(signal, known, "badlog info --signals")}")
+            throw Failure("“$signal” is not a signal${suggestionFor(signal, known, "badlog info --signals")}")
         }
         val recording = console.progress("${log.fileName}").use { readLog(log, it) }
         val topics = recording.topics.map { it.name }
-        if (topic !in topics) throw Failure("“$topic” is not a topic of $log${meantOf(topic, topics, "badlog info --topics")}")
+        if (topic !in topics) throw Failure("“$topic” is not a topic of $log${suggestionFor(topic, topics, "badlog info --topics")}")
         val assignment = SignalAssignment(log, library = null)
         assignment.assign(signal, topic, LogView.of(recording).withSignals(vocabulary, log.fileName.toString()))?.let { throw Failure(it) }
         return assignment.file
     }
 
-    private fun meantOf(name: String, known: List<String>, list: String): String {
-        val meant = near(name, known).take(MOST_MEANT).joinToString(" or ") { "“$it”" }
+    private fun suggestionFor(name: String, known: List<String>, list: String): String {
+        val meant = near(name, known).take(MAX_MEANT).joinToString(" or ") { "“$it”" }
         return if (meant.isEmpty()) "; $list shows them." else "; did you mean $meant?"
     }
 
     private companion object {
-        const val MOST_MEANT = 2
+        const val MAX_MEANT = 2
     }
 }
 

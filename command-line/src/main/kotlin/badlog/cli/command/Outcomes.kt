@@ -68,7 +68,7 @@ internal class Outcomes(
     }
 
     /** Reports that [file], found in a folder, was skipped because of [message], which is printed at once. */
-    fun passedOver(file: Path, message: String) {
+    fun skippedPart(file: Path, message: String) {
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message))) else console.warn(message)
     }
 

@@ -3,7 +3,7 @@ package badlog.cli.convert
 import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
-import badlog.cli.output.LogFormat
+import badlog.cli.output.OutputFormat
 import badlog.cli.output.OutputOptions
 import badlog.cli.plugin.PluginLoader
 import badlog.cli.topic.OnlyOption
@@ -48,7 +48,7 @@ internal class ConvertCommand(private val parts: PluginLoader) :
     override fun makeTask(): Task {
         if (period != null && rowsAt != null) throw UsageError("--period and --rows-at cannot be used together")
         if (isParquet()) return parquetTask()
-        val format = LogFormat.entries.find { it.option == to } ?: output.outPath?.let(LogFormat::ofName)
+        val format = OutputFormat.entries.find { it.option == to } ?: output.outPath?.let(OutputFormat::ofName)
             ?: throw UsageError("name the format: ${OPTIONS.joinToString(" or ") { "--to $it" }}")
         if (!format.hasRows && (period != null || rowsAt != null)) {
             throw UsageError("--period and --rows-at belong to --to bag and --to csv; a WPILOG has no rows")
@@ -71,6 +71,6 @@ internal class ConvertCommand(private val parts: PluginLoader) :
     }
 
     private companion object {
-        val OPTIONS = LogFormat.entries.map { it.option } + ParquetTask.OPTION
+        val OPTIONS = OutputFormat.entries.map { it.option } + ParquetTask.OPTION
     }
 }

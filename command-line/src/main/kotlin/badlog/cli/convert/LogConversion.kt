@@ -1,6 +1,6 @@
 package badlog.cli.convert
 
-import badlog.cli.output.LogFormat
+import badlog.cli.output.OutputFormat
 
 /**
  * The options for converting logs.
@@ -10,4 +10,4 @@ import badlog.cli.output.LogFormat
  * @property rows the times of rows for a log without rows, if the format needs them.
  * @property isChangesOnly whether to skip samples that equal the previous ones.
  */
-internal class LogConversion(val format: LogFormat, val isGzip: Boolean, val xTopic: String?, val rows: Rows, val isChangesOnly: Boolean)
+internal class LogConversion(val format: OutputFormat, val isGzip: Boolean, val xTopic: String?, val rows: Rows, val isChangesOnly: Boolean)

@@ -35,12 +35,12 @@ internal class CutPart(val recording: Recording, val rows: List<IntRange>, val s
 internal fun rowPart(view: LogView, spans: List<Span>): CutPart {
     val x = view.xAxis.positions
     val runs = rowsIn(x, spans).runs()
-    if (runs.isEmpty()) throw nothingThere(view, "row")
+    if (runs.isEmpty()) throw emptyPartFailure(view, "row")
     return CutPart(view.recording, runs, runs.map { Span(x[it.first], x[it.last]) })
 }
 
 /** Returns the failure if no [noun] of [view] is in the requested part. */
-internal fun nothingThere(view: LogView, noun: String): Failure {
+internal fun emptyPartFailure(view: LogView, noun: String): Failure {
     val axis = view.xAxis
     val range = axis.range ?: return Failure("it has no ${noun}s.")
     val text = "from ${XTime.text(range.start, axis.unit)} to ${XTime.text(range.endInclusive, axis.unit)}"
@@ -55,7 +55,7 @@ internal fun nothingThere(view: LogView, noun: String): Failure {
  */
 internal fun samplePart(view: LogView, spans: List<Span>): CutPart {
     val whole = view.recording
-    val range = view.xAxis.range ?: throw nothingThere(view, "sample")
+    val range = view.xAxis.range ?: throw emptyPartFailure(view, "sample")
     val inside = intersection(spans, listOf(Span(range.start, range.endInclusive)))
     // Topics that share their times also share them in the part.
     val holding = ClockPart.Cache(inside, holdsValues = true)
@@ -66,7 +66,7 @@ internal fun samplePart(view: LogView, spans: List<Span>): CutPart {
         topic.part(clock.indices, clock.times).let { if (isEvent(topic) && !isEvent(it)) it.with(it.attributes + EVENT_LOG) else it }
     }
     val part = whole.copy(topics = topics, rowCount = 0)
-    if (part.sampleCount == 0L) throw nothingThere(view, "sample")
+    if (part.sampleCount == 0L) throw emptyPartFailure(view, "sample")
     return CutPart(part, listOf(0 until 0), inside)
 }
 

@@ -8,8 +8,8 @@ import badlog.cli.console.Console
 import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.LogFormat
 import badlog.cli.output.Omissions
+import badlog.cli.output.OutputFormat
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyRecords
 import badlog.cli.output.isEvent
@@ -56,10 +56,10 @@ internal class CutTask(
         } catch (e: Failure) {
             throw Failure("${input.file}: ${e.message}")
         }
-        val name = LogFormat.nameFor(input.file, view.recording)
+        val name = OutputFormat.nameFor(input.file, view.recording)
         val target = plan.place(input, name.marked("cut"), name.toString())
-        val format = plan.file?.let(LogFormat::ofName) ?: LogFormat.of(view.recording)
-        val said = saidOf(part.spans, view.xAxis.unit)
+        val format = plan.file?.let(OutputFormat::ofName) ?: OutputFormat.of(view.recording)
+        val said = spansText(part.spans, view.xAxis.unit)
         val leftOut = write(view.recording, part, said, format, input.file, target, progress)
         val text = text(view, "${input.file} -> $target", part, leftOut)
         return Outcome(view.recording.isSalvaged, text, jsonOf(json(view, target, part, leftOut)))
@@ -71,7 +71,7 @@ internal class CutTask(
     }
 
     /** Returns its place on the x axis for people. */
-    private fun saidOf(spans: List<Span>, unit: String): String {
+    private fun spansText(spans: List<Span>, unit: String): String {
         val first = spans.take(LISTED).joinToString { "${XTime.text(it.from, unit)} to ${XTime.text(it.to, unit)}" }
         return if (spans.size > LISTED) "$first and ${spans.size - LISTED} more" else first
     }
@@ -80,13 +80,13 @@ internal class CutTask(
         whole: Recording,
         part: CutPart,
         said: String,
-        format: LogFormat,
+        format: OutputFormat,
         file: Path,
         target: Path,
         progress: Progress,
     ): Omissions {
         if (format.hasRows || !whole.format.hasRecords) {
-            val recording = part.recording.run { if (format == LogFormat.CSV) this else copy(values = values.ofPart(said)) }
+            val recording = part.recording.run { if (format == OutputFormat.CSV) this else copy(values = values.ofPart(said)) }
             return writeLog(recording, format, target, part.rows, progress = progress)
         }
         copyRecords(recordsOf(file), target, progress) {

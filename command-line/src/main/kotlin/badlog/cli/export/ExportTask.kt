@@ -102,7 +102,7 @@ internal class ExportTask(
             val found = PageFindings.of(input.file, hooks, maker) { done, total -> progress.advanced(done, total * 2) }
             export(exporter, input, additions, rules, found, refused) { done, total -> progress.advanced(total + done, total * 2) }
         }
-        return if (search.neverAsked(refused).any { it.isMistake }) ExitCode.USAGE else code
+        return if (search.skippedForAll(refused).any { it.isMistake }) ExitCode.USAGE else code
     }
 
     private val problemsBeside = HashSet<String>()

@@ -120,7 +120,7 @@ internal class FetchTask(
         override fun skipped(path: String, message: String, isGrowing: Boolean) {
             close()
             if (!isGrowing) outcomes.leaveOut()
-            outcomes.passedOver(Path.of(path.ifEmpty { "/" }), message)
+            outcomes.skippedPart(Path.of(path.ifEmpty { "/" }), message)
         }
 
         override fun deleted(path: String) = warn("$path was removed from the robot; the copy is safe here.")

@@ -80,8 +80,8 @@ internal class InfoText(
     }
 
     private fun besideText(): String {
-        val more = if (beside.size > MOST_BESIDE) ", and ${beside.size - MOST_BESIDE} more" else ""
-        return beside.take(MOST_BESIDE).joinToString { "${printable(it.path)} (${it.role})" } + more
+        val more = if (beside.size > MAX_BESIDE) ", and ${beside.size - MAX_BESIDE} more" else ""
+        return beside.take(MAX_BESIDE).joinToString { "${printable(it.path)} (${it.role})" } + more
     }
 
     private fun valueLines(): List<String> {
@@ -139,6 +139,6 @@ internal class InfoText(
         )
         const val VALUE_NAME = 32
         const val DIGITS = 4
-        const val MOST_BESIDE = 10
+        const val MAX_BESIDE = 10
     }
 }

@@ -11,7 +11,7 @@ import kotlinx.serialization.Serializable
 internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
     if (signals.isEmpty()) return listOf("No topic matches a known signal; docs/signals.md explains how to name yours.")
     val rows = signals.groupBy { Triple(it.signal, it.unit, it.reason) }.values.flatMap { alike ->
-        val isLong = alike.size > MOST_ALIKE
+        val isLong = alike.size > MAX_ALIKE
         val more = if (isLong) "; ${alike.size - 1} more like it" else ""
         (if (isLong) alike.take(1) else alike).map { listOf(it.signal, it.topic, it.unit, it.reason + more) }
     }
@@ -30,6 +30,6 @@ internal class SignalJson private constructor(
 }
 
 /** The most similar topics to list. More, such as the channels of a power distribution or the buttons of a controller, are shortened to one. */
-private const val MOST_ALIKE = 3
+private const val MAX_ALIKE = 3
 
 private val COLUMNS = listOf("SIGNAL", "TOPIC", "UNIT", "WHY").map { Column(it) }

@@ -3,7 +3,7 @@ package badlog.cli.merge
 import badlog.catalog.match.MatchMaker
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
-import badlog.cli.output.LogFormat
+import badlog.cli.output.OutputFormat
 import badlog.cli.output.writeLog
 import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
@@ -84,7 +84,7 @@ internal class LogBesideStation(private val merging: Merging, private val isJson
             result.remarks(isOfDoubts = isJson).forEach(::say)
             return result.problems
         } catch (e: Failure) {
-            writeLog(part.recording, LogFormat.WPILOG, made, progress = progress)
+            writeLog(part.recording, OutputFormat.WPILOG, made, progress = progress)
             val message = "The Driver Station log ${place.station} is left out: ${e.message}"
             return part.recording.problems + Problem(ProblemKind.LOG_LEFT_OUT, message)
         }

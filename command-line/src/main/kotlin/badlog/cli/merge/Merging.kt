@@ -4,7 +4,7 @@ import badlog.catalog.match.FileForZip
 import badlog.catalog.match.writeMatchZip
 import badlog.cli.input.Failure
 import badlog.cli.input.folderBeside
-import badlog.cli.output.LogFormat
+import badlog.cli.output.OutputFormat
 import badlog.cli.output.writeLog
 import badlog.files.terminal.Progress
 import badlog.files.writeAtomically
@@ -65,10 +65,10 @@ internal class Merging(
     /** Topics keep times of their own if one log has them, or the result can. */
     private fun merge(moved: MovedLogs, target: Path, progress: Progress): MergeResult {
         val parts = moved.parts
-        val wanted = LogFormat.ofName(target)
+        val wanted = OutputFormat.ofName(target)
         if (parts.all { it.hasRows } && wanted?.hasRows != false) {
             val merged = Merge(parts, mode).merged()
-            val format = wanted ?: LogFormat.of(merged.recording)
+            val format = wanted ?: OutputFormat.of(merged.recording)
             return MergeResult.Made(merged, moved, target, writeLog(merged.recording, format, target, progress = progress))
         }
         parts.find { !it.hasRows }?.let { wanted?.require(it.recording, target) }

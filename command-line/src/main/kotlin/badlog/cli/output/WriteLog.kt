@@ -24,7 +24,7 @@ import java.util.zip.GZIPOutputStream
  */
 internal fun writeLog(
     recording: Recording,
-    format: LogFormat,
+    format: OutputFormat,
     target: Path,
     runs: List<IntRange> = listOf(0 until recording.rowCount),
     changesOnly: Boolean = false,

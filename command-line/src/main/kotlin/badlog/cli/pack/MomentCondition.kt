@@ -59,20 +59,20 @@ private class MomentSamples(series: Series, moment: Span, isOther: (Double) -> B
 
     /** Returns a condition for [topic] with numbers; null if the moment's numbers are not set apart. */
     fun limit(topic: String): MomentLimit? {
-        if (own.isEmpty() || others.size < FEWEST) return null
+        if (own.isEmpty() || others.size < MIN_SAMPLES) return null
         val below = others.min() - own.min()
         val above = own.max() - others.max()
         val gap = max(below, above)
         // A topic that hardly ever changes has no range to compare with.
-        val range = max(others.max() - others.min(), max(abs(others.max()), abs(others.min())) * LEAST_RANGE)
-        if (range == 0.0 || gap < range * LEAST_GAP) return null
+        val range = max(others.max() - others.min(), max(abs(others.max()), abs(others.min())) * MIN_RANGE)
+        if (range == 0.0 || gap < range * MIN_GAP) return null
         val limit = if (below >= above) others.min() - gap / 2 else others.max() + gap / 2
         return MomentLimit("$topic ${if (below >= above) "<" else ">"} ${plain(limit, gap)}", gap / range)
     }
 
     /** Returns a condition for [topic] with truth values; null if the moment's values are not set apart. */
     fun truth(topic: String): MomentLimit? {
-        val isSteady = others.size >= FEWEST && others.all { it == others[0] }
+        val isSteady = others.size >= MIN_SAMPLES && others.all { it == others[0] }
         if (!isSteady || own.all { it == others[0] }) return null
         return MomentLimit(if (others[0] == 0.0) topic else "not $topic", TRUTH_DISTANCE)
     }
@@ -87,9 +87,9 @@ private class MomentSamples(series: Series, moment: Span, isOther: (Double) -> B
     }
 
     private companion object {
-        const val FEWEST = 10
-        const val LEAST_GAP = 0.1
-        const val LEAST_RANGE = 0.05
+        const val MIN_SAMPLES = 10
+        const val MIN_GAP = 0.1
+        const val MIN_RANGE = 0.05
 
         /** A condition says less than a number far from all others. */
         const val TRUTH_DISTANCE = 1.0

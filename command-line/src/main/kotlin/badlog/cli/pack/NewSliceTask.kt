@@ -38,9 +38,9 @@ internal class NewSliceTask(private val pack: Path, private val order: SliceOrde
      * @property condition the condition of the rule; null if there was one before.
      * @property verdict the verdict of the rule on the slice.
      */
-    internal class Made(val file: Path, val cut: SliceCut, val condition: String?, val verdict: SliceVerdict)
+    internal class NewSlice(val file: Path, val cut: SliceCut, val condition: String?, val verdict: SliceVerdict)
 
-    private fun make(progress: Progress): Made {
+    private fun make(progress: Progress): NewSlice {
         if (Files.isRegularFile(pack)) throw Failure("$pack is a zip; unpack it, and name its folder.")
         val rules = PackRules(pack)
         val isNew = !rules.has(order.rule)
@@ -65,10 +65,10 @@ internal class NewSliceTask(private val pack: Path, private val order: SliceOrde
             val name = listOf(kind, folder.fileName, file.fileName).joinToString("/")
             SliceCheck(opened).verdict(opened.slices.single { it.name == name })
         }
-        return Made(file, cut, condition, verdict)
+        return NewSlice(file, cut, condition, verdict)
     }
 
-    private fun text(made: Made, width: Int): String {
+    private fun text(made: NewSlice, width: Int): String {
         val removed = made.cut.removed.map { (kind, count) -> counted(count.toLong(), kind.noun, kind.nouns) }
         val lines = listOfNotNull(
             "kept ${made.cut.place}",
@@ -97,7 +97,7 @@ private class NewSliceJson private constructor(
     private val passes: Boolean,
     private val text: String,
 ) {
-    constructor(order: SliceOrder, made: NewSliceTask.Made) : this(
+    constructor(order: SliceOrder, made: NewSliceTask.NewSlice) : this(
         command = "rules",
         file = "${order.log}",
         status = "whole",

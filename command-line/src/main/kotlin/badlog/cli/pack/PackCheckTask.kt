@@ -26,7 +26,7 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
         val verdicts = pack.slices.map { slice -> check.verdict(slice).also { say(it, console) } }
         val lacking = pack.rules.rules.flatMap { rule ->
             val own = pack.slices.filter { check.isFor(it, rule.name) }
-            listOf(true, false).filter { isFiring -> own.none { it.isFiring == isFiring } }.map { Lack(rule.name, it) }
+            listOf(true, false).filter { isFiring -> own.none { it.isFiring == isFiring } }.map { MissingSlice(rule.name, it) }
         }
         if (isJson) console.say(summaryJson(pack, verdicts, lacking)) else console.say(summary(pack, verdicts, lacking, console.width))
         return when {
@@ -50,7 +50,7 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
         }
     }
 
-    private fun summary(pack: RulePack, verdicts: List<SliceVerdict>, lacking: List<Lack>, width: Int): String {
+    private fun summary(pack: RulePack, verdicts: List<SliceVerdict>, lacking: List<MissingSlice>, width: Int): String {
         val passed = verdicts.count { it.passes }
         val counts = listOf(counted(pack.rules.rules.size.toLong(), "rule"), counted(verdicts.size.toLong(), "slice"))
         val devices = pack.rules.devices.devices.size.toLong()
@@ -64,7 +64,7 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
         return lines.joinToString("\n") { wrapped("", it, INDENT, width) }
     }
 
-    private fun summaryJson(pack: RulePack, verdicts: List<SliceVerdict>, lacking: List<Lack>) = json(
+    private fun summaryJson(pack: RulePack, verdicts: List<SliceVerdict>, lacking: List<MissingSlice>) = json(
         PackJson(
             command = "rules",
             file = "$path",
@@ -81,7 +81,7 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
     private inline fun <reified T> json(value: T) = Spelling.ascii("${jsonOf(value)}")
 
     /** A rule without a slice in which it must fire, or must not. */
-    private class Lack(val rule: String, val isFiring: Boolean) {
+    private class MissingSlice(val rule: String, val isFiring: Boolean) {
         val must get() = if (isFiring) "find something" else "stay silent"
     }
 

@@ -4,7 +4,7 @@ import badlog.cli.cut.rowPart
 import badlog.cli.cut.samplePart
 import badlog.cli.input.Failure
 import badlog.cli.input.readLog
-import badlog.cli.output.LogFormat
+import badlog.cli.output.OutputFormat
 import badlog.cli.search.signalsBeside
 import badlog.cli.text.XTime
 import badlog.cli.topic.part
@@ -50,7 +50,7 @@ internal class SliceCut(private val order: SliceOrder, progress: Progress) {
     val recording: Recording = privacy.without(part()).let { it.copy(values = it.values.ofPart(place)) }
 
     /** The format in which it can be written. */
-    val format: LogFormat get() = if (recording.format.hasRows) LogFormat.BAG else LogFormat.WPILOG
+    val format: OutputFormat get() = if (recording.format.hasRows) OutputFormat.BAG else OutputFormat.WPILOG
 
     /** The number of private texts that were removed, by kind. */
     val removed: Map<Privacy.Kind, Int> get() = privacy.removed

@@ -9,8 +9,8 @@ import badlog.cli.console.Console
 import badlog.cli.input.Failure
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
-import badlog.cli.output.LogFormat
 import badlog.cli.output.Omissions
+import badlog.cli.output.OutputFormat
 import badlog.cli.output.OutputOptions
 import badlog.cli.output.OutputPlan
 import badlog.cli.output.copyBeginning
@@ -55,7 +55,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
             val reason = recording.problems.firstOrNull()?.message.orEmpty()
             throw Failure("${input.file}: nothing can be recovered. $reason".trim())
         }
-        val name = LogFormat.nameFor(input.file, recording)
+        val name = OutputFormat.nameFor(input.file, recording)
         val target = plan.place(input, name.marked("recovered"), name.toString())
         val leftOut = write(input.file, recording, damage, target, progress)
         requireSame(recording, target)
@@ -63,7 +63,7 @@ internal class RecoverTask(private val paths: List<Path>, private val plan: Outp
     }
 
     private fun write(file: Path, recording: Recording, damage: Damage, target: Path, progress: Progress): Omissions {
-        val format = LogFormat.of(recording)
+        val format = OutputFormat.of(recording)
         val lostBytes = damage.bytesAtEnd
         if (!recording.format.hasRecords) return writeLog(recording, format, target, progress = progress)
         if (lostBytes != null) {

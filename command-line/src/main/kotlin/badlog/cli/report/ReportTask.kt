@@ -16,7 +16,7 @@ import badlog.cli.plugin.PluginLoader
 import badlog.cli.search.Search
 import badlog.cli.search.SearchException
 import badlog.cli.search.rulesBeside
-import badlog.cli.station.StationsBeside
+import badlog.cli.station.StationLogFinder
 import badlog.cli.text.jsonOf
 import badlog.exporter.ExportException
 import badlog.exporter.HtmlExporter
@@ -76,13 +76,13 @@ internal class ReportTask(
             return ExitCode.USAGE
         }
         val rules: RuleSet
-        val stations: StationsBeside?
+        val stations: StationLogFinder?
         val made: LeftOutLogs
         val report = try {
             val named = search.namedRules()
             val beside = rulesBeside(paths, console::warn)
             rules = named?.rules?.with(beside.signals) ?: beside
-            stations = station?.let { StationsBeside(it, rules.signals) }
+            stations = station?.let { StationLogFinder(it, rules.signals) }
             // Rules use the Driver Station's log only for signals that the robot's lacks.
             made = LeftOutLogs(if (stations == null) maker else MatchMaker)
             Report(
@@ -127,7 +127,7 @@ internal class ReportTask(
         }
         pages?.finish(result, outcomes) { if (charts == null) PageCharts.NONE else drawn(it, charts, console) }
         val refused = result.logs.filter { it.unreadable == null }.map { it.skipped }
-        if (search.neverAsked(refused).isNotEmpty()) outcomes.leaveOut()
+        if (search.skippedForAll(refused).isNotEmpty()) outcomes.leaveOut()
         val code = outcomes.end()
         if (form != ResultForm.JSON && pages?.index != null) console.warn("The index is ${pages.index}.")
         return if (result.skipped.any { it.isMistake }) ExitCode.USAGE else code
@@ -146,7 +146,7 @@ internal class ReportTask(
     private fun report(
         log: LogReport,
         pages: ReportPages?,
-        stations: StationsBeside?,
+        stations: StationLogFinder?,
         leftOut: List<String>,
         outcomes: Outcomes,
         console: Console,

@@ -44,7 +44,7 @@ internal class Search(
     fun reportedOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
     /** Returns the rules that were skipped for all logs; [skipped] has the skipped rules of each log. */
-    fun neverAsked(skipped: List<List<SkippedRule>>): List<SkippedRule> =
+    fun skippedForAll(skipped: List<List<SkippedRule>>): List<SkippedRule> =
         reportedOf(skipped.flatten()).groupBy { it.rule }.values.filter { it.size == skipped.size }.flatten()
 
     private fun read(file: Path) = try {

@@ -3,11 +3,11 @@ package badlog.cli.todo
 import badlog.catalog.todo.newChange
 import badlog.cli.input.Failure
 import badlog.cli.text.counted
-import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoLog
 import badlog.viewer.todo.matchText
 
 /** The items of this list, in the order in which they are printed; the first is number 1. */
@@ -28,7 +28,7 @@ internal class TodoMark(private val number: Int, private val isDone: Boolean, pr
      *
      * @throws Failure if there is no such item.
      */
-    fun changeOf(list: TodoList, logs: List<FoundLog>, known: List<TodoChange>): TodoChange? {
+    fun changeOf(list: TodoList, logs: List<TodoLog>, known: List<TodoChange>): TodoChange? {
         val items = list.numbered
         val item = items.getOrNull(number - 1)
             ?: throw Failure("The list has ${counted(items.size.toLong(), "item")}, but no number $number; badlog todo prints the numbers.")

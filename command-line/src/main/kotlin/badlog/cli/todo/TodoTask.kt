@@ -23,8 +23,8 @@ import badlog.signals.match.localSecondOf
 import badlog.viewer.catalog.DateSource
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.todo.FoundFault
-import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoLog
 import badlog.viewer.todo.isTodoPage
 import badlog.viewer.todo.toMarkdown
 import badlog.viewer.todo.toPage
@@ -80,7 +80,7 @@ internal class TodoTask(
     }
 
     /** Returns the list, with the change of [mark]. */
-    private fun marked(files: TodoFiles, logs: List<FoundLog>, console: Console): TodoList {
+    private fun marked(files: TodoFiles, logs: List<TodoLog>, console: Console): TodoList {
         val before = TodoList.of(files.changes, logs)
         if (mark == null) return before
         val change = mark.changeOf(before, logs, files.changes)
@@ -106,9 +106,9 @@ internal class TodoTask(
     }
 }
 
-private fun foundIn(log: LogReport, now: Long): FoundLog {
+private fun foundIn(log: LogReport, now: Long): TodoLog {
     val date = log.began?.let { LogDate(it, DateSource.VALUES) } ?: LogDate.of(emptyList(), log.file.name, log.file.modified)
-    return FoundLog.of(log.file.name, log.match, date, now, log.findings.map(FoundFault::of))
+    return TodoLog.of(log.file.name, log.match, date, now, log.findings.map(FoundFault::of))
 }
 
 private const val MILLIS = 1000L

@@ -32,7 +32,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
     /** Adds the text that a cell holds. */
     fun addText(text: String) {
         if (texts == textRows.size) {
-            textRows = textRows.copyOf(maxOf(FEW, texts * 2))
+            textRows = textRows.copyOf(maxOf(INITIAL_TEXTS, texts * 2))
             textIds = textIds.copyOf(textRows.size)
         }
         textRows[texts] = size
@@ -70,7 +70,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
     }
 
     private companion object {
-        const val FEW = 16
+        const val INITIAL_TEXTS = 16
     }
 }
 

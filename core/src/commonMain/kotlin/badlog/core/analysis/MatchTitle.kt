@@ -8,7 +8,7 @@ import badlog.core.recording.Value
  * neither event nor match.
  */
 public fun matchTitle(values: List<Value>): String? =
-    matchTitle(values.meant("event name", "event"), values.meant("match type"), values.meant("match number", "match"))
+    matchTitle(values.firstText("event name", "event"), values.firstText("match type"), values.firstText("match number", "match"))
 
 /** Returns the title of match [number] of [type] at [event]; null if there is neither event nor number. */
 public fun matchTitle(event: String?, type: String?, number: String?): String? {
@@ -21,13 +21,13 @@ public fun matchTitle(event: String?, type: String?, number: String?): String? {
  * Returns the first meaningful text of a value that has one of [names]; null if there is none. [names] are in lower case and without
  * folders.
  */
-public fun List<Value>.meant(vararg names: String): String? =
-    firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() in names && isMeant(it.text) }?.text?.trim()
+public fun List<Value>.firstText(vararg names: String): String? =
+    firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() in names && isMeaningful(it.text) }?.text?.trim()
 
 /**
  * Returns whether [text] says anything about a match. Off the field, the Driver Station provides a blank text, 0 or None, and robots log
  * that.
  */
-public fun isMeant(text: String): Boolean = text.isNotBlank() && text.trim().lowercase() !in MEANINGLESS
+public fun isMeaningful(text: String): Boolean = text.isNotBlank() && text.trim().lowercase() !in MEANINGLESS
 
 private val MEANINGLESS = setOf("0", "none", "null", "invalid", "unknown")

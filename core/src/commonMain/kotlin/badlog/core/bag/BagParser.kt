@@ -59,7 +59,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
 
     override val rowCount: Int get() = rows?.rowCount ?: 0
 
-    override val isFull: Boolean get() = rows?.gaveUp == true
+    override val isFull: Boolean get() = rows?.hasGivenUp == true
 
     /**
      * The argument for a [RowBatchParser] that reads rows of this file: for each column, whether a decimal comma is read. Null until the

@@ -104,15 +104,15 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
             while (at < this.end && bytes[at].toInt() == LF) at++
         }
         val count = (at - end) / size
-        for (i in (if (isAfterHole) 1 else 0) until minOf(count, FEW)) problems.add(ProblemKind.BLANK_LINE, BLANK, line + i)
-        if (count > FEW) problems.add(ProblemKind.BLANK_LINE, BLANK, line + FEW, count = count - FEW)
+        for (i in (if (isAfterHole) 1 else 0) until minOf(count, MAX_LISTED)) problems.add(ProblemKind.BLANK_LINE, BLANK, line + i)
+        if (count > MAX_LISTED) problems.add(ProblemKind.BLANK_LINE, BLANK, line + MAX_LISTED, count = count - MAX_LISTED)
         line += count
         return at
     }
 
     companion object {
         private const val BLANK = "A blank line was skipped."
-        private const val FEW = 10
+        private const val MAX_LISTED = 10
 
         /** The number of bytes read at a time: enough to be fast, few enough to stay in the processor's cache. */
         const val PIECE = 1 shl 16

@@ -39,7 +39,7 @@ internal class RowReader(
         private set
 
     /** Whether reading stopped because the bytes that follow are not rows at all. */
-    var gaveUp = false
+    var hasGivenUp = false
         private set
 
     /** Reads one row. Returns where the next begins, or [RowScanner.INCOMPLETE]. */
@@ -100,7 +100,7 @@ internal class RowReader(
     private fun tooMany() = "The log has more than $maxRows rows; the rest was not read. Set BADLOG_MAX_ROWS to read more."
 
     private fun giveUp(kind: ProblemKind, message: String): Int {
-        gaveUp = true
+        hasGivenUp = true
         problems.add(kind, message, pending.line)
         return pending.end
     }

@@ -3,7 +3,7 @@ package badlog.window.app
 import badlog.viewer.choices.board.with
 import badlog.viewer.state.FindingRequest
 import badlog.window.compare.ComparedRecordings
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.folder.SinceLastMatch
 import badlog.window.graph.SpokenCursor
 import badlog.window.log.CurrentRecording
@@ -15,7 +15,7 @@ import badlog.window.sidebar.WindowPanels
 /** Performs the requests of actions about findings. Use it only on the window's thread. */
 internal class FindingRequests(
     private val current: CurrentRecording,
-    private val findings: LogFindings,
+    private val findings: CurrentFindings,
     private val board: GraphBoard,
     private val compared: ComparedRecordings,
     private val since: SinceLastMatch,
@@ -26,7 +26,7 @@ internal class FindingRequests(
     fun perform(request: FindingRequest) = when (request) {
         is FindingRequest.Show -> show(request)
 
-        FindingRequest.SayNone -> openPanel()
+        FindingRequest.AnnounceNone -> openPanel()
 
         is FindingRequest.Pin -> pin(request)
 

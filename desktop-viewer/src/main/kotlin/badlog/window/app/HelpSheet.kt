@@ -41,7 +41,7 @@ internal fun HelpSheet(help: List<HelpLine>, modifier: Modifier = Modifier, onCl
                 Modifier.verticalScroll(scroll).padding(start = 20.dp, end = 20.dp, bottom = 16.dp),
                 Arrangement.spacedBy(28.dp),
             ) {
-                for (column in inTwo(groups)) {
+                for (column in inTwoColumns(groups)) {
                     Column(Modifier.width(440.dp)) {
                         for ((title, lines) in column) HelpGroup(title, lines)
                     }
@@ -53,7 +53,7 @@ internal fun HelpSheet(help: List<HelpLine>, modifier: Modifier = Modifier, onCl
 }
 
 /** Returns [groups] in two columns of about the same height, in order. */
-private fun inTwo(groups: Map<String, List<HelpLine>>): List<List<Map.Entry<String, List<HelpLine>>>> {
+private fun inTwoColumns(groups: Map<String, List<HelpLine>>): List<List<Map.Entry<String, List<HelpLine>>>> {
     val all = groups.values.sumOf { it.size + 1 }
     var before = 0
     val (first, second) = groups.entries.partition { (_, lines) ->

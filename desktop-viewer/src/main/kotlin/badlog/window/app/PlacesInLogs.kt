@@ -38,7 +38,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
             board.state.graphs.getOrNull(graphs.firstVisibleItemIndex)?.let(::drawn),
             graphs.firstVisibleItemScrollOffset,
         )
-        if (known.size > MOST) known.remove(known.keys.first())
+        if (known.size > MAX_PLACES) known.remove(known.keys.first())
     }
 
     /** Goes to the place where the person was in [file], or otherwise to its beginning. The graphs of [file] must be on the board. */
@@ -60,6 +60,6 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
 
     private companion object {
         /** The largest number of remembered places; a person goes back to fewer logs. */
-        const val MOST = 100
+        const val MAX_PLACES = 100
     }
 }

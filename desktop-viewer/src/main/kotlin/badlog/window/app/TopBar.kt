@@ -12,7 +12,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.log.CurrentRecording
 import badlog.window.log.LogNotes
 import badlog.window.settings.SettingsStore
@@ -37,7 +37,7 @@ import badlog.window.theme.ToolButton
 internal fun TopBar(
     panels: WindowPanels,
     current: CurrentRecording,
-    findings: LogFindings,
+    findings: CurrentFindings,
     notes: LogNotes,
     settings: SettingsStore,
     width: Dp,

@@ -10,7 +10,7 @@ import badlog.fetch.RobotAddress
 import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Shown
 import badlog.viewer.state.Store
@@ -27,7 +27,7 @@ import badlog.window.export.figure.FigureSaver
 import badlog.window.files.FileChoice
 import badlog.window.files.SystemFileChoice
 import badlog.window.files.sayNoLog
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.folder.Library
 import badlog.window.folder.LibraryActions
 import badlog.window.folder.NewLogs
@@ -124,13 +124,13 @@ internal class Viewer(
     val topics = TopicListing()
     val statistics = SelectedStatistics()
     val player = Player(current, view)
-    val findings: LogFindings = LogFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
+    val findings: CurrentFindings = CurrentFindings(current, view, board, folder = { library.state.folder }, ::awaitDrawn)
     val since = SinceLastMatch(current, library)
     val batteries = FolderSeason(scope, library, notices) { panels.state.main in setOf(MainView.PIT, MainView.BATTERIES) }
     val notes = LogNotes(scope, current, notices, writes)
     val video = LogVideo(scope, current, view, player, settings, files, notices)
     val layouts: LayoutStore =
-        LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, writes, shown::whenShown)
+        LayoutStore(own, library, current, board, view, compared, axis, formulas, panels, notices, writes, shown::afterShown)
     val keptLayouts = KeptLayouts(library, current, layouts, tasks, notices)
     val layoutFiles = LayoutFiles(layouts, keptLayouts, library, current, files, tasks, notices)
     val pages = PageSaver(scope, current, compared, board, formulas, fields, library, files, tasks, notices)
@@ -353,7 +353,7 @@ internal class Viewer(
         override val isOpen: Boolean get() = current.recording != null
         override val samples: CursorSteps get() = current.recording?.cursorSteps ?: CursorSteps(emptyList())
         override val enabled: List<EnabledSpan> get() = current.recording?.enabled.orEmpty()
-        override val found: FoundInLog? get() = findings.state.list
+        override val found: RuleResults? get() = findings.state.list
         override val graphs: Board get() = board.state
         override val graph: Int? get() = board.current?.id
         override val newest: Double? get() = live.newest

@@ -41,7 +41,7 @@ internal fun BatteryField(match: BatteryMatch, name: String, names: List<String>
             },
             Icons.Note,
         ) { typed = it }
-        for (each in names.filter { it.contains(typed, ignoreCase = true) }.take(MOST_NAMES)) {
+        for (each in names.filter { it.contains(typed, ignoreCase = true) }.take(MAX_NAMES)) {
             MenuLine(each, Icons.Check.takeIf { each == name }) { choose(each) }
         }
         if (name.isNotEmpty()) MenuLine("As the log says") { choose("") }
@@ -51,4 +51,4 @@ internal fun BatteryField(match: BatteryMatch, name: String, names: List<String>
     }
 }
 
-private const val MOST_NAMES = 12
+private const val MAX_NAMES = 12

@@ -44,33 +44,33 @@ internal class ShownRecordings(
     private val choices: (OpenRecording) -> RecordingChoices,
 ) {
     /** A recording and the choices for it: it is not calculated again while both stay the same. */
-    private data class Wanted(val recording: OpenRecording, val choices: RecordingChoices)
+    private data class CalculationInput(val recording: OpenRecording, val choices: RecordingChoices)
 
-    private val jobs = HashMap<Path, Pair<Wanted, Job>>()
+    private val jobs = HashMap<Path, Pair<CalculationInput, Job>>()
     private val later = ArrayList<() -> Unit>()
 
     /** The calculations that failed, and are not tried again. */
-    private var failed by mutableStateOf(emptyList<Wanted>())
+    private var failed by mutableStateOf(emptyList<CalculationInput>())
 
     /** Whether a recording is still shown as before the last choice. */
-    val isWaiting: Boolean get() = wanted().any(::isToDo)
+    val isWaiting: Boolean get() = wanted().any(::needsCalculation)
 
     /** Follows the choices, until cancelled. */
     suspend fun run() = supervisorScope { snapshotFlow { wanted() }.collect { follow(it) } }
 
-    private fun CoroutineScope.follow(all: List<Wanted>) {
+    private fun CoroutineScope.follow(all: List<CalculationInput>) {
         for (file in jobs.keys - all.mapTo(HashSet()) { it.recording.file }) jobs.remove(file)?.second?.cancel()
         for (each in all) {
             val file = each.recording.file
             if (jobs[file]?.first == each) continue
             jobs.remove(file)?.second?.cancel()
-            if (isToDo(each)) jobs[file] = each to launch { calculate(each, this@follow) }
+            if (needsCalculation(each)) jobs[file] = each to launch { calculate(each, this@follow) }
         }
         catchUp()
     }
 
     /** Calls [action] as soon as all recordings are shown as chosen; immediately if they are. */
-    fun whenShown(action: () -> Unit) {
+    fun afterShown(action: () -> Unit) {
         later += action
         catchUp()
     }
@@ -90,7 +90,7 @@ internal class ShownRecordings(
         if (isDefault && !made.standardGraphs.showsSame(before.standardGraphs)) board.replace(made.standardGraphs)
     }
 
-    private suspend fun calculate(wanted: Wanted, scope: CoroutineScope) {
+    private suspend fun calculate(wanted: CalculationInput, scope: CoroutineScope) {
         try {
             val folder = library()
             val made = withContext(Dispatchers.Default) { wanted.recording.with(wanted.choices, folder) { ensureActive() } }
@@ -118,10 +118,10 @@ internal class ShownRecordings(
         due.forEach { it() }
     }
 
-    private fun isToDo(wanted: Wanted) = wanted.recording.choices != wanted.choices && wanted !in failed
+    private fun needsCalculation(wanted: CalculationInput) = wanted.recording.choices != wanted.choices && wanted !in failed
 
-    private fun wanted(): List<Wanted> {
+    private fun wanted(): List<CalculationInput> {
         val all = listOfNotNull(current.recording) + compared.state.loaded.values
-        return all.distinctBy { it.file }.map { Wanted(it, choices(it)) }
+        return all.distinctBy { it.file }.map { CalculationInput(it, choices(it)) }
     }
 }

@@ -38,7 +38,7 @@ internal fun ExportMenu(
             },
             MenuEntry(
                 if (checked == 0) "Export the pages of checked logs…" else "Export the pages of $checked checked logs…",
-                whyNot = "Check logs in the list first.".takeIf { checked == 0 },
+                disabledReason = "Check logs in the list first.".takeIf { checked == 0 },
             ) { pages.savePagesOfChecked() },
             MenuEntry(
                 "Export the pages of all logs…",

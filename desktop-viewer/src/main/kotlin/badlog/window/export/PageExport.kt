@@ -34,7 +34,7 @@ internal data class PageJob(val log: Path, val page: Path, val compared: List<Pa
  * @property made the pages.
  * @property failures a sentence for each log without a page.
  */
-internal class PagesMade(val made: List<Path>, val failures: List<String>)
+internal class ExportedPages(val made: List<Path>, val failures: List<String>)
 
 /** Returns the pages of [logs] in [folder], each with a unique name. */
 internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
@@ -53,7 +53,7 @@ internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
  * @param additions the additions to each page.
  * @param progress receives the fraction done, 0 to 1.
  */
-internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): PagesMade {
+internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): ExportedPages {
     val exporter = HtmlExporter()
     val made = ArrayList<Path>()
     val failures = ArrayList<String>()
@@ -71,7 +71,7 @@ internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Flo
         }
         progress((i + 1f) / jobs.size)
     }
-    return PagesMade(made, failures)
+    return ExportedPages(made, failures)
 }
 
 /**

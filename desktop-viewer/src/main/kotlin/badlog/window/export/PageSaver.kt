@@ -62,7 +62,7 @@ internal class PageSaver(
         tasks.run(title, { progress -> makePages(jobs(), additions, progress) }, ::report)
     }
 
-    private fun report(pages: PagesMade) {
+    private fun report(pages: ExportedPages) {
         val made = pages.made
         when {
             made.size == 1 -> notices.say("Saved ${made.single()}.", openAction(made.single(), scope, notices))

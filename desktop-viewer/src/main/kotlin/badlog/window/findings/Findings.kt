@@ -1,7 +1,7 @@
 package badlog.window.findings
 
 import badlog.rules.Finding
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 
 /**
  * The state of the open recording's findings.
@@ -12,7 +12,7 @@ import badlog.viewer.shown.finding.FoundInLog
  * @property timesAsked the number of a person's requests to run the rules again.
  */
 internal data class Findings(
-    val list: FoundInLog? = null,
+    val list: RuleResults? = null,
     val pointed: Finding? = null,
     val pointedPlace: Double = Double.NaN,
     val timesAsked: Int = 0,
@@ -21,7 +21,7 @@ internal data class Findings(
     val topics: Set<String> get() = list?.topics.orEmpty()
 
     /** Returns the findings with [list]. */
-    fun knowing(list: FoundInLog): Findings = copy(list = list, pointed = pointed?.let(list::like))
+    fun withList(list: RuleResults): Findings = copy(list = list, pointed = pointed?.let(list::like))
 
     /** Returns the findings without a list. */
     fun unknown(): Findings = Findings(timesAsked = timesAsked)

@@ -100,19 +100,19 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
                 passedOver = index.passedOver,
                 reading = if (index.waiting > 0) ReadingProgress(index.read, index.read + index.waiting) else null,
             )
-            if (queue !== shownQueue || index.changes != shownChanges) library = library.knowing(index.entries)
+            if (queue !== shownQueue || index.changes != shownChanges) library = library.withEntries(index.entries)
             shownQueue = queue
             shownChanges = index.changes
             if (library != state) change { library }
             if (hasLooked && showsNewest) mutableProgress.value = IndexProgress(queue, index.waiting == 0)
             // Sorting many logs again takes time that the window needs for other things.
-            delay(if (index.entries.size > MANY) PERIOD * 5 else PERIOD)
+            delay(if (index.entries.size > LARGE_FOLDER) PERIOD * 5 else PERIOD)
         }
     }
 
     private companion object {
         val PERIOD = 100.milliseconds
-        const val MANY = 2000
+        const val LARGE_FOLDER = 2000
     }
 }
 

@@ -52,7 +52,7 @@ internal data class LibraryState(
         LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"))
 
     /** Returns the same folder with [entries]. */
-    fun knowing(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
+    fun withEntries(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
 
     /** Lists only logs with all words of [filter]. */
     fun filtered(filter: String): LibraryState = copy(listing = listing.copy(filter = filter))

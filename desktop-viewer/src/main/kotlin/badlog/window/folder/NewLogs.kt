@@ -32,7 +32,7 @@ internal class NewLogs(
             val (open, growing) = files
             if (!state.hasBegun && seen.hasLooked) change { begun(seen.files.associate { "${it.path}" to it.size }) }
             val before = state.waiting.mapTo(HashSet()) { it.file }
-            change { knowing(seen.entries.filter { it.file != growing }) }
+            change { withEntries(seen.entries.filter { it.file != growing }) }
             if (open != null && !isShownByItself(open)) seen(open)
             if (settings.state.ringsForLogs && state.waiting.any { it.file !in before }) ring()
         }

@@ -19,7 +19,7 @@ import java.nio.file.Path
 /** Compares the open log with earlier ones, whenever the rules have run over more of them. Use it only on the window's thread. */
 internal class SinceLastMatch(private val current: CurrentRecording, private val library: Library) :
     StateHolder<Changes<LogEntry>>(Changes()) {
-    private data class Compared(val folder: Path?, val earlier: List<LogEntry>, val log: LogEntry?)
+    private data class ComparisonInput(val folder: Path?, val earlier: List<LogEntry>, val log: LogEntry?)
 
     /** Follows the open log and the folder, until cancelled. */
     suspend fun run() {
@@ -40,9 +40,9 @@ internal class SinceLastMatch(private val current: CurrentRecording, private val
         }
     }
 
-    private fun compared(): Compared {
+    private fun compared(): ComparisonInput {
         val known = library.state.ofRobots.filter { !it.isGray && it.found?.rules != null }
         val log = known.find { it.file == current.recording?.file }
-        return Compared(library.state.folder, log?.let { earlierThan(it, known) }.orEmpty(), log)
+        return ComparisonInput(library.state.folder, log?.let { earlierThan(it, known) }.orEmpty(), log)
     }
 }

@@ -68,7 +68,7 @@ internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onO
     var search by remember(isOpen) { mutableStateOf("") }
     val lines = @Composable {
         val groups = graphActions(scene, spec)
-        val isLong = groups.last().size > FEW
+        val isLong = groups.last().size > MAX_WITHOUT_SEARCH
         val query = Query(search)
         groups.forEachIndexed { i, group ->
             if (i > 0) HorizontalDivider()
@@ -97,5 +97,5 @@ internal fun GraphMenu(scene: GraphScene, spec: BoardGraph, isOpen: Boolean, onO
 }
 
 /** Up to this many lines are easy to find without a search. */
-private const val FEW = 8
+private const val MAX_WITHOUT_SEARCH = 8
 private val SEARCH_WIDTH = 280.dp

@@ -2,7 +2,7 @@ package badlog.window.layout
 
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.identifiedByLines
-import badlog.viewer.choices.board.orAlso
+import badlog.viewer.choices.board.withFallback
 import badlog.viewer.state.BoardAction
 import badlog.window.log.CurrentRecording
 import badlog.window.log.GraphBoard
@@ -109,7 +109,7 @@ internal class ArrangedGraphs(
     private fun isPlaced(recording: OpenRecording) = board.arranged.showsSame(placed(recording, saved(recording)))
 
     private fun placed(recording: OpenRecording, arranged: Board?): Board =
-        arranged?.orAlso({ recording.standardGraphs.without(arranged) }) { recording.signal(it) != null } ?: recording.standardGraphs
+        arranged?.withFallback({ recording.standardGraphs.without(arranged) }) { recording.signal(it) != null } ?: recording.standardGraphs
 
     private fun placeAgain(open: OpenRecording, arranged: Board? = saved(open)) {
         val now = begin(open, arranged)

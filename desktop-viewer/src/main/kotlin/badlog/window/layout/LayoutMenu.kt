@@ -34,7 +34,7 @@ internal fun LayoutMenu(
 ) {
     Menu("Layout", "Layout: graphs, ranges and panels", Icons.Layout) {
         val why = "Open a log first.".takeIf { current.recording == null }
-        val ofFolder = kept.state.files.keys.take(MOST_LISTED).map { name ->
+        val ofFolder = kept.state.files.keys.take(MAX_LISTED).map { name ->
             MenuEntry(name, "A layout in the folder; ${KeyAction.NEXT_LAYOUT.shortcut} shows the next one", why) { kept.show(name) }
         }
         ofFolder + listOfNotNull(
@@ -58,7 +58,7 @@ internal fun LayoutMenu(
 }
 
 /** The largest number of layouts that fit in the menu; the key goes through all of them. */
-private const val MOST_LISTED = 12
+private const val MAX_LISTED = 12
 
 internal val SAVE_LAYOUT = KeyPress(Key.S, "S", ctrl = true)
 

@@ -57,7 +57,7 @@ internal class LayoutStore(
     private val panels: WindowPanels,
     private val notices: Notices,
     private val writes: FileWrites,
-    private val whenShown: (() -> Unit) -> Unit,
+    private val afterShown: (() -> Unit) -> Unit,
 ) {
     private val layouts = FolderLayouts(own.folders.settings.resolve("layouts"))
 
@@ -168,7 +168,7 @@ internal class LayoutStore(
     /** Calls [action] as soon as all logs are shown as chosen, unless a person has opened another log by then. */
     private fun whenStillOpen(action: (OpenRecording) -> Unit) {
         val file = current.recording?.file ?: return
-        whenShown { current.recording?.takeIf { it.file == file }?.let(action) }
+        afterShown { current.recording?.takeIf { it.file == file }?.let(action) }
     }
 
     /** Shows the open recording's initial graphs, and all of x; offers to restore the previous graphs. */
@@ -179,7 +179,7 @@ internal class LayoutStore(
         view.press(KeyAction.SHOW_ALL)
         val after = board.history.now
         if (before.showsSame(after)) return
-        val undo = NoticeAction("Undo") { board.send(BoardAction.TakeBack(before, after)) }
+        val undo = NoticeAction("Undo") { board.send(BoardAction.Revert(before, after)) }
         notices.say("The graphs that this log begins with are shown.", undo)
     }
 
@@ -196,7 +196,7 @@ internal class LayoutStore(
         var wanted = saved
         var since: TimeSource.Monotonic.ValueTimeMark? = null
         snapshotFlow { arrangement() }.collectLatest {
-            suspendCancellableCoroutine { waiting -> whenShown { if (waiting.isActive) waiting.resume(Unit) } }
+            suspendCancellableCoroutine { waiting -> afterShown { if (waiting.isActive) waiting.resume(Unit) } }
             wanted = wanted?.takeUnless { restoreRange(it) }
             val first = since ?: TimeSource.Monotonic.markNow().also { since = it }
             // The visible range of a followed log is always changing.
@@ -221,7 +221,7 @@ internal class LayoutStore(
         formulas.replaceAll(read?.formulas.orEmpty())
         current.recording?.let { formulas.replaceAll(formulasFor(it.file, it.layout)) }
         read?.let(::restore)
-        whenShown { if (graphs.enter(openInFolder())) stored = stored?.copy(graphs = null) }
+        afterShown { if (graphs.enter(openInFolder())) stored = stored?.copy(graphs = null) }
     }
 
     /** Saves immediately instead of a moment later, because the window is about to close. */

@@ -11,10 +11,10 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.cursor.Cursors
 import badlog.viewer.state.Action
+import badlog.viewer.state.EndFollowing
 import badlog.viewer.state.FindingsState
 import badlog.viewer.state.Place
 import badlog.viewer.state.PlaceAction
-import badlog.viewer.state.Stay
 import badlog.viewer.state.Store
 
 /**
@@ -52,7 +52,7 @@ internal class AxisView(private val store: Store) {
     val findings: FindingsState by derivedStateOf { store.state.findings }
 
     /** Whether the person stays at the end of a log that grows. */
-    val stay: Stay get() = store.state.stay
+    val following: EndFollowing get() = store.state.following
 
     /** The current drag over a graph, or null. */
     var gesture: PlotGesture? by mutableStateOf(null)

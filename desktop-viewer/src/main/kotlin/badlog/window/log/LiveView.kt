@@ -2,14 +2,14 @@ package badlog.window.log
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
+import badlog.viewer.state.EndFollowing
 import badlog.viewer.state.PlaceAction
-import badlog.viewer.state.Stay
 import badlog.window.state.StateHolder
 import java.nio.file.Path
 
 /**
  * Follows the newest moment of the open log while its file grows, with the cursor and the visible range. It ends when a person goes
- * elsewhere, see [Stay]. Its state is the file that another program was writing at the last look; null for none. Use it only on the
+ * elsewhere, see [EndFollowing]. Its state is the file that another program was writing at the last look; null for none. Use it only on the
  * window's thread.
  *
  * @param recorded returns the file that this window itself records; null for none.
@@ -22,10 +22,10 @@ internal class LiveView(private val current: CurrentRecording, private val view:
     val isGrowing: Boolean get() = current.recording?.file?.let { it == recorded() || it == state } == true
 
     /** Whether the person is at the end of the log, and has not gone elsewhere. */
-    val isStaying: Boolean by derivedStateOf { view.stay.isAt(view.place) }
+    val isStaying: Boolean by derivedStateOf { view.following.isAt(view.place) }
 
     /** Whether the person is still at the end of the log, with the same visible range, and without a selection. */
-    val isUntouched: Boolean get() = view.stay.isUntouched(view.place)
+    val isUntouched: Boolean get() = view.following.isUntouched(view.place)
 
     /** The newest moment of the open log if that is being written; null otherwise. */
     val newest: Double? get() = current.recording?.span?.to?.takeIf { isGrowing }

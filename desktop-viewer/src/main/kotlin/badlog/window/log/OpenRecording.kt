@@ -25,8 +25,8 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.board.identifiedByLines
-import badlog.viewer.choices.board.orAlso
 import badlog.viewer.choices.board.standardBoard
+import badlog.viewer.choices.board.withFallback
 import badlog.viewer.choices.formula.Formula
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.Clocks
@@ -120,8 +120,8 @@ internal class OpenRecording(
      * Returns the initial graphs, see [standardGraphs], with graphs of the topics [pointed], to which a finding points. They are added only
      * if not all graphs of the topics are among the initial ones.
      */
-    fun standardGraphs(pointed: List<String>): Board =
-        (layout.layout?.board ?: Board()).identifiedByLines().orAlso({ standardBoard(logged, vocabulary, pointed) }) { signal(it) != null }
+    fun standardGraphs(pointed: List<String>): Board = (layout.layout?.board ?: Board()).identifiedByLines()
+        .withFallback({ standardBoard(logged, vocabulary, pointed) }) { signal(it) != null }
 
     /** The events of all topics of texts. */
     val eventLogs: List<EventLog> = view.folders.flatMap { it.eventLogs }

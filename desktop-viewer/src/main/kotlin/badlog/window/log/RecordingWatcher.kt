@@ -51,9 +51,9 @@ internal class RecordingWatcher(
             val again = try {
                 readAgain(shown, isGrowing = hasChanged)
             } catch (e: NotReadException) {
-                return outgrown(shown.file, e)
+                return stopWatching(shown.file, e)
             } catch (e: OutOfMemoryError) {
-                return outgrown(shown.file, e)
+                return stopWatching(shown.file, e)
             }
             if (again == null) {
                 isSettled = false
@@ -66,7 +66,7 @@ internal class RecordingWatcher(
         }
     }
 
-    private fun outgrown(file: Path, failure: Throwable) {
+    private fun stopWatching(file: Path, failure: Throwable) {
         notices.complain("${ReadResult.NotRead.of(file, failure).sentence} The data read so far stays open.")
         ended()
     }

@@ -44,14 +44,14 @@ import badlog.window.theme.ToolButton
  *
  * @property text its label.
  * @property hint details in small print; may be empty.
- * @property whyNot the reason why it is currently not possible, shown instead of [hint]; null if it is possible.
+ * @property disabledReason the reason why it is currently not possible, shown instead of [hint]; null if it is possible.
  * @property keys its keyboard shortcut; may be empty.
  * @property keepsMenu whether the menu stays open.
  */
 internal class MenuEntry(
     val text: String,
     val hint: String = "",
-    val whyNot: String? = null,
+    val disabledReason: String? = null,
     val keys: String = "",
     val keepsMenu: Boolean = false,
     val action: () -> Unit,
@@ -98,7 +98,7 @@ internal fun Menu(
 @Composable
 private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
     val palette = LocalPalette.current
-    val isEnabled = entry.whyNot == null
+    val isEnabled = entry.disabledReason == null
     Row(
         Modifier
             .clickable(enabled = isEnabled, role = Role.Button, onClick = onClick)
@@ -110,7 +110,7 @@ private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
         Column(Modifier.weight(1f)) {
             val tint = if (isEnabled) palette.text else palette.muted.copy(alpha = 0.6f)
             NameText(entry.text, color = tint, cut = NameCut.MIDDLE)
-            val small = entry.whyNot ?: entry.hint
+            val small = entry.disabledReason ?: entry.hint
             if (small.isNotEmpty()) {
                 Text(small, color = palette.muted, fontSize = 11.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
             }

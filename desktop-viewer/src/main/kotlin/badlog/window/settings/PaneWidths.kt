@@ -16,11 +16,11 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
      * leave enough room for the graphs.
      */
     fun within(room: Float, hasLogs: Boolean, hasTopics: Boolean, hasDetails: Boolean): PaneWidths {
-        val least = LEAST.only(hasLogs, hasTopics, hasDetails)
+        val least = MIN_WIDTHS.only(hasLogs, hasTopics, hasDetails)
         val wanted = PaneWidths(
-            logs = logs.from(LEAST.logs),
-            topics = topics.from(LEAST.topics),
-            details = details.from(LEAST.details),
+            logs = logs.from(MIN_WIDTHS.logs),
+            topics = topics.from(MIN_WIDTHS.topics),
+            details = details.from(MIN_WIDTHS.details),
         ).only(hasLogs, hasTopics, hasDetails)
         val spare = wanted.sum - least.sum
         val share = if (spare > 0) ((room - GRAPHS - least.sum) / spare).coerceIn(0f, 1f) else 0f
@@ -51,11 +51,11 @@ internal data class PaneWidths(val logs: Float = 280f, val topics: Float = 240f,
         fun leaveHalf(room: Float, hasLogs: Boolean): Boolean =
             PaneWidths().only(hasLogs, hasTopics = true, hasDetails = true).sum <= room / 2
 
-        private val LEAST = PaneWidths(logs = 150f, topics = 140f, details = 200f)
+        private val MIN_WIDTHS = PaneWidths(logs = 150f, topics = 140f, details = 200f)
         private const val GRAPHS = 400f
-        private const val MOST = 1200f
+        private const val MAX_WIDTH = 1200f
 
         /** Returns a valid width, since a damaged file may have any number. */
-        private fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MOST)
+        private fun Float.from(least: Float) = if (isNaN()) least else coerceIn(least, MAX_WIDTH)
     }
 }

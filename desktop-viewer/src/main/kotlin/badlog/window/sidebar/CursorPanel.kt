@@ -39,7 +39,7 @@ import badlog.viewer.state.GraphChange
 import badlog.viewer.text.cursorText
 import badlog.viewer.text.exactText
 import badlog.viewer.text.unitText
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.log.AxisView
 import badlog.window.log.DrawableTopic
 import badlog.window.log.GraphBoard
@@ -58,7 +58,7 @@ import kotlinx.coroutines.withContext
 
 /** The values at the cursor of the graphs' topics, or of those that a search finds; recently changed ones first. */
 @Composable
-internal fun CursorPanel(board: GraphBoard, findings: LogFindings, view: AxisView, open: OpenRecording, modifier: Modifier) {
+internal fun CursorPanel(board: GraphBoard, findings: CurrentFindings, view: AxisView, open: OpenRecording, modifier: Modifier) {
     var query by remember { mutableStateOf("") }
     val rows by produceState(emptyList<CursorRow>(), open) {
         var asked = emptyList<DrawableTopic>()

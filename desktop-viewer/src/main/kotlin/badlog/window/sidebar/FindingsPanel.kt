@@ -11,7 +11,7 @@ import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.state.Action
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.log.AxisView
 import badlog.window.log.GraphBoard
 import badlog.window.log.OpenRecording
@@ -26,7 +26,7 @@ import badlog.window.todo.FolderTodo
  */
 @Composable
 internal fun FindingsPanel(
-    findings: LogFindings,
+    findings: CurrentFindings,
     todo: FolderTodo,
     view: AxisView,
     board: GraphBoard,

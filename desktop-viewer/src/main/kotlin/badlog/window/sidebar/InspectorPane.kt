@@ -33,7 +33,7 @@ import badlog.core.recording.Severity
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
 import badlog.window.compare.ComparedRecordings
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.folder.SinceLastMatch
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
@@ -58,7 +58,7 @@ internal fun InspectorPane(
     board: GraphBoard,
     view: AxisView,
     events: FilteredEvents,
-    findings: LogFindings,
+    findings: CurrentFindings,
     since: SinceLastMatch,
     notes: LogNotes,
     video: LogVideo,
@@ -146,7 +146,13 @@ private fun tabsOf(open: OpenRecording?): List<InspectorTab> =
 
 /** Opens and closes the panels on the right; each button shows how much is in its panel, and its title if it [hasLabels]. */
 @Composable
-internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, notes: LogNotes, panels: WindowPanels, hasLabels: Boolean) {
+internal fun InspectorTabs(
+    current: CurrentRecording,
+    findings: CurrentFindings,
+    notes: LogNotes,
+    panels: WindowPanels,
+    hasLabels: Boolean,
+) {
     val open = current.recording ?: return
     val palette = LocalPalette.current
     Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
@@ -168,7 +174,7 @@ internal fun InspectorTabs(current: CurrentRecording, findings: LogFindings, not
     }
 }
 
-private fun countOf(tab: InspectorTab, findings: LogFindings, notes: LogNotes, open: OpenRecording): Int? = when (tab) {
+private fun countOf(tab: InspectorTab, findings: CurrentFindings, notes: LogNotes, open: OpenRecording): Int? = when (tab) {
     InspectorTab.EVENTS -> open.eventLogs.sumOf { it.topic.texts.size }
     InspectorTab.VALUES -> open.view.recording.values.size
     InspectorTab.PROBLEMS -> problemsIn(open.view)

@@ -134,7 +134,7 @@ private fun cellsOf(recording: OpenRecording, signal: DrawableTopic, statistics:
         StatCell("first", stateText(statistics.first, states), Topic.UNITLESS),
         StatCell("last", stateText(statistics.last, states), Topic.UNITLESS),
         StatCell("samples", statistics.count.toString(), Topic.UNITLESS),
-    ) + times.take(StateTime.MOST).map {
+    ) + times.take(StateTime.MAX_LISTED).map {
         StatCell("in ${it.state}", "${it.timeText(axis)}, ${it.count}×", Topic.UNITLESS, isWide = true)
     }
 }

@@ -75,7 +75,7 @@ internal fun StatisticsPanel(
     val statistics by produceState<RangeStatistics?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
         snapshotFlow {
-            askedFor(compared, board, view, spanOf(panels.state.statistics, open, view), panels.state.channels, opened)
+            statisticsInput(compared, board, view, spanOf(panels.state.statistics, open, view), panels.state.channels, opened)
         }.conflate().map { asked ->
             withContext(Dispatchers.Default) {
                 asked.run { rangeStatistics(drawn, names, part, graphs, order, opened) }
@@ -138,7 +138,7 @@ internal fun titleOfShown(view: AxisView): String = when {
 }
 
 /** The input of the statistics; while it stays equal, nothing is recalculated. */
-internal data class Asked(
+internal data class StatisticsInput(
     val drawn: List<DrawnRecording>,
     val names: List<String>,
     val part: NamedSpan,
@@ -148,17 +148,17 @@ internal data class Asked(
 )
 
 /** Returns the current input for [part]; if that is null, for the displayed range. */
-internal fun askedFor(
+internal fun statisticsInput(
     compared: ComparedRecordings,
     board: GraphBoard,
     view: AxisView,
     part: NamedSpan? = null,
     order: ChannelOrder = ChannelOrder.CHARGE,
     opened: String? = null,
-): Asked {
+): StatisticsInput {
     val graphs = board.state.graphs.map { it.lines }
     val together = graphs.filter { it.size > 1 }.distinct()
-    return Asked(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), together, order, opened)
+    return StatisticsInput(compared.drawn, graphs.flatten().distinct(), part ?: shownSpan(view), together, order, opened)
 }
 
 private fun rangeText(statistics: RangeStatistics): String {

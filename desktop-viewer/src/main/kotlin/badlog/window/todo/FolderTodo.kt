@@ -13,9 +13,9 @@ import badlog.rules.folder.FolderRules
 import badlog.signals.match.localSecondOf
 import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.FoundFault
-import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoLog
 import badlog.viewer.todo.TodoSubject
 import badlog.viewer.todo.recentOf
 import badlog.viewer.todo.toMarkdown
@@ -117,7 +117,7 @@ internal class FolderTodo(
     }
 
     /** Returns the log that began last, including logs that rules have not examined yet; null if none is known. */
-    private fun lastLog(): FoundLog? {
+    private fun lastLog(): TodoLog? {
         val now = wallClock()
         return library.state.ofRobots.map { foundLog(it, now) }.filter { it.isDated }.maxByOrNull { it.second }
     }
@@ -155,7 +155,7 @@ private fun wallClock() = localSecondOf(System.currentTimeMillis() / MILLIS)
 
 private const val MILLIS = 1000L
 
-private fun foundLog(entry: LogEntry, now: Long) = FoundLog.of(entry.fileName, entry.summary.match, entry.summary.date, now)
+private fun foundLog(entry: LogEntry, now: Long) = TodoLog.of(entry.fileName, entry.summary.match, entry.summary.date, now)
 
 /**
  * Returns the logs of [entries] for the list. Findings of a log are read only if they may matter: [rules] are on the list, or the log is
@@ -168,7 +168,7 @@ private fun foundLogs(
     rules: Set<String>,
     known: MutableMap<Pair<LogFile, Int?>, List<FoundFault>>,
     examined: (LogEntry) -> ExaminedLog?,
-): List<FoundLog> {
+): List<TodoLog> {
     val now = wallClock()
     val logs = entries.map { foundLog(it, now) }
     val recent = recentOf(logs).toSet()

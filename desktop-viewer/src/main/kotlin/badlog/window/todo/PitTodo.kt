@@ -40,8 +40,8 @@ internal fun PitTodo(todo: FolderTodo, onOpen: () -> Unit) {
             if (checks.isNotEmpty()) Line("Checklist: ${checks.count { it.done != null }} of ${checks.size}", palette.muted)
         }
         FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(32.dp)) {
-            for (item in open.take(MOST)) Line("• ${textOf(item)}", if (item.isAgain) palette.error else palette.text)
-            if (open.size > MOST) Line("and ${open.size - MOST} more", palette.muted)
+            for (item in open.take(MAX_ITEMS)) Line("• ${textOf(item)}", if (item.isAgain) palette.error else palette.text)
+            if (open.size > MAX_ITEMS) Line("and ${open.size - MAX_ITEMS} more", palette.muted)
         }
     }
 }
@@ -54,4 +54,4 @@ private fun Line(text: String, color: Color = LocalPalette.current.text, weight:
     Text(text, color = color, fontSize = 28.sp, lineHeight = 36.sp, fontWeight = weight, maxLines = 1, overflow = TextOverflow.Ellipsis)
 
 /** The number of items that are read at a glance. */
-private const val MOST = 4
+private const val MAX_ITEMS = 4

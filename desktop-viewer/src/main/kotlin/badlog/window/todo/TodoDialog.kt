@@ -31,9 +31,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.viewer.todo.NextMatch
 import badlog.viewer.todo.OwnTask
-import badlog.viewer.todo.SOME_MATCH
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoDeed
+import badlog.viewer.todo.UNNAMED_MATCH
 import badlog.viewer.todo.matchText
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -47,10 +47,10 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
     val next = todo.state.list.next
     val last = todo.state.list.lastMatch
     when (sheet) {
-        is TodoSheet.Done -> AskedSheet(
+        is TodoSheet.Done -> FieldSheet(
             sheet,
             "Mark as done: ${sheet.item.title}",
-            listOf(Asked("What was done"), Asked("Before which match", next), Asked("By whom", todo.author)),
+            listOf(DialogField("What was done"), DialogField("Before which match", next), DialogField("By whom", todo.author)),
             "Mark as done",
             { todo.ask(null) },
             modifier,
@@ -59,19 +59,19 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
             todo.write(sheet.item.task, TodoDeed.Done(what, matchText(before, last).ifEmpty { null }), by.ifEmpty { todo.author })
         }
 
-        is TodoSheet.Assign -> AskedSheet(
+        is TodoSheet.Assign -> FieldSheet(
             sheet,
             "Assign: ${sheet.item.title}",
-            listOf(Asked("Who takes it on; nobody if empty", sheet.item.person)),
+            listOf(DialogField("Who takes it on; nobody if empty", sheet.item.person)),
             "Assign",
             { todo.ask(null) },
             modifier,
         ) { (person) -> todo.write(sheet.item.task, TodoDeed.Assign(person)) }
 
-        TodoSheet.New -> AskedSheet(
+        TodoSheet.New -> FieldSheet(
             sheet,
             "New item",
-            listOf(Asked("What is to be done", isNeeded = true), Asked("Who takes it on; nobody if empty")),
+            listOf(DialogField("What is to be done", isNeeded = true), DialogField("Who takes it on; nobody if empty")),
             "Add",
             { todo.ask(null) },
             modifier,
@@ -81,14 +81,14 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
             if (person.isNotEmpty()) todo.write(task, TodoDeed.Assign(person))
         }
 
-        TodoSheet.Next -> AskedSheet(
+        TodoSheet.Next -> FieldSheet(
             sheet,
             "Set the next match",
             listOf(
-                Asked(
+                DialogField(
                     "Next match, such as Qualification 61 or q61",
                     next.takeIf {
-                        !it.startsWith("the ") && it != SOME_MATCH
+                        !it.startsWith("the ") && it != UNNAMED_MATCH
                     }.orEmpty(),
                     true,
                 ),
@@ -101,17 +101,17 @@ internal fun TodoDialog(todo: FolderTodo, sheet: TodoSheet, modifier: Modifier) 
 }
 
 /** A field of a dialog: its label, and its initial answer. */
-private class Asked(val label: String, val answer: String = "", val isNeeded: Boolean = false)
+private class DialogField(val label: String, val answer: String = "", val isNeeded: Boolean = false)
 
 /**
  * The dialog [sheet] with [fields]; the first one has the keyboard focus. Enter in a field and the button [label] call [onAnswer] with the
  * answers, and close the dialog; Escape only closes it.
  */
 @Composable
-private fun AskedSheet(
+private fun FieldSheet(
     sheet: TodoSheet,
     title: String,
-    fields: List<Asked>,
+    fields: List<DialogField>,
     label: String,
     onClose: () -> Unit,
     modifier: Modifier,

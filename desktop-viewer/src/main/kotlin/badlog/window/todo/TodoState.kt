@@ -3,10 +3,10 @@ package badlog.window.todo
 import badlog.catalog.todo.TodoFiles
 import badlog.catalog.todo.TodoFolder
 import badlog.viewer.todo.CheckedLine
-import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoLog
 
 /**
  * The to-do list of the open folder, as the window knows it.
@@ -22,7 +22,7 @@ internal data class TodoState(
     val folder: TodoFolder? = null,
     val files: TodoFiles = TodoFiles(),
     val written: List<TodoChange> = emptyList(),
-    val logs: List<FoundLog> = emptyList(),
+    val logs: List<TodoLog> = emptyList(),
     val ofRules: List<String> = emptyList(),
     val sheet: TodoSheet? = null,
 ) {

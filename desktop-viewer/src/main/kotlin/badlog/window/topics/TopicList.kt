@@ -1,7 +1,7 @@
 package badlog.window.topics
 
 import androidx.compose.foundation.lazy.LazyListState
-import badlog.viewer.shown.outline.MANY_FOLDERS
+import badlog.viewer.shown.outline.MAX_OPEN_FOLDERS
 import badlog.window.state.StateHolder
 
 /**
@@ -26,7 +26,7 @@ internal data class TopicList(
 ) {
     /** Lists a log with [folders]. If there are many, new folders are closed at first; the others stay as the user left them. */
     fun listing(folders: Set<String>): TopicList = copy(
-        folded = if (folders.size > MANY_FOLDERS) folded + (folders - known) else folded,
+        folded = if (folders.size > MAX_OPEN_FOLDERS) folded + (folders - known) else folded,
         known = known + folders,
         isSearchAsked = false,
         target = null,

@@ -34,18 +34,18 @@ internal class FrameReader(
     private val onFailure: (VideoException) -> Unit,
 ) : FrameSource {
     private val thread: ExecutorService = Executors.newSingleThreadExecutor { work -> Thread(work, "video").apply { isDaemon = true } }
-    private val wanted = AtomicReference<Wanted?>(null)
+    private val wanted = AtomicReference<FrameRequest?>(null)
 
     /** Used only by the thread. */
     private var file: VideoFile? = null
 
     init {
-        want { Wanted(0.0, 0, leads = false) }
+        want { FrameRequest(0.0, 0, leads = false) }
     }
 
-    override fun seek(seconds: Double, leads: Boolean) = want { Wanted(seconds, 0, leads) }
+    override fun seek(seconds: Double, leads: Boolean) = want { FrameRequest(seconds, 0, leads) }
 
-    override fun step(count: Int) = want { Wanted(it?.seconds, (it?.steps ?: 0) + count, leads = true) }
+    override fun step(count: Int) = want { FrameRequest(it?.seconds, (it?.steps ?: 0) + count, leads = true) }
 
     override fun close() {
         thread.execute {
@@ -55,7 +55,7 @@ internal class FrameReader(
         thread.shutdown()
     }
 
-    private fun want(next: (Wanted?) -> Wanted) {
+    private fun want(next: (FrameRequest?) -> FrameRequest) {
         if (wanted.getAndUpdate(next) == null && !thread.isShutdown) thread.execute(::serve)
     }
 
@@ -74,5 +74,5 @@ internal class FrameReader(
         }
     }
 
-    private class Wanted(val seconds: Double?, val steps: Int, val leads: Boolean)
+    private class FrameRequest(val seconds: Double?, val steps: Int, val leads: Boolean)
 }

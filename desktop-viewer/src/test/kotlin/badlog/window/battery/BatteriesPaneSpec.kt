@@ -54,7 +54,7 @@ class BatteriesPaneSpec : FunSpec({
             viewer.scope.launch { viewer.batteries.run() }
             val used = listOf("B2" to 30.0, "B2" to 30.0, null to 21.0, "A1" to 20.0, "A1" to 20.2)
             val logs = used.mapIndexed { i, (battery, milliohms) -> entry(folder, i + 1, battery, milliohms) }
-            viewer.library.change { copy(folder = folder, hasLooked = true, files = logs.map { it.source }).knowing(logs) }
+            viewer.library.change { copy(folder = folder, hasLooked = true, files = logs.map { it.source }).withEntries(logs) }
             viewer.panels.change { copy(main = MainView.BATTERIES) }
             waitFor { viewer.batteries.state.seasons.size == 3 }
             steps(viewer, folder)

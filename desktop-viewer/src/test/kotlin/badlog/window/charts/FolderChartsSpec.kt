@@ -3,7 +3,7 @@ package badlog.window.charts
 import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.entry
 import badlog.files.UserFolders
-import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.FindingSummary
 import badlog.window.app.Viewer
 import badlog.window.files.ChosenFiles
 import badlog.window.task.LongTasks
@@ -26,7 +26,7 @@ import kotlin.time.Duration.Companion.seconds
 /** The times at which charts of a folder’s logs are drawn, whatever shows them and whatever they are. */
 @Tags("InCheck")
 class FolderChartsSpec : FunSpec({
-    val logs = listOf("a.bag", "b.bag", "c.bag").map { entry(it).copy(found = LogFound(0, emptyList())) }
+    val logs = listOf("a.bag", "b.bag", "c.bag").map { entry(it).copy(found = FindingSummary(0, emptyList())) }
     val some = logs.take(2)
 
     suspend fun until(condition: () -> Boolean) = eventually(60.seconds) { condition() shouldBe true }
@@ -87,7 +87,7 @@ class FolderChartsSpec : FunSpec({
             var change = 0
             until {
                 // The rules examine one log after the other.
-                lists.value = logs.map { it.copy(found = LogFound(change, emptyList())) }
+                lists.value = logs.map { it.copy(found = FindingSummary(change, emptyList())) }
                 change++
                 charts.state.charts != null
             }

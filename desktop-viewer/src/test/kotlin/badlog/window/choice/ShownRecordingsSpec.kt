@@ -143,10 +143,10 @@ class ShownRecordingsSpec : FunSpec({
         val viewer = viewerOf(log("a.bag"))
         val seen = ArrayList<Double>()
         val note = { seen += checkNotNull(viewer.current.recording).span.from }
-        viewer.shown.whenShown { note() }
+        viewer.shown.afterShown { note() }
         choosing(viewer) {
             viewer.axis.choose(true)
-            viewer.shown.whenShown { note() }
+            viewer.shown.afterShown { note() }
         }
         seen shouldBe listOf(0.0, 10.0)
     }

@@ -21,7 +21,7 @@ import io.kotest.matchers.shouldBe
 @OptIn(ExperimentalTestApi::class)
 class FindingEvidenceSpec : FunSpec({
     fun investigating(): Viewer = viewerOf(sample("qualification-42.bag")).apply {
-        findings.change { knowing(findingsIn(checkNotNull(current.recording))) }
+        findings.change { withList(findingsIn(checkNotNull(current.recording))) }
     }
 
     test("one click on a brownout shows voltage, current and outputs around the moment") {

@@ -1,7 +1,7 @@
 package badlog.window.findings
 
 import badlog.rules.RulesFile
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.window.bagOf
 import badlog.window.log.OpenRecording
 import badlog.window.recordingOf
@@ -21,4 +21,4 @@ internal fun counted(folder: Path, rows: Int = 100): OpenRecording = recordingOf
 )
 
 /** Returns the findings of the folder's rules in [recording]. */
-internal fun findingsIn(recording: OpenRecording): FoundInLog = findingsOf(recording.view, recording.file, library = null)
+internal fun findingsIn(recording: OpenRecording): RuleResults = findingsOf(recording.view, recording.file, library = null)

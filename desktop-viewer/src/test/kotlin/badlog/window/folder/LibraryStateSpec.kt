@@ -15,19 +15,19 @@ class LibraryStateSpec : FunSpec({
     val bench = entry("day2/bench.csv", second = 100)
     val reboot = entry("reboot.bag", second = 400, content = Content.NO_SAMPLES)
     val foreign = entry("groceries.csv", content = Content.NO_LOG)
-    val state = LibraryState().knowing(listOf(bench, match9, reboot, match10, foreign))
+    val state = LibraryState().withEntries(listOf(bench, match9, reboot, match10, foreign))
 
     test("the newest log is not an idle one, unless all are idle") {
         state.newest shouldBe match9
-        LibraryState().knowing(listOf(reboot)).newest shouldBe reboot
+        LibraryState().withEntries(listOf(reboot)).newest shouldBe reboot
         LibraryState().newest.shouldBeNull()
     }
 
     test("a table of numbers is the newest log only if there is no robot's log") {
         val table = entry("elevator-bench.csv", second = 900)
-        LibraryState().knowing(listOf(table, match9, bench)).newest shouldBe match9
-        LibraryState().knowing(listOf(table, reboot)).newest shouldBe reboot
-        LibraryState().knowing(listOf(table, bench)).newest shouldBe table
+        LibraryState().withEntries(listOf(table, match9, bench)).newest shouldBe match9
+        LibraryState().withEntries(listOf(table, reboot)).newest shouldBe reboot
+        LibraryState().withEntries(listOf(table, bench)).newest shouldBe table
     }
 
     test("steps follow the order of the list, and stop at its ends") {

@@ -19,8 +19,8 @@ import badlog.files.LogFile
 import badlog.files.UserFolders
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogDate
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.shown.folder.verdictText
 import badlog.window.app.Viewer
@@ -94,7 +94,7 @@ class NewLogsSpec : FunSpec({
         var rings = 0
         val shown = HashSet<Path>()
         val logs = NewLogs(viewer.library, viewer.current, viewer.settings, { null }, { it in shown }) { rings++ }
-        fun entry(name: String, size: Long, found: LogFound? = LogFound(0, emptyList())) = LogEntry(
+        fun entry(name: String, size: Long, found: FindingSummary? = FindingSummary(0, emptyList())) = LogEntry(
             LogFile(Path.of("/logs/$name"), size, size),
             LogSummary(date = LogDate(0, DateSource.VALUES), content = Content.SOMETHING),
             found,
@@ -102,7 +102,7 @@ class NewLogsSpec : FunSpec({
         runDesktopComposeUiTest(100, 100) {
             setContent { LaunchedEffect(Unit) { logs.run() } }
             fun know(vararg entries: LogEntry) {
-                viewer.library.change { copy(folder = Path.of("/logs"), hasLooked = true, files = files.ifEmpty { entries.map { it.source } }).knowing(entries.toList()) }
+                viewer.library.change { copy(folder = Path.of("/logs"), hasLooked = true, files = files.ifEmpty { entries.map { it.source } }).withEntries(entries.toList()) }
                 waitForIdle()
             }
             know(entry("a.bag", 1))

@@ -14,10 +14,10 @@ import badlog.files.UserFolders
 import badlog.rules.Finding
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogDate
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.folder.Changes
 import badlog.window.app.Viewer
 import badlog.window.app.ViewerScreen
@@ -36,12 +36,12 @@ class SinceLastMatchSpec : FunSpec({
         val folder = tempdir().toPath().also { it.putSamples() }
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         val summary = LogSummary(date = LogDate(0, DateSource.VALUES), content = Content.SOMETHING)
-        val before = LogEntry(LogFile(folder.resolve("practice.bag"), 1, 1), summary, LogFound(0, emptyList()))
+        val before = LogEntry(LogFile(folder.resolve("practice.bag"), 1, 1), summary, FindingSummary(0, emptyList()))
         runDesktopComposeUiTest(1366, 768) {
             setContent { ViewerScreen(viewer) }
             viewer.loader.open(folder.resolve("qualification-42.bag"))
             waitFor { viewer.current.recording != null }
-            viewer.findings.change { knowing(FoundInLog(ran = 0)) }
+            viewer.findings.change { withList(RuleResults(ran = 0)) }
             viewer.panels.change { inspecting(InspectorTab.FINDINGS) }
             waitForIdle()
             onAllNodesWithContentDescription("Unlike the matches before").assertCountEquals(0)

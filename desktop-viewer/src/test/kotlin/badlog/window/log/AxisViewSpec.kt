@@ -6,7 +6,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.input.DragKind
 import badlog.viewer.session.gesture.PlotDrag
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.BoardAction
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Shown
@@ -19,7 +19,7 @@ class AxisViewSpec : FunSpec({
     val nothing = object : Shown {
         override val samples = CursorSteps(emptyList())
         override val enabled = emptyList<EnabledSpan>()
-        override val found: FoundInLog? = null
+        override val found: RuleResults? = null
         override val graphs = Board()
     }
 

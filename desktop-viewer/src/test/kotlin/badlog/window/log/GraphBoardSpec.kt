@@ -121,7 +121,7 @@ class GraphBoardSpec : FunSpec({
 
     test("a pinned graph of a finding stays when the next finding is shown") {
         val viewer = viewerOf(sample("qualification-42.bag"))
-        viewer.findings.change { knowing(findingsIn(checkNotNull(viewer.current.recording))) }
+        viewer.findings.change { withList(findingsIn(checkNotNull(viewer.current.recording))) }
         viewer.findings.goTo(checkNotNull(viewer.findings.state.list).all.first { it.rule == "Browned out" })
         val graph = viewer.board.state.graphs.first()
         viewer.board.isEvidence(graph.id) shouldBe true

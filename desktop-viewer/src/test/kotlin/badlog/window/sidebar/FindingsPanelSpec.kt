@@ -48,7 +48,7 @@ import java.nio.file.Path
 @Tags("InCheck")
 class FindingsPanelSpec : FunSpec({
     fun inspecting(recording: OpenRecording): Viewer = viewerOf(recording).apply {
-        findings.change { knowing(findingsIn(recording)) }
+        findings.change { withList(findingsIn(recording)) }
         panels.change { copy(inspector = InspectorTab.FINDINGS, library = false, front = FrontPart.DETAILS) }
     }
 
@@ -81,7 +81,7 @@ class FindingsPanelSpec : FunSpec({
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Power/My Volts","unit":"V","attrs":[]},{"name":"Arm","unit":"m","attrs":[]}],"values":[]}"""
         Files.writeString(log, (listOf(header, "Time,Power/My Volts,Arm") + List(60) { "${it / 10.0},${if (it in 20..40) 6 else 12},1" }).joinToString("\n", postfix = "\n"))
         val viewer = viewerOf(OpenRecording.read(log)).apply {
-            findings.change { knowing(findingsOf(checkNotNull(current.recording).forRules, log, folder)) }
+            findings.change { withList(findingsOf(checkNotNull(current.recording).forRules, log, folder)) }
             panels.change { copy(inspector = InspectorTab.FINDINGS, library = false, front = FrontPart.DETAILS) }
         }
         runDesktopComposeUiTest(420, 900) {
@@ -176,7 +176,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("the key for the next finding opens the panel of findings, unless another panel is open") {
         val viewer = viewerOf(sample("qualification-42.bag"))
-        viewer.findings.change { knowing(findingsIn(viewer.current.recording.shouldNotBeNull())) }
+        viewer.findings.change { withList(findingsIn(viewer.current.recording.shouldNotBeNull())) }
         val next = viewer.commands.single { it.meaning == KeyAction.NEXT_FINDING.meaning }
         next.action()
         viewer.panels.state.inspector shouldBe InspectorTab.FINDINGS
@@ -193,7 +193,7 @@ class FindingsPanelSpec : FunSpec({
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             onAllNodesWithText("badlog-rules.toml: Line 5", substring = true).fetchSemanticsNodes().size shouldBe 1
             savePicture("findings-wrong-rules")
-            runOnIdle { viewer.findings.change { knowing(nothing) } }
+            runOnIdle { viewer.findings.change { withList(nothing) } }
             waitForIdle()
             onNodeWithText("Nothing was found.").assertExists()
         }

@@ -20,7 +20,7 @@ class StatisticsPanelSpec : FunSpec({
     test("statistics are calculated again for another range, selection or signal, never because the cursor moves") {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
-        fun asked() = askedFor(viewer.compared, viewer.board, viewer.view)
+        fun asked() = statisticsInput(viewer.compared, viewer.board, viewer.view)
         viewer.show(counted(home))
         val before = asked()
         for (x in listOf(3.0, 4.0)) {
@@ -59,6 +59,6 @@ class StatisticsPanelSpec : FunSpec({
         repeat(3) { viewer.view.send(PlaceAction.Cancel) }
         val never = counted(home)
         spanOf(StatisticsRange.ENABLED, never, viewer.view) shouldBe null
-        askedFor(viewer.compared, viewer.board, viewer.view, null).part.name shouldBe "Visible range"
+        statisticsInput(viewer.compared, viewer.board, viewer.view, null).part.name shouldBe "Visible range"
     }
 })

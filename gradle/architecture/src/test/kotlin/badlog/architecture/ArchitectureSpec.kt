@@ -24,7 +24,7 @@ private val FIRST_STATES = setOf("StateVariable.kt", "PageStore.kt")
 /** What makes or changes a place, a board or the state. */
 private val CHANGES_OF_STATE = listOf(
     Regex("""(?<![\w.])(ViewerState|Viewport|BoardHistory|FindingsState)\("""),
-    Regex("""\b(state|place|viewport|cursors|findings|stay|history)\.copy\((place|board|findings|stay|range|cursors|selection|visited|visible|full|pinned|second|hover) ="""),
+    Regex("""\b(state|place|viewport|cursors|findings|following|history)\.copy\((place|board|findings|following|range|cursors|selection|visited|visible|full|pinned|second|hover) ="""),
     Regex("""(?<!fun )\bBoard\(\)\.with|\.(withGraphs?|withLines?|withLinesInLast|withToggled|withOwnToggled|withoutLine|withoutSignal|withXy)\("""),
     Regex("""\.(withSwappedAxes|withOrigin|withPlane|withYRange|withSharedY|withLineHidden|movedBefore|resized|renamed)\("""),
 )

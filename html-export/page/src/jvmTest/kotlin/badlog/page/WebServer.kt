@@ -9,7 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.Executors
 
 /** A request of the browser to a [WebServer]. */
-internal class Asked(val path: String, val cookies: String?, val referrer: String?)
+internal class ReceivedRequest(val path: String, val cookies: String?, val referrer: String?)
 
 /** A web site with https on this machine; [answer] answers requests. */
 internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoCloseable {
@@ -19,7 +19,7 @@ internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoClose
         createContext("/") { exchange ->
             exchange.use {
                 val headers = it.requestHeaders
-                asked += Asked(it.requestURI.path, headers.getFirst("Cookie"), headers.getFirst("Referer"))
+                asked += ReceivedRequest(it.requestURI.path, headers.getFirst("Cookie"), headers.getFirst("Referer"))
                 answer(it)
             }
         }
@@ -28,7 +28,7 @@ internal class WebServer(private val answer: (HttpExchange) -> Unit) : AutoClose
     }
 
     /** All requests, in order. */
-    val asked = CopyOnWriteArrayList<Asked>()
+    val asked = CopyOnWriteArrayList<ReceivedRequest>()
 
     val host: String get() = "127.0.0.1:${server.address.port}"
 

@@ -28,7 +28,7 @@ class EvaluationSpec : FunSpec({
             roundings++
         }
         // Rounding does not explain more differences.
-        roundings shouldBeLessThanOrEqual MOST_ROUNDINGS
+        roundings shouldBeLessThanOrEqual MAX_ROUNDINGS
     }
 
     test("printed random expressions are read back unchanged") {
@@ -60,7 +60,7 @@ class EvaluationSpec : FunSpec({
 })
 
 private val ROUNDS = 8 * PropertyTesting.defaultIterationCount
-private const val MOST_ROUNDINGS = 8
+private const val MAX_ROUNDINGS = 8
 
 private fun isSame(fast: Value, slow: SlowValue): Boolean = when (fast) {
     is Scalar -> isSame(fast.value, slow.single)

@@ -53,9 +53,9 @@ private class Around(private val isWanted: (String) -> Boolean) {
         }
     }
 
-    private fun next() = if (++seen < MOST) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
+    private fun next() = if (++seen < MAX_ENTRIES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
 
     private companion object {
-        const val MOST = 5000
+        const val MAX_ENTRIES = 5000
     }
 }

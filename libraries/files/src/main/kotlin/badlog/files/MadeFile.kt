@@ -48,7 +48,7 @@ public fun <T> inMadeFolder(work: (Path) -> T): T {
     }
 }
 
-private fun newFolderName() = "badlog-${ProcessHandle.current().pid()}-${Random.nextLong(LEAST_NUMBER, LEAST_NUMBER * 10)}.match"
+private fun newFolderName() = "badlog-${ProcessHandle.current().pid()}-${Random.nextLong(MIN_NUMBER, MIN_NUMBER * 10)}.match"
 
 private fun onlyForOwner(): Array<FileAttribute<*>> {
     // Windows has no such permissions, and a folder there for each user.
@@ -89,4 +89,4 @@ private val MADE_FILE = Regex("badlog-(\\d+)-\\d+\\.(?:wpilog|txt)")
 private val MADE_FOLDER = Regex("badlog-(\\d+)-\\d{10}\\.match")
 
 /** The least number of ten digits. */
-private const val LEAST_NUMBER = 1_000_000_000L
+private const val MIN_NUMBER = 1_000_000_000L

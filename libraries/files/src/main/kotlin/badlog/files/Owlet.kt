@@ -52,7 +52,7 @@ internal object Owlet {
                 process.destroyForcibly()
             }
             if (process.exitValue() != 0 || Files.size(made) == 0L) {
-                val words = Files.readString(said, Charsets.ISO_8859_1).lines().lastOrNull { it.isNotBlank() }?.trim()?.take(MOST)
+                val words = Files.readString(said, Charsets.ISO_8859_1).lines().lastOrNull { it.isNotBlank() }?.trim()?.take(MAX_QUOTED)
                 throw UnreadableFileException(
                     hoot,
                     "CTRE's owlet did not convert $hoot (${words ?: "it gave no reason"}); " +
@@ -76,5 +76,5 @@ internal object Owlet {
     private const val STEP = 50L
 
     /** The maximum number of characters quoted from its output. */
-    private const val MOST = 200
+    private const val MAX_QUOTED = 200
 }

@@ -40,9 +40,9 @@ class Find(
     private val clauses = QuestionClauses.of(question)
     private val usedSignals = signals.namedIn((virtualTopics + clauses.question).joinToString("\n"))
     private val named = NamedTopics(virtualTopics + clauses.question, xTopic, usedSignals)
-    private val asked = ShapeCache(MAX_SHAPES) { Asked(it) }
+    private val asked = ShapeCache(MAX_SHAPES) { ShapeQuestion(it) }
 
-    private inner class Asked(shape: LogShape) {
+    private inner class ShapeQuestion(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
         val question: ParsedQuestion = askedQuestion(clauses.question, shape, names, signals)
     }
@@ -52,7 +52,7 @@ class Find(
         listOfNotNull(clauses.question, clauses.condition).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
     @Serializable
-    internal class Stored(
+    internal class StoredReply(
         val title: String?,
         val reply: Reply,
         val undefined: List<UndefinedTopic> = emptyList(),
@@ -78,7 +78,7 @@ class Find(
         val key = "$BADLOG_VERSION\nfind, and what was left out\n${virtualTopics.joinToString(
             "\n",
         )}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
-        val known = cache?.let { ResultCache(it, key, Stored.serializer()) }
+        val known = cache?.let { ResultCache(it, key, StoredReply.serializer()) }
         val advance = { progress(results.size, files.size) }
         runCached(files, known, ::ask, advance) { file, stored ->
             val result = FindResult(file, stored.title, stored.reply, stored.undefined, stored.isSalvaged)
@@ -101,15 +101,15 @@ class Find(
 
     private fun valueOf(result: FindResult) = (result.reply as? Reply.Answered)?.quantities?.firstOrNull()?.value ?: Double.NaN
 
-    private fun ask(file: LogFile, cores: Int): CachedResult<Stored> {
-        if (mistake != null) return CachedResult(Stored(null, mistake), isLasting = false)
+    private fun ask(file: LogFile, cores: Int): CachedResult<StoredReply> {
+        if (mistake != null) return CachedResult(StoredReply(null, mistake), isLasting = false)
         val options = ReadOptions(sinks = named, cores = cores)
         return LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, options, work = ::ask)
     }
 
-    private fun ask(content: LogContent): CachedResult<Stored> = when (content) {
+    private fun ask(content: LogContent): CachedResult<StoredReply> = when (content) {
         is LogContent.None -> CachedResult(
-            Stored(null, Reply.Unreadable(content.why.message, content.why.isLasting)),
+            StoredReply(null, Reply.Unreadable(content.why.message, content.why.isLasting)),
             content.why.isLasting,
         )
 
@@ -126,7 +126,7 @@ class Find(
                     is Question -> asked.names.signalsOf(content.view).let { answered(question.answer(it), it.implausible) }
                 }
             }
-            CachedResult(Stored(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
+            CachedResult(StoredReply(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
         }
     }
 

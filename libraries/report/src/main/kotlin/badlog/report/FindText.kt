@@ -56,7 +56,7 @@ private fun summaryOf(results: List<FindResult>, names: Map<LogFile, String>, fo
     lines += implausibleTexts(results.mapNotNull { it.reply as? Reply.Answered })
     val leftOut = results.count { it.reply is Reply.LeftOut }
     if (leftOut > 0) lines += "${count(leftOut, "log")} excluded by the question."
-    val notAsked = results.mapNotNull { result -> (result.reply as? Reply.NotAsked)?.let { Refused(names.getValue(result.file), it) } }
+    val notAsked = results.mapNotNull { result -> (result.reply as? Reply.NotAsked)?.let { SkippedLog(names.getValue(result.file), it) } }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.reply.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
     // If a name is missing, the rest of it may be read as anything; but a question that is valid for one log is not a mistake for another.
@@ -80,7 +80,7 @@ private fun summaryOf(results: List<FindResult>, names: Map<LogFile, String>, fo
 }
 
 /** The [reply] that the question could not be evaluated for the log called [file]. */
-private class Refused(val file: String, val reply: Reply.NotAsked)
+private class SkippedLog(val file: String, val reply: Reply.NotAsked)
 
 /** Returns sentences with the numbers of samples that were left out in [replies], since no robot has such values. */
 private fun implausibleTexts(replies: List<Reply.Answered>): List<String> =
@@ -91,11 +91,11 @@ private fun implausibleTexts(replies: List<Reply.Answered>): List<String> =
 
 /** Returns the first of [files] as a list, and the number of the others. */
 private fun listed(files: List<String>): String {
-    val more = files.size - MOST_LISTED
-    return if (more <= 0) files.joinToString() else "${files.take(MOST_LISTED).joinToString()} and $more more"
+    val more = files.size - MAX_LISTED
+    return if (more <= 0) files.joinToString() else "${files.take(MAX_LISTED).joinToString()} and $more more"
 }
 
-private const val MOST_LISTED = 3
+private const val MAX_LISTED = 3
 
 private fun have(logs: Int) = "${count(logs, "log")} ${if (logs == 1) "has" else "have"}"
 

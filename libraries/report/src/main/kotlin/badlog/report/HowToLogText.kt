@@ -8,7 +8,7 @@ import badlog.signals.logging.howToLog
  * them. The report's JSON has the lines of other libraries.
  */
 internal fun howToLogText(signals: List<String>): String? {
-    val lines = signals.mapNotNull { howToLog(it, LoggingLibrary.WPILIB) }.distinct().take(MOST_LINES)
+    val lines = signals.mapNotNull { howToLog(it, LoggingLibrary.WPILIB) }.distinct().take(MAX_LINES)
     if (lines.isEmpty()) return null
     val others = (LoggingLibrary.entries - LoggingLibrary.WPILIB).joinToString { it.title }
     val place = LoggingLibrary.WPILIB.place.trimEnd('.').replaceFirstChar { it.lowercase() }
@@ -21,4 +21,4 @@ internal fun howToLogAll(signals: List<String>): Map<String, Map<String, String>
     LoggingLibrary.entries.mapNotNull { library -> howToLog(signal, library)?.let { library.title to it } }.toMap()
 }.filterValues { it.isNotEmpty() }
 
-private const val MOST_LINES = 5
+private const val MAX_LINES = 5

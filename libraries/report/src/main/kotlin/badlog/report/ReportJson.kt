@@ -117,7 +117,7 @@ internal class NotLookedAtJson(
     private val text: String,
     private val howToLog: Map<String, Map<String, String>>,
 ) {
-    constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.couldNot, unseen.lacking, unseen.text, howToLogAll(unseen.lacking))
+    constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.skippedCount, unseen.lacking, unseen.text, howToLogAll(unseen.lacking))
 }
 
 /** A hook that failed for a log, and why, in the form for other programs. */

@@ -67,8 +67,8 @@ fun notesOf(result: ReportResult): List<String> {
 /** Says which of many logs are [simulated]; null for none. */
 private fun simulatedText(simulated: List<LogReport>): String? {
     if (simulated.isEmpty()) return null
-    val names = simulated.take(MOST_SIMULATED).joinToString { "“${it.file.name}”" }
-    val others = simulated.size - MOST_SIMULATED
+    val names = simulated.take(MAX_SIMULATED).joinToString { "“${it.file.name}”" }
+    val others = simulated.size - MAX_SIMULATED
     val all = if (others > 0) "$names and $others more" else names
     return "${count(
         simulated.size,
@@ -76,7 +76,7 @@ private fun simulatedText(simulated: List<LogReport>): String? {
     )} of a simulation: $all. Rules about power, wear and sensors did not run over ${if (simulated.size == 1) "it" else "them"}."
 }
 
-private const val MOST_SIMULATED = 5
+private const val MAX_SIMULATED = 5
 
 private fun notLookedAtText(notLookedAt: NotLookedAt): String =
     notLookedAt.text + if (notLookedAt.lacking.isEmpty()) "" else " If one of its topics is that signal, say so with badlog assign."

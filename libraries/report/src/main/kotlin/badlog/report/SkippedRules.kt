@@ -25,10 +25,10 @@ internal class SkippedRules(private val rules: RuleSet) {
         for (asked in logs) {
             if (first.put(asked, Unit) == null) asked.forEach { ofRule.getOrPut(it.rule) { ArrayList() } += it to times.getValue(asked) }
         }
-        return rules.rules.mapNotNull { rule -> ofRule[rule.name].let { if (it == null) unasked(rule, readable) else skipped(rule, it) } }
+        return rules.rules.mapNotNull { rule -> ofRule[rule.name].let { if (it == null) notRun(rule, readable) else skipped(rule, it) } }
     }
 
-    private fun unasked(rule: Rule, logs: Int): SkippedRule? {
+    private fun notRun(rule: Rule, logs: Int): SkippedRule? {
         val types = rule.only.joinToString(" or ") { "“$it”" }
         return if (logs == 0) null else SkippedRule(rule.name, logs, "it is only for matches of the type $types", isMistake = false)
     }

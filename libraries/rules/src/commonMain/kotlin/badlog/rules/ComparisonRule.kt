@@ -37,6 +37,6 @@ class ComparisonRule internal constructor(
         val PLACES = listOf("topic", "when", "value", "difference", "usual", "others")
 
         /** With fewer, their usual distance from each other is unknown. */
-        const val FEWEST_OTHERS = 5
+        const val MIN_OTHERS = 5
     }
 }

@@ -36,7 +36,7 @@ internal fun comparisonOf(value: JsonValue): ComparisonRule {
         deviations = deviations,
         percent = percent,
         findings = findings.toInt(),
-        others = others.toInt().coerceAtLeast(ComparisonRule.FEWEST_OTHERS),
+        others = others.toInt().coerceAtLeast(ComparisonRule.MIN_OTHERS),
         isOnTrial = json.isTrue("onTrial"),
     )
 }

@@ -7,11 +7,11 @@ import badlog.core.analysis.Span
  * short hits, the time is doubled until few are left, but not beyond 8 s.
  */
 internal fun joinedHits(hits: List<Span>): List<Span> {
-    if (hits.size <= MANY) return hits
+    if (hits.size <= MAX_HITS) return hits
     val areShort = hits.map { it.width }.sorted()[hits.size / 2] < SHORT_SECONDS
     var gap = 1.0
     var joined = joined(hits, gap)
-    while (areShort && joined.size > FEW && gap < MOST_SECONDS) {
+    while (areShort && joined.size > MAX_MARKS && gap < MAX_GAP_SECONDS) {
         gap *= 2
         joined = joined(joined, gap)
     }
@@ -32,9 +32,9 @@ private fun joined(spans: List<Span>, gap: Double): List<Span> {
 }
 
 /** As many hits as a person goes through one by one. */
-private const val MANY = 50
+private const val MAX_HITS = 50
 
 /** As many marks as leave a graph readable. */
-private const val FEW = 20
+private const val MAX_MARKS = 20
 private const val SHORT_SECONDS = 0.5
-private const val MOST_SECONDS = 8.0
+private const val MAX_GAP_SECONDS = 8.0

@@ -15,7 +15,7 @@ import badlog.signals.namesWith
  */
 class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>, val ran: Int = 0) {
     /** Returns these with the result of [asked]. */
-    operator fun plus(asked: AskedRule): LogFindings = LogFindings(
+    operator fun plus(asked: RuleResult): LogFindings = LogFindings(
         findings + asked.findings,
         skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)),
         if (asked.refusal == null) ran + 1 else ran,

@@ -26,7 +26,7 @@ internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples
         val usual = if (series.isOrdered) medianOf(series) else Double.NaN
         if (!(usual > 0) || rareness(series, usual) > RARE) return@mapNotNull null
         val most = spans.map { span -> mostIn(series, span.from - BEFORE_SECONDS, span.to + AFTER_SECONDS) }
-        val isEachTime = most.count { it > TIMES * usual } >= MOST_SPANS * spans.size
+        val isEachTime = most.count { it > TIMES * usual } >= MAX_SPANS * spans.size
         val title = if (others.count { it.name == other.name } > 1) other.topics[0] else other.name
         if (isEachTime) Meanwhile(other.name, title, most.max(), usual, other.listed.unit) else null
     }
@@ -45,7 +45,7 @@ private fun medianOf(series: Series): Double = series.y.filter { it.isFinite() }
 private const val TIMES = 2.0
 
 /** Of the times at which the rule held, and of all samples. */
-private const val MOST_SPANS = 0.8
+private const val MAX_SPANS = 0.8
 private const val RARE = 0.02
 private const val BEFORE_SECONDS = 0.3
 private const val AFTER_SECONDS = 0.1

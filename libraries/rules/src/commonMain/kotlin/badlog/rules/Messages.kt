@@ -12,10 +12,10 @@ import badlog.expression.signals.Signals
 internal class Messages(private val question: RuleProgram.Question, private val signals: Signals, private val name: String) {
     private val series = signals.series(name)
     private val texts = signals.states(name)
-    private val isAsked = HashMap<String, Boolean>()
+    private val isMatch = HashMap<String, Boolean>()
 
     // A question that has other topics, too, cannot be evaluated for a text alone.
-    private val canAsk = question.expression.topics.size == 1
+    private val hasSingleTopic = question.expression.topics.size == 1
 
     /** Returns the last text at or before [time], without the stack traces of errors; a single empty text before the first. */
     fun at(time: Double): List<String> {
@@ -25,11 +25,11 @@ internal class Messages(private val question: RuleProgram.Question, private val 
         var first = last
         while (first > 0 && series.x[first - 1] == series.x[last]) first--
         val said = (first..last).filter { !series.y[it].isNaN() }.map { texts[series.y[it].toInt()] }
-        val asked = if (said.size > 1 && canAsk) said.filter(::isAsked) else said
+        val asked = if (said.size > 1 && hasSingleTopic) said.filter(::isMatch) else said
         return asked.ifEmpty { said }.map(::shortened).distinct()
     }
 
-    private fun isAsked(text: String) = isAsked.getOrPut(text) {
+    private fun isMatch(text: String) = isMatch.getOrPut(text) {
         val alone = object : Signals by signals {
             override fun series(name: String) = Series(doubleArrayOf(0.0), doubleArrayOf(0.0))
 
@@ -40,10 +40,10 @@ internal class Messages(private val question: RuleProgram.Question, private val 
 
     /** Returns [text] without details that can be read in the log, such as a stack trace: its first line, or more if that is short. */
     private fun shortened(text: String): String {
-        val part = if (text.length > MAX_LETTERS && canAsk) text.split(BETWEEN).firstOrNull(::isAsked) ?: text else text
+        val part = if (text.length > MAX_LETTERS && hasSingleTopic) text.split(BETWEEN).firstOrNull(::isMatch) ?: text else text
         // AdvantageKit logs the console output of a loop as one text.
-        val isConsole = canAsk && '\n' in part
-        val message = if (isConsole) part.lines().run { drop(indexOfFirst(::isAsked).coerceAtLeast(0)) }.joinToString("\n") else part
+        val isConsole = hasSingleTopic && '\n' in part
+        val message = if (isConsole) part.lines().run { drop(indexOfFirst(::isMatch).coerceAtLeast(0)) }.joinToString("\n") else part
         var end = message.indexOf('\n')
         while (end in 0 until FEW_LETTERS) end = message.indexOf('\n', end + 1)
         val head = (if (end < 0) message else message.take(end)).trim()

@@ -4,13 +4,13 @@ package badlog.rules
  * The rules that could not run on a log, usually because they are made for logs with other topics. Rules with a mistake are not among them.
  *
  * @property ran the number of rules that ran.
- * @property couldNot the number of rules that did not.
+ * @property skippedCount the number of rules that did not.
  * @property lacking the signals that the log has no topic for, the most needed first; empty for a simulated robot.
  * @property simulated why the log is of a simulated robot; null if it is not.
  */
 class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
     private val others = skipped.filter { !it.isMistake }
-    val couldNot: Int = others.size
+    val skippedCount: Int = others.size
     val simulated: String? = others.firstNotNullOfOrNull { it.simulated }
     val lacking: List<String> = if (simulated == null) lackingIn(others) else emptyList()
 
@@ -20,9 +20,9 @@ class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
 
     private val ranText
         get() = "$ran rule${if (ran == 1) "" else "s"} ran" + when {
-            couldNot == 0 || simulated != null -> "."
-            lacking.isEmpty() -> "; $couldNot could not, since this log lacks their topics."
-            else -> "; $couldNot could not: this log has no ${listed(lacking)}."
+            skippedCount == 0 || simulated != null -> "."
+            lacking.isEmpty() -> "; $skippedCount could not, since this log lacks their topics."
+            else -> "; $skippedCount could not: this log has no ${listed(lacking)}."
         }
 }
 
@@ -31,10 +31,10 @@ fun lackingIn(skipped: List<SkippedRule>): List<String> = skipped.mapNotNull { i
     .sortedByDescending { it.value.size }.map { it.key }
 
 /** Returns the first [most] of [signals] as a list in a sentence, with the number of the others. */
-fun listed(signals: List<String>, most: Int = MOST_LISTED): String {
+fun listed(signals: List<String>, most: Int = MAX_LISTED): String {
     val some = signals.take(most).joinToString { "“$it”" }
     val others = signals.size - most
     return if (others > 0) "$some and $others other signal${if (others == 1) "" else "s"}" else some
 }
 
-private const val MOST_LISTED = 5
+private const val MAX_LISTED = 5

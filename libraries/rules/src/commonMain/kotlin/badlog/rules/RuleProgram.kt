@@ -37,7 +37,7 @@ import kotlin.coroutines.cancellation.CancellationException
  * @property findings what it found; empty if it was skipped.
  * @property refusal why it was skipped; null if it was not.
  */
-class AskedRule internal constructor(val rule: Rule, val findings: List<Finding>, val refusal: Refusal?)
+class RuleResult internal constructor(val rule: Rule, val findings: List<Finding>, val refusal: Refusal?)
 
 /**
  * Why a rule is skipped for a log.
@@ -84,7 +84,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     internal class Step(val rule: Rule, val questions: List<Question>, val refusal: Refusal?)
 
     /** The names that a rule has for the topics of one turn; [topic] is the first of them. */
-    private class Turn(val named: Map<String, NamedSignal>, val topic: String, val other: String? = null, val device: String = "")
+    private class TopicBinding(val named: Map<String, NamedSignal>, val topic: String, val other: String? = null, val device: String = "")
 
     private val vocabulary get() = shape.vocabulary
     private val timeTopic get() = shape.timeTopic
@@ -153,7 +153,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
      *
      * @param isEverywhere whether findings have all their spans, with a text for each, for going through them one by one.
      */
-    fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<AskedRule> {
+    fun run(view: LogView, file: String, isEverywhere: Boolean = false): Sequence<RuleResult> {
         val match = rules.signals.matchOf(view.recording, file)
         val run = RuleRun(view.identified(match.title, signals.modes), file, rules.devices, isEverywhere)
         val type = match.type
@@ -161,21 +161,21 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val refusal = simulated?.let { Refusal("the robot was simulated: $it", simulated = it) }
         return steps.asSequence().filter { it.rule.isFor(type) }.map { step ->
             when {
-                refusal != null && !step.rule.isForSimulations -> AskedRule(step.rule, emptyList(), refusal)
-                !step.rule.needs.all(view.recording::has) -> AskedRule(step.rule, emptyList(), Refusal(IS_PART))
+                refusal != null && !step.rule.isForSimulations -> RuleResult(step.rule, emptyList(), refusal)
+                !step.rule.needs.all(view.recording::has) -> RuleResult(step.rule, emptyList(), Refusal(IS_PART))
                 else -> answerOf(step, run)
             }
         }
     }
 
     /** Returns the result of [step]; a rule that fails is skipped, so that the others' findings are kept. */
-    private fun answerOf(step: Step, run: RuleRun): AskedRule = try {
+    private fun answerOf(step: Step, run: RuleRun): RuleResult = try {
         run.ask(step)
     } catch (e: CancellationException) {
         throw e
     } catch (e: RuntimeException) {
         val text = "It stopped, which is a mistake of badlog; report it with the log: $e."
-        AskedRule(step.rule, emptyList(), Refusal(text, mistake = text))
+        RuleResult(step.rule, emptyList(), Refusal(text, mistake = text))
     }
 
     /** Returns the rules that are skipped for [recording], which was read from a file called [file], and why. */
@@ -185,30 +185,32 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     }
 
     private fun stepOf(rule: Rule): Step {
-        val turns = when (val each = rule.each) {
+        val bindings = when (val each = rule.each) {
             null -> null
-            is TopicsByName -> turnsOf(each)
-            is TopicsOfSignal -> turnsOf(each)
+            is TopicsByName -> bindingsOf(each)
+            is TopicsOfSignal -> bindingsOf(each)
         }
-        if (turns == null) return step(rule, listOf(parsed(rule, null)))
-        if (turns.isEmpty()) return Step(rule, emptyList(), checkNotNull(rule.each).let { Refusal(whyNone(it), lacking = lackingFor(it)) })
+        if (bindings == null) return step(rule, listOf(parsed(rule, null)))
+        if (bindings.isEmpty()) {
+            return Step(rule, emptyList(), checkNotNull(rule.each).let { Refusal(noTopicText(it), lacking = lackingFor(it)) })
+        }
         val parsedOf = HashMap<List<Signal>, Parsed>()
         return step(
             rule,
-            turns.map { turn ->
-                val parsed = parsedOf.getOrPut(turn.named.values.map { it.listed }) { parsed(rule, turn) }
-                if (parsed is Question) question(rule, parsed.expression, turn) else parsed
+            bindings.map { binding ->
+                val parsed = parsedOf.getOrPut(binding.named.values.map { it.listed }) { parsed(rule, binding) }
+                if (parsed is Question) question(rule, parsed.expression, binding) else parsed
             },
         )
     }
 
-    private fun turnsOf(each: TopicsByName) = vocabulary.signals.filter { it.name != timeTopic && each.takes(it) }
-        .map { Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, it)), it.name) }
+    private fun bindingsOf(each: TopicsByName) = vocabulary.signals.filter { it.name != timeTopic && each.takes(it) }
+        .map { TopicBinding(mapOf(TOPIC to NamedSignal.of(TOPIC, it)), it.name) }
 
-    private fun turnsOf(each: TopicsOfSignal): List<Turn> {
+    private fun bindingsOf(each: TopicsOfSignal): List<TopicBinding> {
         if (each.signal in DERIVED_NAMES) {
             return derived.filter { it.name == each.signal }.map { own ->
-                Turn(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
+                TopicBinding(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
             }
         }
         // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals
@@ -220,14 +222,14 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
             val bound = linkedMapOf(TOPIC to NamedSignal.of(TOPIC, listOf(topic)))
             if (other != null) bound[OTHER] = NamedSignal.of(OTHER, listOf(other))
             for (name in each.with) bound[name] = NamedSignal.of(name, listOf(besides(topic, name) ?: return@mapNotNull null))
-            Turn(bound, topic.topic, other?.topic, topic.device)
+            TopicBinding(bound, topic.topic, other?.topic, topic.device)
         }
     }
 
     private fun besides(topic: SignalTopic, signal: String) =
         signals.of(signal).find { it.device.equals(topic.device, ignoreCase = true) && it.topic != topic.topic }
 
-    private fun whyNone(each: TopicChoice): String = when (each) {
+    private fun noTopicText(each: TopicChoice): String = when (each) {
         is TopicsByName -> "no topic matches $each"
 
         is TopicsOfSignal -> {
@@ -248,10 +250,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         return Step(rule, if (refusal == null) questions else emptyList(), refusal)
     }
 
-    private fun namesFor(rule: Rule, turn: Turn?) = (if (rule.isBuiltIn) named else namedOfTeam) + turn?.named.orEmpty()
+    private fun namesFor(rule: Rule, binding: TopicBinding?) = (if (rule.isBuiltIn) named else namedOfTeam) + binding?.named.orEmpty()
 
-    private fun parsed(rule: Rule, turn: Turn?): Parsed {
-        val names = namesFor(rule, turn)
+    private fun parsed(rule: Rule, binding: TopicBinding?): Parsed {
+        val names = namesFor(rule, binding)
         val lacking = absent.values.filter { it.name !in names && (rule.isBuiltIn || !vocabulary.knows(it.name)) }
         val listed = names.values.map { it.listed } + lacking
         val known = vocabularies.getOrPut(listed) { Vocabulary(listed + vocabulary.signals, vocabulary.hasTime) }
@@ -268,7 +270,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
 
             expression.topics.any { names[it]?.only === CLOCK } && !shape.hasClock -> Refused(Refusal(NO_AXIS))
 
-            expression.type.isCondition -> question(rule, expression, turn)
+            expression.type.isCondition -> question(rule, expression, binding)
 
             fitsElsewhere(rule, names, lacking) -> Refused(Refusal(NO_CONDITION))
 
@@ -276,17 +278,17 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         }
     }
 
-    private fun question(rule: Rule, expression: Expression, turn: Turn?): Question {
-        val names = namesFor(rule, turn)
+    private fun question(rule: Rule, expression: Expression, binding: TopicBinding?): Question {
+        val names = namesFor(rule, binding)
         val used = expression.topics.flatMap { names[it]?.topics ?: listOf(it) }
         val shown = rule.show.flatMap { names[it]?.topics ?: topicsCalled(it) }
         return Question(
             expression,
             names,
-            turn?.topic ?: used.firstOrNull(),
-            isForEach = turn != null,
-            turn?.other,
-            turn?.device.orEmpty(),
+            binding?.topic ?: used.firstOrNull(),
+            isForEach = binding != null,
+            binding?.other,
+            binding?.device.orEmpty(),
             (used + shown).filter { it != timeTopic }.distinct().take(MAX_EVIDENCE),
             if (rule.text.has(CHANNELS)) signals.of(CHANNEL).map { NamedSignal.of(CHANNEL, listOf(it)) } else emptyList(),
             if (rule.text.has(MEANWHILE)) {
@@ -310,7 +312,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     private fun refusal(rule: Rule, error: ExpressionError, names: Map<String, NamedSignal>, lacking: List<Signal>): Refusal {
         val name = error.text.substring(error.from, error.until)
         return when (error.kind) {
-            ExpressionErrorKind.UNKNOWN_TOPIC -> Refusal(whyMissing(name, error.message))
+            ExpressionErrorKind.UNKNOWN_TOPIC -> Refusal(unknownTopicText(name, error.message))
 
             ExpressionErrorKind.NO_TIME -> Refusal(if (timeTopic == null) NO_AXIS else "the log's x axis is not a time")
 
@@ -329,7 +331,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         parsed is Expression && parsed.type.isCondition
     }
 
-    private fun whyMissing(name: String, message: String): String {
+    private fun unknownTopicText(name: String, message: String): String {
         val alias = missing.find { name == it.name || name.startsWith("${it.name} ") } ?: return message.trimEnd('.')
         val unit = if (alias.unit == null) "" else " in ${alias.unit}"
         return "no topic for ${alias.name}, matching “${alias.names[0].text}”$unit"

@@ -32,7 +32,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     private val found = HashMap<String, Set<String?>>()
 
     /** Returns the result of [step]. */
-    fun ask(step: RuleProgram.Step): AskedRule {
+    fun ask(step: RuleProgram.Step): RuleResult {
         val rule = step.rule
         val known = rule.unless.flatMapTo(HashSet()) { found[it].orEmpty() }
         val isByName = rule.each is TopicsByName && rule.isBuiltIn
@@ -40,7 +40,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val all = asked.filter { known.isEmpty() || subjectOf(rule, it.topic) !in known }.flatMap { find(rule, it) }
         if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(rule, it.topic) }
         val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
-        return AskedRule(rule, findings, step.refusal)
+        return RuleResult(rule, findings, step.refusal)
     }
 
     // A finding about a log's start or end is about the log.
@@ -138,7 +138,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
     private fun stepOf(topic: String): Double? = steps.getOrPut(topic) {
         val series = log.series(topic)
         val own = DoubleArray((series.size - 1).coerceIn(0, MAX_STEPS)) { series.x[it + 1] - series.x[it] }.apply { sort() }
-        val step = if (own.size < LEAST_STEPS) 0.0 else round(own[own.size / 2] * 1000) / 1000
+        val step = if (own.size < MIN_STEPS) 0.0 else round(own[own.size / 2] * 1000) / 1000
         step.takeIf { it > LONG_STEP && own[own.size * 9 / 10] < 1.5 * it } ?: Double.NaN
     }.takeIf { it.isFinite() }
 
@@ -180,7 +180,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
 
         const val MAX_CAVEATS = 2
         const val MAX_STEPS = 2000
-        const val LEAST_STEPS = 20
+        const val MIN_STEPS = 20
 
         /** A loop takes 0.02 s; topics that are sampled more rarely miss something, in s. */
         const val LONG_STEP = 0.045

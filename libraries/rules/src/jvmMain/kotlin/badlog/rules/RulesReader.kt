@@ -219,7 +219,7 @@ internal class RulesReader(
             deviations = deviations,
             percent = percent,
             findings = findings.toInt(),
-            others = maxOf(fewest.toInt(), ComparisonRule.FEWEST_OTHERS),
+            others = maxOf(fewest.toInt(), ComparisonRule.MIN_OTHERS),
             isOnTrial = isOnTrial(table),
         )
     }

@@ -15,7 +15,10 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         within(20.0..20.1, BATTERY) { "7.6" }
     },
     "Low battery" to { within(20.0..20.05, BATTERY) { "6.4" } },
-    "Weak battery" to { within(20.0..21.5, BATTERY) { "8.4" }; within(25.0..25.6, BATTERY) { "7.6" } },
+    "Weak battery" to {
+        within(20.0..21.5, BATTERY) { "8.4" }
+        within(25.0..25.6, BATTERY) { "7.6" }
+    },
     "Battery not charged" to { number(BATTERY) { 12.3 - 0.015 * TestMatch.load(it) } },
     "Bad battery contact" to { within(20.4..20.5, BATTERY) { (11.9 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.043 * TestMatch.load(it) } },
@@ -149,7 +152,19 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "CAN utilization high" to { within(20.0..20.8, "/SystemStats/CANBus/Utilization") { "0.88" } },
     "One CAN bus full" to { number("DS:/Dscomm/Status/Resources/CanBusUtilizations[3]") { if (it < 20) 20.0 else 89.0 } },
     "CAN bus off" to { number("/SystemStats/CANBus/OffCount") { 1.0 } },
-    "CAN errors" to { number("/SystemStats/CANBus/ReceiveErrorCount") { if (it < 2) 0.0 else if (it < 20) 12.0 else if (it < 25) 14.0 else 15.0 } },
+    "CAN errors" to {
+        number("/SystemStats/CANBus/ReceiveErrorCount") {
+            if (it < 2) {
+                0.0
+            } else if (it < 20) {
+                12.0
+            } else if (it < 25) {
+                14.0
+            } else {
+                15.0
+            }
+        }
+    },
     "Radio lost power" to {
         within(19.7..20.0, BATTERY) { "8.4" }
         flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 }

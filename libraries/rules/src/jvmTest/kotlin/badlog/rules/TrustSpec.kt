@@ -98,9 +98,9 @@ class TrustSpec : FunSpec({
         val match = TestMatch().apply { without(BATTERY) }
         val found = RuleSet.BUILT_IN.over(match.view(), "test.bag")
         val unseen = NotLookedAt(found.ran, found.skipped)
-        unseen.ran + unseen.couldNot shouldBe RuleSet.BUILT_IN.rules.size
+        unseen.ran + unseen.skippedCount shouldBe RuleSet.BUILT_IN.rules.size
         unseen.lacking.first() shouldBe "battery"
-        unseen.text shouldStartWith "${unseen.ran} rules ran; ${unseen.couldNot} could not: this log has no “battery”"
+        unseen.text shouldStartWith "${unseen.ran} rules ran; ${unseen.skippedCount} could not: this log has no “battery”"
         NotLookedAt(3, emptyList()).text shouldBe "3 rules ran."
         listed(listOf("a", "b", "c", "d", "e", "f", "g")) shouldContain "and 2 other signals"
     }

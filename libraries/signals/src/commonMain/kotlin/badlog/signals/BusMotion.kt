@@ -17,7 +17,7 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
     val times: DoubleArray = motors.mapNotNull { raw(it, BusSignal.VELOCITY).range }.let { ranges ->
         val start = ranges.minOfOrNull { it.start } ?: 0.0
         val end = ranges.maxOfOrNull { it.endInclusive } ?: 0.0
-        DoubleArray(((end - start) / STEP_SECONDS).toInt().coerceIn(0, MOST_STEPS)) { start + it * STEP_SECONDS }
+        DoubleArray(((end - start) / STEP_SECONDS).toInt().coerceIn(0, MAX_STEPS)) { start + it * STEP_SECONDS }
     }
 
     val isEnabled: BooleanArray = samples.enabledAt(times)
@@ -69,6 +69,6 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
         const val STEP_SECONDS = 0.02
 
         /** A log of an hour is judged by its first half hour. */
-        private const val MOST_STEPS = 90_000
+        private const val MAX_STEPS = 90_000
     }
 }

@@ -48,7 +48,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     /** Returns what the motors draw in all, if [battery] falls with it: otherwise others draw most. Null for too few motors. */
     fun totalCurrent(battery: (NamedSamples) -> Series): DerivedSignal? {
         val known = motors.filter { BusSignal.SUPPLY_CURRENT in it || BusSignal.OUTPUT in it }
-        if (known.size < LEAST_MOTORS) return null
+        if (known.size < MIN_MOTORS) return null
         val topics = known.map { checkNotNull(it.topic(BusSignal.SUPPLY_CURRENT) ?: it.topic(BusSignal.CURRENT)) }
         return DerivedSignal("total current", "A", "", topics) { samples ->
             val motion = samples.motion()
@@ -276,7 +276,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     }
 
     private companion object {
-        const val LEAST_MOTORS = 4
+        const val MIN_MOTORS = 4
 
         /** The correlation of current and voltage if the current is most of what the battery gives. */
         const val EXPLAINED = -0.5

@@ -166,7 +166,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         val count = series.y.count { !it.isNaN() && !isReading(it) }
         if (count > 0) leftOut[source.signal.name] = count
         // A damaged row is one such sample; memory that was never written has no readings.
-        val isMemory = series.y.count(::isBits) > MOST_GLITCHES * series.size
+        val isMemory = series.y.count(::isBits) > MAX_GLITCHES * series.size
         return Series(
             series.x,
             DoubleArray(series.size) { i ->
@@ -182,14 +182,14 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
     }
 
     /** Returns whether [sample] is bits of something else, which no sensor reads: the largest and the smallest numbers. */
-    private fun isBits(sample: Double) = abs(sample) > MOST_READING || (sample != 0.0 && abs(sample) < LEAST_READING)
+    private fun isBits(sample: Double) = abs(sample) > MAX_READING || (sample != 0.0 && abs(sample) < MIN_READING)
 
     private fun scaleBySamples(series: Series, whole: Double): Double {
         if (!whole.isNaN()) return if (isFraction(series)) whole else whole / PERCENT
         val median = quantile(series.y, 0.5)
-        return if (median > 0 && median < MOST_SECONDS) {
+        return if (median > 0 && median < MAX_SECONDS) {
             1000.0
-        } else if (median > LEAST_MICROS) {
+        } else if (median > MIN_MICROS) {
             1e-3
         } else {
             1.0
@@ -223,12 +223,12 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         const val PERCENT = 100.0
 
         // No loop takes as little as 0.15 ms, or as long as 0.5 s, half of the time.
-        const val MOST_SECONDS = 0.15
-        const val LEAST_MICROS = 500.0
+        const val MAX_SECONDS = 0.15
+        const val MIN_MICROS = 500.0
 
-        const val MOST_READING = 1e12
-        const val LEAST_READING = 2.3e-308
-        const val MOST_GLITCHES = 0.05
+        const val MAX_READING = 1e12
+        const val MIN_READING = 2.3e-308
+        const val MAX_GLITCHES = 0.05
 
         // A controller may demand a little more than the full value.
         const val MAX_FRACTION = 2.0

@@ -30,7 +30,7 @@ internal fun standingAlone(signals: List<DerivedSignal>): List<DerivedSignal> = 
         val stood = own.samples(samples)
         val found by lazy { others.map { it.samples(samples) } }
         withoutStretches(stood) { from, to ->
-            found.any { other -> secondsIn(other, stood.x[from] - NEAR_SECONDS, stood.x[to] + NEAR_SECONDS) >= LEAST_SECONDS }
+            found.any { other -> secondsIn(other, stood.x[from] - NEAR_SECONDS, stood.x[to] + NEAR_SECONDS) >= MIN_SECONDS }
         }
     }
 }
@@ -68,7 +68,7 @@ private fun secondsIn(stood: Series, from: Double, to: Double): Double =
 
 private val STANDING = setOf("stall", "standstill")
 private const val NEAR_SECONDS = 1.0
-private const val LEAST_SECONDS = 0.4
+private const val MIN_SECONDS = 0.4
 
 /** Robots climb in the last half minute of a match. */
 private const val HANGING_SECONDS = 30.0

@@ -10,7 +10,7 @@ import badlog.window.files.FileChoice
 import badlog.window.files.askToWrite
 import badlog.window.files.fileNameOf
 import badlog.window.files.sayNoLog
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.log.AxisView
 import badlog.window.log.CurrentRecording
 import badlog.window.log.FilteredEvents
@@ -29,7 +29,7 @@ internal class FigureSaver(
     private val compared: ComparedRecordings,
     private val view: AxisView,
     private val events: FilteredEvents,
-    private val findings: LogFindings,
+    private val findings: CurrentFindings,
     private val notes: LogNotes,
     private val board: GraphBoard,
     private val files: FileChoice,

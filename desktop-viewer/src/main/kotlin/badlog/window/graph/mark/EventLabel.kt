@@ -13,7 +13,7 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.draw.mark.saidNear
+import badlog.viewer.draw.mark.markNear
 import badlog.window.graph.plot.pixelOf
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
@@ -48,7 +48,7 @@ internal fun EventLabel(scene: GraphScene) {
 }
 
 private fun saidAt(cursor: Double, scene: GraphScene) =
-    saidNear(cursor, scene.view.viewport.visible, scene.notes.all, scene.events.matching)
+    markNear(cursor, scene.view.viewport.visible, scene.notes.all, scene.events.matching)
 
 private const val SIDE = 8
 private const val MAX_LETTERS = 400

@@ -18,7 +18,7 @@ import badlog.window.choice.FieldChoice
 import badlog.window.choice.StationChoice
 import badlog.window.compare.ComparedRecordings
 import badlog.window.compare.DrawnRecording
-import badlog.window.findings.LogFindings
+import badlog.window.findings.CurrentFindings
 import badlog.window.graph.plot.PlotPicture
 import badlog.window.graph.plot.PlotState
 import badlog.window.graph.plot.Plots
@@ -45,7 +45,7 @@ internal class GraphScene(
     val view: AxisView,
     val compared: ComparedRecordings,
     val events: FilteredEvents,
-    val findings: LogFindings,
+    val findings: CurrentFindings,
     val notes: LogNotes,
     val player: Player,
     val settings: SettingsStore,

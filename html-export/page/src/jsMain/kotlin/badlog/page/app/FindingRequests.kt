@@ -25,7 +25,7 @@ internal class FindingRequests(
             request.spoken?.let(live::announceFinding) ?: Unit
         }
 
-        FindingRequest.SayNone -> live.announce("No finding to go to.")
+        FindingRequest.AnnounceNone -> live.announce("No finding to go to.")
 
         is FindingRequest.Pin -> onPin(request.finding, request.incident)
 

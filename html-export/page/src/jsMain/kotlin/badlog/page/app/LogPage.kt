@@ -127,7 +127,7 @@ internal class LogPage(
     private val values: CursorPanel = CursorPanel(scene, lines::shown, lines::all) { modules.close() }
     private val modules: ModulesPanel = ModulesPanel(scene) { if (values.isOpen) values.toggle() }
     private val noteDialog = NoteDialog(scene, notes)
-    private val ways =
+    private val panelLinks =
         listOf(search.element, navigation.choice, eventsLink.element, formulaButton, noteDialog.button, values.button, modules.button)
     private val video = VideoPanel(scene, about.fileKey, this.additions.video)
     private val link = PageLink(
@@ -139,7 +139,7 @@ internal class LogPage(
         { opened.now },
         { opened.open(it) },
     )
-    private val zoomBar = ZoomBar(scene, ways, link.element)
+    private val zoomBar = ZoomBar(scene, panelLinks, link.element)
     private val help = HelpOverlay()
     private val live = LiveRegion(scene, lines::shown)
     private val comparison = PageComparison(formulas, about.name)
@@ -242,14 +242,14 @@ internal class LogPage(
     }
 
     /** What stays of it when the log has grown. */
-    val left: LeftPage
-        get() = LeftPage(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
+    val left: PageSnapshot
+        get() = PageSnapshot(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
 
     /**
      * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address, and then draws what is
      * on the screen. Call it when [element] is on the page.
      */
-    fun start(left: LeftPage? = null) {
+    fun start(left: PageSnapshot? = null) {
         left?.let(rules::continueFrom)
         link.start(left?.place) { asked ->
             board.begin(asked) { layout.board ?: boardAbove(view, signals) }

@@ -64,7 +64,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
      * @param left the state of the page that showed less of this log; null for a log that was not shown before.
      * @param onLaidOut called each time more of the page is laid out.
      */
-    fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: LeftPage? = null, onLaidOut: () -> Unit = {}) {
+    fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: PageSnapshot? = null, onLaidOut: () -> Unit = {}) {
         val about = log.about
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
         log.read.refusal?.let { return root.fail("There is nothing to show of ${about.name}", it, downloads.element) }
@@ -97,7 +97,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
         if (left != null) formulas.finish()
     }
 
-    private fun show(makePage: () -> LogPage, left: LeftPage?, onLaidOut: () -> Unit, complete: (LogPage) -> Unit) {
+    private fun show(makePage: () -> LogPage, left: PageSnapshot?, onLaidOut: () -> Unit, complete: (LogPage) -> Unit) {
         root.clear()
         val shown = makePage()
         page = shown

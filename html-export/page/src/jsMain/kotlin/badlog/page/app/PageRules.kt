@@ -9,7 +9,7 @@ import badlog.rules.Finding
 import badlog.rules.LogFindings
 import badlog.rules.incident.Incident
 import badlog.rules.incident.incidentsIn
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import kotlinx.browser.window
 
 /**
@@ -34,7 +34,7 @@ internal class PageRules(
         private set
 
     /** Continues from the findings in the log before it had grown. */
-    fun continueFrom(left: LeftPage) {
+    fun continueFrom(left: PageSnapshot) {
         left.found?.let(::take)
         ranAt = left.ranAt
     }
@@ -73,7 +73,7 @@ internal class PageRules(
     private fun take(found: LogFindings): List<Incident> {
         this.found = found
         val incidents = additions.rules.incidentsIn(found.findings, additions.differences)
-        section.found = FoundInLog(found.findings + embedded, found.skipped, incidents, found.ran)
+        section.found = RuleResults(found.findings + embedded, found.skipped, incidents, found.ran)
         return incidents
     }
 

@@ -6,7 +6,7 @@ import badlog.page.findings.FindingsSection
 import badlog.page.view.Scene
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.Shown
 
 /** The content of the page's log. Each part of the page is asked for when it exists. */
@@ -14,7 +14,7 @@ internal class PageShown(private val scene: () -> Scene, private val findings: (
     Shown {
     override val samples: CursorSteps by lazy { CursorSteps(scene().xAxis.clocks) }
     override val enabled: List<EnabledSpan> get() = scene().enabled
-    override val found: FoundInLog get() = findings().found
+    override val found: RuleResults get() = findings().found
     override val graphs: Board get() = scene().board.now
     override val graph: Int? get() = keys().current
 }

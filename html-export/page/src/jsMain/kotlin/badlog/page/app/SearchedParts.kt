@@ -10,7 +10,7 @@ import badlog.page.folder.FolderList
 import badlog.page.folder.FolderNavigation
 import badlog.page.note.NoteList
 import badlog.page.panel.CursorPanel
-import badlog.page.view.Hits
+import badlog.page.view.SearchCounts
 import badlog.viewer.shown.search.Query
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
@@ -33,11 +33,11 @@ internal class SearchedParts(
     val nothingFound: HTMLElement = element("p", "nothing-found", "Nothing matches. Escape clears the search.").apply { isHidden = true }
 
     /** Shows the matches of [query] and brings them into sight. */
-    fun show(query: Query): Hits {
+    fun show(query: Query): SearchCounts {
         board.filter(query)
         val inFolders = folders.filter(query)
         send(FindingAction.Search(query.text))
-        val hits = inFolders + Hits(findings = findings.hits, notes = notes.filter(query))
+        val hits = inFolders + SearchCounts(findings = findings.hits, notes = notes.filter(query))
         nothingFound.isHidden = query.isEmpty || !hits.isEmpty
         navigation.update(isSearching = !query.isEmpty)
         events.update()

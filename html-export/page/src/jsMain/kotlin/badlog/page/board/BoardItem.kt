@@ -49,10 +49,10 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
 
     /** Returns whether it can show [other] without being recreated. */
     fun fits(other: BoardGraph): Boolean = lines === scene.board.lines &&
-        seenOtherwise(other) == seenOtherwise(spec)
+        withoutAdjustments(other) == withoutAdjustments(spec)
 
     /** Returns [graph] without the properties that can change while it is drawn. */
-    private fun seenOtherwise(graph: BoardGraph) =
+    private fun withoutAdjustments(graph: BoardGraph) =
         graph.copy(xRange = null, yRange = null, rightYRange = null, sharesY = false, hidden = emptySet())
 
     /** Shows the cards that match [query], and hides the others. */

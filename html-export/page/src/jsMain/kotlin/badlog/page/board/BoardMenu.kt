@@ -21,7 +21,7 @@ internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, top
     return buildList {
         addAll(entries(offers.moves))
         add(MenuEntry("Add topics…") { topics.open(graph.id) })
-        addAll(entries(offers.additions(board.now.shortTitles).take(PageBoard.MOST_OFFERED) + listOfNotNull(offers.separation)))
+        addAll(entries(offers.additions(board.now.shortTitles).take(PageBoard.MAX_OFFERED) + listOfNotNull(offers.separation)))
         if (numbers != null) addAll(entries(offers.heights(GraphHeight.MEDIUM) + offers.planes))
         addAll(entries(offers.origins))
         if (numbers != null) addAll(entries(offers.limits(numbers.picture.axes.map { it.shown })))

@@ -68,7 +68,7 @@ internal class TopicDialog(private val scene: Scene) {
         // Paths and XY plots are always graphs of their own.
         val graphs = if (graph == null) pathGraphs(scene.paths.poses, query) + xyGraphs(numbers(), input.value) else emptyList()
         graphs.forEach(::addGraph)
-        for (name in found.take(MOST)) {
+        for (name in found.take(MAX_LISTED)) {
             list.add("li") {
                 addButton("text-button", "") {}.apply {
                     add("bdi", "", name)
@@ -81,7 +81,7 @@ internal class TopicDialog(private val scene: Scene) {
                 }
             }
         }
-        val left = found.size - MOST
+        val left = found.size - MAX_LISTED
         rest.showText(
             when {
                 found.isEmpty() && graphs.isEmpty() -> "Nothing matches."
@@ -112,6 +112,6 @@ internal class TopicDialog(private val scene: Scene) {
 
     private companion object {
         /** The maximum number of names listed at once. */
-        const val MOST = 100
+        const val MAX_LISTED = 100
     }
 }

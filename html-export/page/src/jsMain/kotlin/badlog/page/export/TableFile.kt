@@ -42,22 +42,22 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
     fun next() {
         if (isCancelled) return done(null)
         val end = Date.now() + sliceMillis(SLICE)
-        while (draft.step()) if (Date.now() > end) return goOn("Preparing", draft.share)
+        while (draft.step()) if (Date.now() > end) return continueLater("Preparing", draft.share)
         val table = draft.table
         val texts = arrayListOf(if (parts.isEmpty()) table.header else "")
         do {
             val begin = Date.now()
             texts += table.text(row, rows)
             row += rows
-            if (Date.now() - begin < FEW) rows *= 2
+            if (Date.now() - begin < FAST_MILLISECONDS) rows *= 2
         } while (row < table.rowCount && Date.now() < end)
         parts += Blob(texts.toTypedArray())
-        if (row < table.rowCount) return goOn("Making", row.toDouble() / table.rowCount)
+        if (row < table.rowCount) return continueLater("Making", row.toDouble() / table.rowCount)
         notice.hide()
         done(Blob(parts.toTypedArray(), BlobPropertyBag("text/csv")))
     }
 
-    private fun goOn(what: String, share: Double) {
+    private fun continueLater(what: String, share: Double) {
         notice.show("$what the table: ${(share * TENTHS).toInt() * 10} %") { isCancelled = true }
         window.setTimeout(::next, 0)
     }
@@ -65,7 +65,7 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
     private companion object {
         /** In milliseconds. */
         const val SLICE = 40
-        const val FEW = 5
+        const val FAST_MILLISECONDS = 5
         const val TENTHS = 10.0
     }
 }

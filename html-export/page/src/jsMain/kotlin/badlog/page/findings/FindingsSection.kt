@@ -15,7 +15,7 @@ import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.session.link.FindingName
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
@@ -48,7 +48,7 @@ internal class FindingsSection(
     }
 
     /** What rules found, and what was embedded. */
-    var found: FoundInLog = FoundInLog(embedded)
+    var found: RuleResults = RuleResults(embedded)
         set(value) {
             field = value
             isRunning = false
@@ -78,7 +78,7 @@ internal class FindingsSection(
 
     /** Shows that the rules could not be run, as [trouble] says, beside what is known. */
     fun fail(trouble: String) {
-        found = FoundInLog(found.all, found.skipped, found.incidents, found.ran, trouble = trouble)
+        found = RuleResults(found.all, found.skipped, found.incidents, found.ran, trouble = trouble)
     }
 
     /** The number of findings that the search finds; none without a search. */

@@ -9,8 +9,8 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
-import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.page.view.SearchCounts
 import badlog.viewer.choices.board.asBoardGraph
 import badlog.viewer.shown.outline.LogOutline
 import badlog.viewer.shown.outline.traits
@@ -45,7 +45,7 @@ internal class FoldedTopics(outline: LogOutline, private val scene: Scene, draw:
     }
 
     /** Shows the rows that match [query]. */
-    fun filter(query: Query): Hits = Hits(topics = constants.filter(query, scene) + empty.filter(query, scene))
+    fun filter(query: Query): SearchCounts = SearchCounts(topics = constants.filter(query, scene) + empty.filter(query, scene))
 
     private class Row(val element: HTMLElement, val name: String, val haystack: String, makeTraits: () -> Set<Trait>) {
         val traits by lazy(makeTraits)

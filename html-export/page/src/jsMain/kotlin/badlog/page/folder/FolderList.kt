@@ -5,8 +5,8 @@ import badlog.core.analysis.Graph
 import badlog.page.dom.LocalStorage
 import badlog.page.dom.element
 import badlog.page.graph.GraphCard
-import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.page.view.SearchCounts
 import badlog.protocol.HookPart
 import badlog.viewer.choices.mergedWith
 import badlog.viewer.shown.outline.LogOutline
@@ -71,9 +71,9 @@ internal class FolderList(
     fun closeAll() = setAll(true)
 
     /** Shows the parts of the folders that match [query]. */
-    fun filter(query: Query): Hits {
+    fun filter(query: Query): SearchCounts {
         // A few matches are drawn at once; many remain a list to select from.
-        val drawsListed = sections.sumOf { it.countListed(query) } <= FEW
+        val drawsListed = sections.sumOf { it.countListed(query) } <= MAX_DRAWN
         var hits = folded.filter(query)
         for (section in sections) hits += section.filter(query, drawsListed)
         return hits
@@ -134,6 +134,6 @@ internal class FolderList(
 
     private companion object {
         /** The maximum number of listed graphs that a search draws. */
-        const val FEW = 12
+        const val MAX_DRAWN = 12
     }
 }

@@ -8,7 +8,7 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.isNarrow
 import badlog.page.dom.showText
-import badlog.viewer.shown.outline.MANY_FOLDERS
+import badlog.viewer.shown.outline.MAX_OPEN_FOLDERS
 import badlog.viewer.text.countText
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLSelectElement
@@ -52,7 +52,7 @@ internal class FolderNavigation(private val folders: FolderList) {
         choice.textContent = ""
         choice.add("option", "", if (isNarrow) "Folders" else "Go to folder…")
         for (section in folders.sections) choice.add("option", "", section.shortCaption)
-        val isOpen = folders.sections.size <= MANY_FOLDERS
+        val isOpen = folders.sections.size <= MAX_OPEN_FOLDERS
         for (folder in FolderTree.of(folders.sections)) tree.addFolder(folder, isOpen)
     }
 

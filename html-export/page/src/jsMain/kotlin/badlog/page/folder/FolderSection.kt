@@ -10,8 +10,8 @@ import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
 import badlog.page.graph.GraphCard
-import badlog.page.view.Hits
 import badlog.page.view.Scene
+import badlog.page.view.SearchCounts
 import badlog.protocol.HookPart
 import badlog.viewer.choices.board.framesOf
 import badlog.viewer.choices.board.laneGraphOf
@@ -105,7 +105,7 @@ internal class FolderSection(
     /**
      * Shows the items that match [query], and opens the folder during a search. With [drawsListed], also draws listed graphs that match.
      */
-    fun filter(query: Query, drawsListed: Boolean): Hits {
+    fun filter(query: Query, drawsListed: Boolean): SearchCounts {
         isSearching = !query.isEmpty
         var graphs = 0
         for (card in drawn) {
@@ -113,7 +113,7 @@ internal class FolderSection(
             if (!card.element.isHidden) graphs++
         }
         graphs += undrawn.count { it.filter(query, drawsListed) }
-        val hits = Hits(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })
+        val hits = SearchCounts(graphs, values?.filter(query) ?: 0, tables.sumOf { it.filter(query) })
         count = if (isSearching) hits.sum else size
         element.isHidden = isSearching && hits.isEmpty
         showOpenness()

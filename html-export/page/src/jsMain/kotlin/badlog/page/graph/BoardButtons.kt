@@ -30,7 +30,7 @@ internal class BoardButtons(tools: HTMLElement, private val scene: Scene, privat
     /** Lists the graphs of the board to which this one can be added. */
     private fun offerGraphs() {
         val titled = scene.board.now.run { graphs.zip(shortTitles) }
-        val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look().lines) }.take(PageBoard.MOST_OFFERED)
+        val graphs = titled.filterNot { (other, _) -> other.lines.containsAll(look().lines) }.take(PageBoard.MAX_OFFERED)
         if (graphs.isEmpty()) return scene.notice.say("The board has no other graph to add this to; keep one on it first.")
         val entries = graphs.map { (other, title) ->
             MenuEntry("Add to “$title”") { scene.store.send(GraphChange.AddLines(other.id, look().lines)) }

@@ -209,7 +209,7 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
         add("thead").add("tr") { for (title in StateTime.TITLES) add("th", "", title) }
         add("tbody") {
             graph.series.forEachIndexed { index, series ->
-                runs[index].timesOf(series.states.orEmpty(), listOf(now)).take(StateTime.MOST).forEachIndexed { place, time ->
+                runs[index].timesOf(series.states.orEmpty(), listOf(now)).take(StateTime.MAX_LISTED).forEachIndexed { place, time ->
                     add("tr") {
                         add("th") { if (place == 0) addName(names[index]) }.setAttribute("scope", "row")
                         val cells = listOf(time.state, time.timeText(scene.xAxis), time.shareText, countText(time.count))

@@ -4,7 +4,7 @@ import badlog.page.dom.Icon
 import badlog.page.dom.add
 import badlog.page.dom.element
 import badlog.page.dom.showText
-import badlog.page.view.Hits
+import badlog.page.view.SearchCounts
 import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
 import kotlinx.browser.window
@@ -13,7 +13,7 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /** The search box. [search] is called after each change, and returns the matches. */
-internal class SearchBox(private val search: (Query) -> Hits) {
+internal class SearchBox(private val search: (Query) -> SearchCounts) {
     private lateinit var input: HTMLInputElement
     private lateinit var count: HTMLElement
 

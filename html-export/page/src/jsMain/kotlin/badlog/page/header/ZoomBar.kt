@@ -22,10 +22,10 @@ import org.w3c.dom.HTMLElement
 /**
  * The bar with the visible range, the cursor's place and the events there, always on the screen.
  *
- * @param ways links to parts of the page.
+ * @param panelLinks links to parts of the page.
  * @param link copies a link to the current view.
  */
-internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: HTMLElement) {
+internal class ZoomBar(private val scene: Scene, panelLinks: List<HTMLElement>, link: HTMLElement) {
     private val overview = Overview(scene)
     private lateinit var range: HTMLElement
     private lateinit var width: HTMLElement
@@ -39,7 +39,7 @@ internal class ZoomBar(private val scene: Scene, ways: List<HTMLElement>, link: 
 
     val element: HTMLElement = element("div", "zoom-bar") {
         add("div", "zoom-row") {
-            for (way in ways) appendChild(way)
+            for (panelLink in panelLinks) appendChild(panelLink)
             add("div", "place") {
                 add("div", "readout") {
                     cursor = add("a", "cursor-readout")

@@ -39,7 +39,7 @@ internal class FolderScreen(
     logs: List<OpenedLog>,
     name: String,
     private val rules: RuleSet,
-    again: FolderAgain?,
+    again: FolderPolling?,
     private val settings: () -> HTMLElement,
     onLeave: () -> Unit,
     private val onRead: (OpenedLog) -> Unit,
@@ -209,7 +209,7 @@ internal class FolderScreen(
         add("span", "", label)
     }
 
-    private fun renew(look: FolderLook) {
+    private fun renew(look: FolderChanges) {
         known -= look.gone
         checked -= look.gone
         for (log in look.changed) known[log.path] = log
@@ -230,7 +230,7 @@ internal class FolderScreen(
     }
 
     /** Updates the arrivals. */
-    private fun follow() = change(arrivals.knowing(known.values.toList()))
+    private fun follow() = change(arrivals.withEntries(known.values.toList()))
 
     private fun change(changed: Arrivals<OpenedLog>) {
         // The pit view shows new logs by itself.

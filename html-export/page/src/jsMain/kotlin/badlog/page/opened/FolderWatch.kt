@@ -12,9 +12,9 @@ import kotlin.js.Promise
  * @param onLook called after each look.
  */
 internal class FolderWatch(
-    private val folder: FolderAgain,
+    private val folder: FolderPolling,
     private val known: Map<String, OpenedLog>,
-    private val onLook: (FolderLook) -> Unit,
+    private val onLook: (FolderChanges) -> Unit,
 ) {
     /** The logs that had changed at the last look. */
     private val growing = HashSet<String>()
@@ -46,14 +46,14 @@ internal class FolderWatch(
         window.clearTimeout(timer)
     }
 
-    private fun compare(logs: List<OpenedLog>): FolderLook {
+    private fun compare(logs: List<OpenedLog>): FolderChanges {
         val changed = logs.filter { log -> known[log.path].let { it == null || it.size != log.size || it.modified != log.modified } }
         val gone = known.keys - logs.mapTo(HashSet()) { it.path }
         // A browser does not read a file that changes meanwhile, so a log is read once it has stopped growing.
         val complete = growing - changed.mapTo(HashSet()) { it.path } - gone
         growing.clear()
         changed.mapTo(growing) { it.path }
-        return FolderLook(changed, gone, complete)
+        return FolderChanges(changed, gone, complete)
     }
 
     private companion object {
@@ -68,7 +68,7 @@ internal class FolderWatch(
  * @property pause the milliseconds between two looks.
  * @property files promises the current files of the folder.
  */
-internal class FolderAgain(val pause: Int, val files: () -> Promise<List<File>>)
+internal class FolderPolling(val pause: Int, val files: () -> Promise<List<File>>)
 
 /**
  * The changes of a folder since the last look.
@@ -77,6 +77,6 @@ internal class FolderAgain(val pause: Int, val files: () -> Promise<List<File>>)
  * @property gone the paths of removed logs.
  * @property complete the paths of logs that had changed before the last look, and have not since.
  */
-internal class FolderLook(val changed: List<OpenedLog>, val gone: Set<String>, val complete: Set<String>) {
+internal class FolderChanges(val changed: List<OpenedLog>, val gone: Set<String>, val complete: Set<String>) {
     val isSame: Boolean get() = changed.isEmpty() && gone.isEmpty() && complete.isEmpty()
 }

@@ -4,10 +4,10 @@ import badlog.core.recording.Recording
 import badlog.page.reading.FileReading
 import badlog.page.reading.LogFileReader
 import badlog.page.served.GrowingFile
-import badlog.page.served.NotNow
+import badlog.page.served.RetryLaterException
 import badlog.page.view.PageStore
+import badlog.viewer.state.EndFollowing
 import badlog.viewer.state.PlaceAction
-import badlog.viewer.state.Stay
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.Element
@@ -18,8 +18,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Follows [log], which is being written on the page's server, until a person goes elsewhere in it, see [Stay], or begins something that the
- * page of the grown log would not have: it is another page.
+ * Follows [log], which is being written on the page's server, until a person goes elsewhere in it, see [EndFollowing], or begins something
+ * that the page of the grown log would not have: it is another page.
  *
  * @param onGrown called with the log and what is in it now, when the page has done with what was there before.
  * @param onEnd called when it has ended; with a sentence, if nobody asked for that.
@@ -33,7 +33,7 @@ internal class Following(
     private val file = GrowingFile(log.files[0], address)
     private var isOver = false
     private var misses = 0
-    private var stay = Stay()
+    private var following = EndFollowing()
     private var followed: PageStore? = null
     private var isPressed = false
     private val onPress = { event: Event ->
@@ -64,8 +64,8 @@ internal class Following(
     /** The reader stays in [store] at the end of what is shown now. */
     fun stayAt(store: PageStore) {
         followed = store
-        stay = stay.begun(store.place)
-        store.onChange { if (store === followed && store.place !== it.place && !stay.isAt(store.place)) stop() }
+        following = following.begun(store.place)
+        store.onChange { if (store === followed && store.place !== it.place && !following.isAt(store.place)) stop() }
     }
 
     /** Ends it. */
@@ -86,7 +86,7 @@ internal class Following(
             if (grown == null) askIn(file.pause) else read(grown).then { show(grown, it) }
         }.catch {
             // A Wi-Fi has gaps, and others' downloads end; and a server that ended an answer says why when it is asked again.
-            if (it is NotNow && ++misses < MAX_MISSES) askIn(misses * GAP) else stop(it.message.orEmpty())
+            if (it is RetryLaterException && ++misses < MAX_MISSES) askIn(misses * GAP) else stop(it.message.orEmpty())
         }
     }
 

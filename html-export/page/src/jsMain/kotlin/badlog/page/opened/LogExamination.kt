@@ -7,7 +7,7 @@ import badlog.rules.comparison.numbersOf
 import badlog.rules.over
 import badlog.signals.overItsTime
 import badlog.signals.withSignals
-import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.foundIn
 import kotlin.js.Promise
@@ -32,6 +32,6 @@ internal class LogExamination(private val rules: RuleSet) {
         log.with(log.summary, found, numbersOf(view, rules.signals, log.fileName, log.summary.battery))
     } catch (problem: Throwable) {
         console.error(problem)
-        log.with(log.summary, LogFound(0, null))
+        log.with(log.summary, FindingSummary(0, null))
     }
 }

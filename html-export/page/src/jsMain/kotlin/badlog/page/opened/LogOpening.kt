@@ -100,7 +100,7 @@ internal class LogOpening(
                     "It writes one when a driver station is connected: look again then.",
                 )
 
-                else -> list(logs, ServedFolder.NAME, FolderAgain(SERVER_PAUSE) { filesNow(server) })
+                else -> list(logs, ServedFolder.NAME, FolderPolling(SERVER_PAUSE) { filesNow(server) })
             }
         }, {
             if (asked.isLatest) fail("The robot’s logs cannot be listed", it.message.orEmpty())
@@ -179,7 +179,7 @@ internal class LogOpening(
     private fun read(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
         val asked = wait(opened.fileName) {}
         fun readAll() = read(opened, compared, showsWorst, wanted = null)
-        LogNeed.of(opened.files, rules()).then({ need ->
+        MemoryEstimate.of(opened.files, rules()).then({ need ->
             if (!asked.isLatest) return@then
             if (need?.isTooMuch != true) return@then readAll()
             folder?.pause()
@@ -230,18 +230,18 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
-    private inner class Asked(val screen: LoadingScreen, private val number: Int) {
+    private inner class OpenRequest(val screen: LoadingScreen, private val number: Int) {
         /** Whether there was no later request. */
         val isLatest: Boolean get() = number == request
     }
 
     /** Shows that the file [name] is being read; [cancel] stops reading. */
-    private fun wait(name: String, cancel: () -> Unit): Asked {
+    private fun wait(name: String, cancel: () -> Unit): OpenRequest {
         live.stop()
         folder?.pause()
         cancelLast()
         cancelLast = cancel
-        val asked = Asked(
+        val asked = OpenRequest(
             LoadingScreen(name) {
                 cancel()
                 goBack()
@@ -269,7 +269,7 @@ internal class LogOpening(
         watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again) }.catch { root.failUnexpectedly(it, back()) }
     }
 
-    private fun list(logs: List<OpenedLog>, name: String, again: FolderAgain?) {
+    private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?) {
         endFolder()
         folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, { if (it.path == log?.path) onRead() }, ::open)
         goBack()

@@ -9,8 +9,8 @@ import badlog.page.embedded.markupOf
 import badlog.page.served.ServedFile
 import badlog.page.served.served
 import badlog.rules.number.LogNumbers
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.ListedLog
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import org.w3c.files.Blob
 import org.w3c.files.File
@@ -28,7 +28,7 @@ import kotlin.js.Promise
 internal class OpenedLog(
     val files: List<File>,
     override val summary: LogSummary = LogSummary.named(files[0].name, modifiedOf(files[0])),
-    override val found: LogFound? = null,
+    override val found: FindingSummary? = null,
     val numbers: LogNumbers = LogNumbers.NONE,
     val origin: ServedFile? = files[0].served,
 ) : ListedLog {
@@ -47,7 +47,7 @@ internal class OpenedLog(
     val key: String get() = if (origin != null) path else "$fileName:${files.sumOf { it.size.toDouble() }}"
 
     /** Returns this log with more known about it. */
-    fun with(summary: LogSummary, found: LogFound?, numbers: LogNumbers = LogNumbers.NONE): OpenedLog =
+    fun with(summary: LogSummary, found: FindingSummary?, numbers: LogNumbers = LogNumbers.NONE): OpenedLog =
         OpenedLog(files, summary, found, numbers, origin)
 
     /** Returns this log with [file], which has more of it. */

@@ -12,9 +12,9 @@ import badlog.signals.battery.Resistance
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.FoundRule
 import badlog.viewer.catalog.LogDate
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.ProblemCounts
@@ -28,7 +28,7 @@ internal object SummaryMessage {
     /** Returns the result for [log] as a message; its findings are null while the rules run. */
     fun of(log: OpenedLog): dynamic = with(log) { of(summary, found, numbers.toText()) }
 
-    private fun of(summary: LogSummary, found: LogFound?, numbers: LogNumbersText): dynamic = json(
+    private fun of(summary: LogSummary, found: FindingSummary?, numbers: LogNumbersText): dynamic = json(
         "match" to with(summary.match) { arrayOf(event, type, number, alliance) },
         "second" to summary.date.second.toDouble(),
         "source" to summary.date.source.ordinal,
@@ -72,7 +72,7 @@ internal object SummaryMessage {
             battery = message.battery.unsafeCast<Array<dynamic>?>()?.let(::batteryIn),
             topics = topicsIn(message),
         )
-        val found = if (message.hasRun as Boolean) LogFound(0, rules, verdictIn(message.verdict)) else null
+        val found = if (message.hasRun as Boolean) FindingSummary(0, rules, verdictIn(message.verdict)) else null
         val (names, values) = message.figures.unsafeCast<Array<String>>()
         return log.with(summary, found, reader.read(LogNumbersText(names, values)))
     }

@@ -10,7 +10,7 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
     val name: String get() = handle.name as String
 
     /** The same folder, for later looks. */
-    val again: FolderAgain get() = FolderAgain(PAUSE, ::files)
+    val again: FolderPolling get() = FolderPolling(PAUSE, ::files)
 
     private var hasListed = false
 

@@ -115,13 +115,13 @@ internal class CursorPanel(
         val x = scene.cursor.x
         place.showText(if (scene.cursor.isPlaced) scene.xText(x) else "")
         val found = values.at(x)
-        found.take(MOST).forEachIndexed { index, value ->
+        found.take(MAX_ROWS).forEachIndexed { index, value ->
             if (index == rows.size) rows += Row(body)
             val line = lines[value.line]
             rows[index].show(line, value.hasChanged, x, isPinned = line.called in pinned)
         }
         for (index in found.size until rows.size) rows[index].element.isHidden = true
-        val more = lines.size - MOST
+        val more = lines.size - MAX_ROWS
         hint.showText(
             when {
                 lines.isEmpty() -> "No topic matches."
@@ -167,6 +167,6 @@ internal class CursorPanel(
         const val KEY = "values"
 
         /** The maximum number of rows; nobody reads more while the cursor moves. */
-        const val MOST = 200
+        const val MAX_ROWS = 200
     }
 }

@@ -24,7 +24,7 @@ internal class KeptPictures {
     ) {
         if (!(width >= 1 && height >= 1)) return
         val picture = kept.find { it.width == width } ?: KeptPicture(width).also {
-            if (kept.size == MOST) kept.removeAt(0)
+            if (kept.size == MAX_KEPT) kept.removeAt(0)
             kept += it
         }
         picture.show(height, subject, draw)
@@ -33,7 +33,7 @@ internal class KeptPictures {
 
     private companion object {
         /** One width each for the graphs of the board, the graphs of the folders, and the overview. */
-        const val MOST = 3
+        const val MAX_KEPT = 3
     }
 }
 

@@ -39,7 +39,7 @@ internal class LogFileReader(
     }
 
     private fun begin(file: File): Promise<Unit> = bytesOf(file, 0.0, GZIP.size.toDouble()).then { head ->
-        if (head.contentEquals(GZIP)) inflate(file) else goOn(file, 0.0)
+        if (head.contentEquals(GZIP)) inflate(file) else continueFrom(file, 0.0)
     }.unsafeCast<Promise<Unit>>()
 
     private fun inflate(file: File) = bytesOf(file, 0.0, file.size.toDouble()).then { bytes ->
@@ -53,10 +53,10 @@ internal class LogFileReader(
         advance(bytes.size)
     }
 
-    private fun goOn(file: File, from: Double): Promise<Unit> = bytesOf(file, from, from + PIECE).then { bytes ->
+    private fun continueFrom(file: File, from: Double): Promise<Unit> = bytesOf(file, from, from + PIECE).then { bytes ->
         parser.accept(bytes, 0, bytes.size)
         advance(bytes.size)
-        if (bytes.size < PIECE) Unit else goOn(file, from + PIECE)
+        if (bytes.size < PIECE) Unit else continueFrom(file, from + PIECE)
     }.unsafeCast<Promise<Unit>>()
 
     private fun advance(bytes: Int) {

@@ -21,7 +21,7 @@ internal fun ask(address: String, signal: dynamic = undefined, from: Double? = n
         options.headers = json("Range" to "bytes=$from-")
         options.cache = RequestCache.NO_STORE
     }
-    return window.fetch(address, options).catch<Response> { throw NotNow(LOST) }.then { response ->
+    return window.fetch(address, options).catch<Response> { throw RetryLaterException(LOST) }.then { response ->
         if (response.ok) Promise.resolve(response) else response.text().then { refuse(it, response) }
     }.unsafeCast<Promise<Response>>()
 }
@@ -30,11 +30,11 @@ private fun refuse(text: String, response: Response): Response {
     // A robot's server answers with the reason in one sentence; other servers answer with a page.
     val isSentence = text.length < MAX_SENTENCE && '<' !in text
     val sentence = if (isSentence) text.trim() else "The server answers ${response.status}."
-    throw if (response.headers.has("Retry-After")) NotNow(sentence) else IllegalStateException(sentence)
+    throw if (response.headers.has("Retry-After")) RetryLaterException(sentence) else IllegalStateException(sentence)
 }
 
 /** The reason why there is no answer now; there may be one in some seconds. */
-internal class NotNow(sentence: String) : IllegalStateException(sentence)
+internal class RetryLaterException(sentence: String) : IllegalStateException(sentence)
 
 /** The reason why a download ended. */
 internal const val LOST = "The robot does not answer: stay in its Wi-Fi, and try again."

@@ -31,7 +31,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
 
     /** Returns the log with its new bytes, up to its last whole row; null if there are none. Rejected with a sentence. */
     fun more(): Promise<File?> = ask(address, from = bytes.size.toDouble() - KNOWN_BYTES).then { response ->
-        response.arrayBuffer().catch<ArrayBuffer> { throw NotNow(LOST) }.then { take(it, response.status == PART) }
+        response.arrayBuffer().catch<ArrayBuffer> { throw RetryLaterException(LOST) }.then { take(it, response.status == PART) }
     }.unsafeCast<Promise<File?>>()
 
     private fun take(buffer: ArrayBuffer, isPart: Boolean): File? {

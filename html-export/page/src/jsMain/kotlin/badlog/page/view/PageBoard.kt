@@ -127,6 +127,6 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
 
     internal companion object {
         /** The maximum number of graphs offered as targets: more would not fit on the screen. */
-        const val MOST_OFFERED = 12
+        const val MAX_OFFERED = 12
     }
 }

@@ -16,7 +16,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.draw.mark.MARK_REACH
 import badlog.viewer.draw.mark.ModeTimeline
-import badlog.viewer.draw.mark.saidNear
+import badlog.viewer.draw.mark.markNear
 import badlog.viewer.draw.path.Field
 import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.draw.plot.PlotMarks
@@ -118,14 +118,14 @@ internal class Scene(
         return listOf(here) + (all - here)
     }
 
-    private var pointed: Pair<List<Any?>, Pointed>? = null
+    private var pointed: Pair<List<Any?>, MarksAtCursor>? = null
 
     /** Returns what is under the cursor at [x], worked out once for all graphs that show it. */
-    fun pointedAt(x: Double): Pointed {
+    fun pointedAt(x: Double): MarksAtCursor {
         val asked = listOf(x, range.now, findings, visited, notes)
         pointed?.takeIf { it.first == asked }?.let { return it.second }
         val found = findingsAt(x)
-        return Pointed(saidNear(x, range.now, notes, events)?.text, found.firstOrNull()?.severity, findingText(found, x))
+        return MarksAtCursor(markNear(x, range.now, notes, events)?.text, found.firstOrNull()?.severity, findingText(found, x))
             .also { pointed = asked to it }
     }
 

@@ -64,10 +64,10 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
     private fun states(view: LogView, line: GraphSeries, range: Span): JsonObject = buildJsonObject {
         put("name", line.topic.name)
         val runs = line.stateRuns()
-        val times = runs.timesOf(line.states.orEmpty(), range.from, range.to)
+        val times = runs.timesOf(line.states.orEmpty(), listOf(range))
         put("timeUnit", unitOf(view.xAxis.unit))
         putJsonArray("states") {
-            for (time in times.take(StateTime.MOST)) {
+            for (time in times.take(StateTime.MAX_LISTED)) {
                 addJsonObject {
                     put("state", time.state)
                     put("time", number(numberText(time.time).toDoubleOrNull()))
@@ -76,7 +76,7 @@ internal class StatisticsOfTopics(private val logs: OpenLogs) :
                 }
             }
         }
-        if (times.size > StateTime.MOST) put("moreStates", times.size - StateTime.MOST)
+        if (times.size > StateTime.MAX_LISTED) put("moreStates", times.size - StateTime.MAX_LISTED)
     }
 
     private companion object {

@@ -9,7 +9,7 @@ import badlog.rules.RuleSet
 import badlog.rules.folder.FolderRules
 import badlog.rules.toJson
 import badlog.signals.vocabulary.toJson
-import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.foundIn
 import java.nio.file.Path
@@ -25,9 +25,9 @@ import kotlin.time.TimeSource
  * @param version the version of the program, because another one may have other results.
  */
 class FolderStore(private val folder: Path, private val cache: Path?, private val version: String) {
-    private class Known(val folderRules: RuleSet, val rules: RulesOfFolder, val since: TimeMark)
+    private class CachedRules(val folderRules: RuleSet, val rules: RulesOfFolder, val since: TimeMark)
 
-    private val byFolder = ConcurrentHashMap<Path, Known>()
+    private val byFolder = ConcurrentHashMap<Path, CachedRules>()
     private val summaries = ConcurrentHashMap<String, ResultCache<LogSummary>>()
 
     /** Returns a key that identifies the rules for [file]. */
@@ -61,7 +61,7 @@ class FolderStore(private val folder: Path, private val cache: Path?, private va
         if (before != null && before.since.elapsedNow() < REST) return before.rules
         val rules = FolderRules.of(file, folder).rules
         val same = byFolder.values.firstOrNull { it.folderRules == rules }?.rules
-        val now = Known(rules, same ?: RulesOfFolder(rules, cache, version), TimeSource.Monotonic.markNow())
+        val now = CachedRules(rules, same ?: RulesOfFolder(rules, cache, version), TimeSource.Monotonic.markNow())
         byFolder[place] = now
         return now.rules
     }
@@ -90,8 +90,9 @@ internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) 
     val results: ResultCache<ExaminedLog>? = cache?.let { examination.storedIn(it, version) }
 
     /** Returns the findings in [file]; null if unknown. */
-    fun found(file: LogFile): LogFound? = results?.get(file)?.let(::foundIn)
+    fun found(file: LogFile): FindingSummary? = results?.get(file)?.let(::foundIn)
 
     /** Returns the findings in [log]. */
-    fun foundIn(log: ExaminedLog): LogFound = if (log.unreadable == null) rules.foundIn(log.findings, key) else LogFound(key, null)
+    fun foundIn(log: ExaminedLog): FindingSummary =
+        if (log.unreadable == null) rules.foundIn(log.findings, key) else FindingSummary(key, null)
 }

@@ -2,7 +2,7 @@ package badlog.catalog.folder
 
 import badlog.files.LogFile
 import badlog.files.LogName
-import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.FindingSummary
 import java.nio.file.Path
 import java.util.TreeSet
 import kotlin.time.Duration
@@ -60,7 +60,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
 
     /** Adds the result [found] of the rules in the file of [entry], unless the file has changed in the meantime. */
     @Synchronized
-    fun searched(entry: LogEntry, found: LogFound) {
+    fun searched(entry: LogEntry, found: FindingSummary) {
         val now = known[entry.file] ?: return
         if (now.source != entry.source) return
         known[entry.file] = now.copy(found = found)

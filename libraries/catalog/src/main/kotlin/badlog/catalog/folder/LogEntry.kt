@@ -1,8 +1,8 @@
 package badlog.catalog.folder
 
 import badlog.files.LogFile
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.ListedLog
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import java.nio.file.Path
 
@@ -13,7 +13,7 @@ import java.nio.file.Path
  * @property summary the summary of its content.
  * @property found the findings of the rules; null until they have been run.
  */
-data class LogEntry(val source: LogFile, override val summary: LogSummary, override val found: LogFound? = null) : ListedLog {
+data class LogEntry(val source: LogFile, override val summary: LogSummary, override val found: FindingSummary? = null) : ListedLog {
     /** The file; absolute. */
     val file: Path get() = source.path
 

@@ -13,7 +13,7 @@ import badlog.formats.LOG_FORMATS
 import badlog.signals.overItsTime
 import badlog.signals.withSignals
 import badlog.viewer.catalog.Content
-import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogSummary
 import java.util.concurrent.CancellationException
 
@@ -61,12 +61,12 @@ class LogReading(private val store: FolderStore) {
     }
 
     /** Returns the findings of the rules in [file]: stored ones, otherwise by reading it again. */
-    fun found(file: LogFile, checkpoint: () -> Unit = {}): LogFound {
+    fun found(file: LogFile, checkpoint: () -> Unit = {}): FindingSummary {
         val rules = store.rulesFor(file.path)
         rules.found(file)?.let { return it }
-        return orNotRead(file.path, { LogFound(rules.key, null) }) {
+        return orNotRead(file.path, { FindingSummary(rules.key, null) }) {
             when (val read = readLog(file.path, LOG_FORMATS, ReadOptions(cores = 1)) { _, _ -> checkpoint() }) {
-                is ReadResult.NotRead -> LogFound(rules.key, null)
+                is ReadResult.NotRead -> FindingSummary(rules.key, null)
 
                 is ReadResult.Read -> {
                     val log = LogContent.Log(read.recording, viewOf(read.recording, file), emptyList())
@@ -76,9 +76,9 @@ class LogReading(private val store: FolderStore) {
         }
     }
 
-    private fun examined(file: LogFile, log: LogContent.Log, checkpoint: () -> Unit): LogFound {
+    private fun examined(file: LogFile, log: LogContent.Log, checkpoint: () -> Unit): FindingSummary {
         val rules = store.rulesFor(file.path)
-        return orNotRead(file.path, { LogFound(rules.key, null) }) {
+        return orNotRead(file.path, { FindingSummary(rules.key, null) }) {
             val examined = atLowPriority { rules.examination.of(log, file.name, checkpoint) }.result
             rules.results?.set(file, examined)
             rules.foundIn(examined)

@@ -56,7 +56,7 @@ fun writeMatchZip(files: List<FileForZip>, out: OutputStream) {
 private fun stemOf(path: Path): String {
     val ending = endingOf(path)
     var stem = safeNameOf(path).removeSuffix(ending)
-    while ((stem + ending).encodeToByteArray().size > MOST_BYTES) stem = stem.dropLast(if (stem.last().isLowSurrogate()) 2 else 1)
+    while ((stem + ending).encodeToByteArray().size > MAX_BYTES) stem = stem.dropLast(if (stem.last().isLowSurrogate()) 2 else 1)
     return stem.trimEnd('.', ' ')
 }
 
@@ -77,7 +77,7 @@ private fun ZipOutputStream.put(name: String, write: (OutputStream) -> Unit) {
 internal val XZ: ByteArray = byteArrayOf(0xfd.toByte(), '7'.code.toByte(), 'z'.code.toByte(), 'X'.code.toByte(), 'Z'.code.toByte(), 0)
 
 /** Ten less than in [safeName]. */
-private const val MOST_BYTES = 170
+private const val MAX_BYTES = 170
 
 /** The earliest time that a ZIP can hold. */
 private val BEGIN = LocalDateTime.of(1980, 1, 1, 0, 0)

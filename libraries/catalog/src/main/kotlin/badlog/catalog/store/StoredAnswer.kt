@@ -13,32 +13,32 @@ import kotlinx.serialization.encoding.Encoder
 /** [Span], [Quantity] and [Finding] in the form stored in a cache: their own modules do not depend on a serialization library. */
 object SpanSerializer : KSerializer<Span> {
     @Serializable
-    private class Stored(val from: Double, val to: Double)
+    private class StoredSpan(val from: Double, val to: Double)
 
-    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+    override val descriptor: SerialDescriptor = StoredSpan.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Span) =
-        encoder.encodeSerializableValue(Stored.serializer(), Stored(value.from, value.to))
+        encoder.encodeSerializableValue(StoredSpan.serializer(), StoredSpan(value.from, value.to))
 
-    override fun deserialize(decoder: Decoder): Span = decoder.decodeSerializableValue(Stored.serializer()).let { Span(it.from, it.to) }
+    override fun deserialize(decoder: Decoder): Span = decoder.decodeSerializableValue(StoredSpan.serializer()).let { Span(it.from, it.to) }
 }
 
 object QuantitySerializer : KSerializer<Quantity> {
     @Serializable
-    private class Stored(val name: String, val value: Double, val unit: String, val time: Double)
+    private class StoredQuantity(val name: String, val value: Double, val unit: String, val time: Double)
 
-    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+    override val descriptor: SerialDescriptor = StoredQuantity.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Quantity) =
-        encoder.encodeSerializableValue(Stored.serializer(), Stored(value.name, value.value, value.unit, value.time))
+        encoder.encodeSerializableValue(StoredQuantity.serializer(), StoredQuantity(value.name, value.value, value.unit, value.time))
 
     override fun deserialize(decoder: Decoder): Quantity =
-        decoder.decodeSerializableValue(Stored.serializer()).let { Quantity(it.name, it.value, it.unit, it.time) }
+        decoder.decodeSerializableValue(StoredQuantity.serializer()).let { Quantity(it.name, it.value, it.unit, it.time) }
 }
 
 object FindingSerializer : KSerializer<Finding> {
     @Serializable
-    private class Stored(
+    private class StoredFinding(
         val rule: String,
         val severity: Severity,
         val topic: String?,
@@ -59,19 +59,19 @@ object FindingSerializer : KSerializer<Finding> {
         val meanwhile: List<String> = emptyList(),
     )
 
-    override val descriptor: SerialDescriptor = Stored.serializer().descriptor
+    override val descriptor: SerialDescriptor = StoredFinding.serializer().descriptor
 
     override fun serialize(encoder: Encoder, value: Finding) = encoder.encodeSerializableValue(
-        Stored.serializer(),
+        StoredFinding.serializer(),
         value.run {
-            Stored(
+            StoredFinding(
                 rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach, isOnTrial,
                 meanwhile,
             )
         },
     )
 
-    override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(Stored.serializer()).run {
+    override fun deserialize(decoder: Decoder): Finding = decoder.decodeSerializableValue(StoredFinding.serializer()).run {
         Finding(
             rule,
             severity,

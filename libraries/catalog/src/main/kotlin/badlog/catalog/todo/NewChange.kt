@@ -3,10 +3,10 @@ package badlog.catalog.todo
 import badlog.signals.match.localSecondOf
 import badlog.viewer.choices.changeTime
 import badlog.viewer.todo.Check
-import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.NextMatch
 import badlog.viewer.todo.TodoChange
 import badlog.viewer.todo.TodoDeed
+import badlog.viewer.todo.TodoLog
 import badlog.viewer.todo.TodoSubject
 import java.util.UUID
 
@@ -21,7 +21,7 @@ fun newChange(
     subject: TodoSubject,
     deed: TodoDeed,
     author: String,
-    last: FoundLog?,
+    last: TodoLog?,
     known: Collection<TodoChange> = emptyList(),
     now: Long = localSecondOf(System.currentTimeMillis() / MILLIS),
 ): TodoChange {

@@ -4,8 +4,8 @@ import badlog.core.recording.Severity
 import badlog.files.LogFile
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.FoundRule
-import badlog.viewer.catalog.LogFound
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain

@@ -1,7 +1,7 @@
 package badlog.catalog.folder
 
 import badlog.files.LogFile
-import badlog.viewer.catalog.LogFound
+import badlog.viewer.catalog.FindingSummary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -60,12 +60,12 @@ class IndexQueueSpec : FunSpec({
         queue.found(listOf(new), Duration.ZERO)
         read(queue)
         val before = queue.state().entries.single()
-        queue.searched(before, LogFound(1, emptyList()))
-        queue.state().entries.single().found shouldBe LogFound(1, emptyList())
+        queue.searched(before, FindingSummary(1, emptyList()))
+        queue.state().entries.single().found shouldBe FindingSummary(1, emptyList())
         val grown = new.copy(size = 5000)
         queue.found(listOf(grown), 20.seconds)
         read(queue) shouldBe grown
-        queue.searched(before, LogFound(2, emptyList()))
+        queue.searched(before, FindingSummary(2, emptyList()))
         queue.state().entries.single().found.shouldBeNull()
     }
 

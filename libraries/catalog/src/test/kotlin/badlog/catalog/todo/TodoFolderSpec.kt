@@ -2,11 +2,11 @@ package badlog.catalog.todo
 
 import badlog.files.UnwritableFileException
 import badlog.signals.match.MatchOfLog
-import badlog.viewer.todo.FoundLog
 import badlog.viewer.todo.NextMatch
 import badlog.viewer.todo.OwnTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoLog
 import badlog.viewer.todo.toLine
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -97,7 +97,7 @@ class TodoFolderSpec : FunSpec({
 
     test("a new change is later than all others of its subject, even if clocks are wrong, and affects no other subject") {
         val began = NOW - 3600
-        val log = FoundLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), began, emptyList())
+        val log = TodoLog("q1.bag", MatchOfLog("Mill Creek", "Qualification", "1"), began, emptyList())
         val ahead = listOf("2099-01-01T00:00:00.000Z", "9999-12-31T23:59:59.998Z").map { change("Radio").copy(time = it) }
         val done = newChange(OwnTask("Radio"), TodoDeed.Done(), " Ben ", log, ahead, NOW)
         done.time shouldBe "9999-12-31T23:59:59.999Z"
@@ -111,11 +111,11 @@ class TodoFolderSpec : FunSpec({
     }
 
     test("a log of days ago does not determine the event of a new change") {
-        val before = FoundLog("q78.bag", MatchOfLog("Mill Creek", "Qualification", "78"), NOW - 6 * 86_400, emptyList())
+        val before = TodoLog("q78.bag", MatchOfLog("Mill Creek", "Qualification", "78"), NOW - 6 * 86_400, emptyList())
         val said = newChange(NextMatch("Qualification 1"), TodoDeed.Open, "Ada", before, now = NOW)
         said.event.shouldBeNull()
         TodoList.of(listOf(said), listOf(before)).next shouldBe "Qualification 1"
-        val played = FoundLog("q1.bag", MatchOfLog("Tidewater", "Qualification", "1"), NOW + 3600, emptyList())
+        val played = TodoLog("q1.bag", MatchOfLog("Tidewater", "Qualification", "1"), NOW + 3600, emptyList())
         TodoList.of(listOf(said), listOf(before, played)).next shouldBe "the match after Qualification 1"
     }
 

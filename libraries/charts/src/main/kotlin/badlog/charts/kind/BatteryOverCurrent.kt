@@ -31,7 +31,7 @@ internal fun batteryOverCurrent(matches: ChartedMatches): ChartResult {
             y = "y"
         }
     // The lowest first, since there is not always room for all.
-    val labeled = if (known.size <= MANY) known else known.sortedBy(::voltageOf).take(LABELS_OF_MANY)
+    val labeled = if (known.size <= MAX_LABELED) known else known.sortedBy(::voltageOf).take(LABELS_OF_MANY)
     val labels = labeled.sortedBy(::voltageOf).map { PointLabel(currentOf(it), voltageOf(it), it.label) }
     val marked = plot.withLabels(labels, currents.zip(voltages), area)
     return ChartResult(Chart(TEXTS, reading, marked.within(area)))
@@ -61,5 +61,5 @@ private val TEXTS = ChartTexts(
 
 /** A line through fewer points would only follow them. */
 private const val MIN_LINE_POINTS = 6
-private const val MANY = 30
+private const val MAX_LABELED = 30
 private const val LABELS_OF_MANY = 15

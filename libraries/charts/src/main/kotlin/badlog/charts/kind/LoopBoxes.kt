@@ -57,7 +57,7 @@ internal fun loopBoxes(matches: ChartedMatches): ChartResult {
             ymax = "high"
             group = "x"
         } +
-        geomPoint(data, color = ChartColors.LIMIT, size = if (known.size > MANY) 1.5 else 2.5, tooltips = tooltipsNone) {
+        geomPoint(data, color = ChartColors.LIMIT, size = if (known.size > MAX_LARGE_POINTS) 1.5 else 2.5, tooltips = tooltipsNone) {
             x = "x"
             y = "longest"
         } +
@@ -76,5 +76,5 @@ private const val MIN_MILLIS = 0.5
 /** Motor safety switches motors off after this time, in ms. */
 private const val BLOCKED_MILLIS = 100.0
 private const val ROOM = 1.3
-private const val MANY = 40
+private const val MAX_LARGE_POINTS = 40
 private val TICKS = listOf(1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0, 10_000.0)

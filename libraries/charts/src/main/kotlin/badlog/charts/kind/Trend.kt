@@ -90,7 +90,7 @@ internal fun trendOf(matches: ChartedMatches, trend: Trend): ChartResult {
             x = "x"
             y = "y"
         } +
-        geomPoint(data, color = ChartColors.LINE, size = if (known.size > MANY) 2.0 else 3.0, tooltips = tooltipsNone) {
+        geomPoint(data, color = ChartColors.LINE, size = if (known.size > MAX_LARGE_POINTS) 2.0 else 3.0, tooltips = tooltipsNone) {
             x = "x"
             y = "y"
         }
@@ -135,5 +135,5 @@ private fun Plot.withUncertainties(known: List<ChartedMatch>, trend: Trend): Plo
     }
 }
 
-private const val MANY = 40
+private const val MAX_LARGE_POINTS = 40
 private const val MAX_LABELS = 20

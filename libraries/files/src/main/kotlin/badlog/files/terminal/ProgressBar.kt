@@ -64,12 +64,12 @@ public class ProgressBar(
  * h left`.
  */
 internal fun timeLeft(seconds: Double): String = when {
-    seconds < LEAST_MINUTES -> "${ceil(seconds).toInt()} s left"
-    seconds < LEAST_HOURS -> "${(seconds / MINUTE).roundToInt()} min left"
+    seconds < MIN_MINUTES -> "${ceil(seconds).toInt()} s left"
+    seconds < MIN_HOURS -> "${(seconds / MINUTE).roundToInt()} min left"
     else -> "${(seconds / HOUR).roundToInt()} h left"
 }
 
 private const val MINUTE = 60
 private const val HOUR = 3600
-private const val LEAST_MINUTES = 90
-private const val LEAST_HOURS = 5400
+private const val MIN_MINUTES = 90
+private const val MIN_HOURS = 5400

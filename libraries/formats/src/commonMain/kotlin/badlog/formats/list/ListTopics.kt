@@ -20,7 +20,7 @@ import badlog.formats.wpilog.attributesIn
 internal class ListTopics(private val source: ColumnSource, private val problems: ProblemList) {
     private enum class Kind { NUMBERS, TEXTS, ARRAYS }
 
-    private inner class Listed {
+    private inner class ListedTopic {
         /** Null while all values are empty. */
         var kind: Kind? = null
         val elements = ElementBlocks(source.keepsSamples) { index, timestamps -> newBlock(kind, index, timestamps) }
@@ -34,7 +34,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         var firstLine = 0
     }
 
-    private val byName = LinkedHashMap<String, Listed?>()
+    private val byName = LinkedHashMap<String, ListedTopic?>()
     private var droppedCount = 0
     private var earlyCount = 0
     private var firstEarly = ""
@@ -47,7 +47,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     fun add(row: ListRow): Boolean {
         val time = row.time ?: return false
         val name = row.name ?: return false
-        val listed = byName.getOrPut(name) { if (source.hasRoomFor(1)) Listed() else null }
+        val listed = byName.getOrPut(name) { if (source.hasRoomFor(1)) ListedTopic() else null }
         sampleCount++
         if (time < 0 && earlyCount++ == 0) firstEarly = name
         when {
@@ -64,14 +64,14 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     }
 
     // AdvantageScope writes an empty array as `[]`, DataLogTool as nothing; only a topic of texts has both.
-    private fun Listed.isOpenAfter(row: ListRow) = kind == null && isEmpty(row) && firstEmpty?.value?.contentEquals(row.value) != false
+    private fun ListedTopic.isOpenAfter(row: ListRow) = kind == null && isEmpty(row) && firstEmpty?.value?.contentEquals(row.value) != false
 
-    private fun Listed.hold(row: ListRow, time: Double) {
+    private fun ListedTopic.hold(row: ListRow, time: Double) {
         if (emptyCount++ == 0) firstEmpty = row
         if (source.keepsSamples) emptyTimes.add(time)
     }
 
-    private fun decide(listed: Listed, row: ListRow) {
+    private fun decide(listed: ListedTopic, row: ListRow) {
         if (listed.kind != null) return
         val empty = listed.firstEmpty
         listed.kind = if (empty != null && row !== empty && isEmpty(row)) Kind.TEXTS else kindOf(row)
@@ -93,7 +93,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         return SampleBlock(source.columns(listOf(if (kind == Kind.ARRAYS) "[$index]" else "")), timestamps)
     }
 
-    private fun add(listed: Listed, row: ListRow, time: Double) {
+    private fun add(listed: ListedTopic, row: ListRow, time: Double) {
         val elements = listed.elements
         if (listed.kind == Kind.ARRAYS) {
             val numbers = elementsOf(row).orEmpty()
@@ -124,7 +124,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         elements.end(1, time)
     }
 
-    private fun noteText(listed: Listed, row: ListRow) {
+    private fun noteText(listed: ListedTopic, row: ListRow) {
         if (listed.textCount++ > 0) return
         listed.firstText = row.textOf(2).take(QUOTED)
         listed.firstLine = row.line
@@ -174,7 +174,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         return topics
     }
 
-    private fun build(name: String, listed: Listed, names: UniqueNames, topics: MutableList<Topic>) {
+    private fun build(name: String, listed: ListedTopic, names: UniqueNames, topics: MutableList<Topic>) {
         listed.firstEmpty?.let { decide(listed, it) }
         listed.elements.timestamps.finish(ALL)
         for (block in listed.elements.blocks) {

@@ -90,7 +90,7 @@ internal fun isControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean 
  */
 internal fun mayBeControlPayload(bytes: ByteArray, from: Int, until: Int): Boolean {
     val end = controlEnd(bytes, from, until)
-    return end == until || (end > 0 && bytes[from].toInt() == ControlKind.START && until - end <= MOST_EXTRA)
+    return end == until || (end > 0 && bytes[from].toInt() == ControlKind.START && until - end <= MAX_EXTRA)
 }
 
 /** Returns where the texts of a control record's payload end; -1 if it is not one. */
@@ -111,4 +111,4 @@ private fun controlEnd(bytes: ByteArray, from: Int, until: Int): Int {
 }
 
 /** More bytes than this after the texts are damage. */
-private const val MOST_EXTRA = 64
+private const val MAX_EXTRA = 64

@@ -65,17 +65,17 @@ internal class RecordSearch(private val sink: RecordSink) {
         var firstStep = Double.NaN
         var longestStep = TIGHT_MICROS
         while (true) {
-            if (at == until) return if (!isEnd) RecordLook.MORE else rowOf(fitting, LEAST_AT_END, firstStep, longestStep)
-            if (at - from > FARTHEST) return rowOf(fitting, LEAST_FAR, firstStep, longestStep)
+            if (at == until) return if (!isEnd) RecordLook.MORE else rowOf(fitting, MIN_AT_END, firstStep, longestStep)
+            if (at - from > FARTHEST) return rowOf(fitting, MIN_FAR_AWAY, firstStep, longestStep)
             val look = strictLook(bytes, at, until, last)
             if (look == RecordLook.NONE) return look
             if (isInside && fitting < SURE && (look == RecordLook.ODD || (look == RecordLook.FITTING && !isSure()))) return RecordLook.NONE
             val isFar = look != RecordLook.MORE && head.length > FARTHEST
             if (isFar || look == RecordLook.MORE || head.length > until - at) {
-                return if (isFar || isEnd) rowOf(fitting, LEAST_FAR, firstStep, longestStep) else RecordLook.MORE
+                return if (isFar || isEnd) rowOf(fitting, MIN_FAR_AWAY, firstStep, longestStep) else RecordLook.MORE
             }
             if (look == RecordLook.ODD) {
-                if (fitting == 0 || ++odd > MOST_ODD + fitting) return RecordLook.NONE
+                if (fitting == 0 || ++odd > MAX_ODD + fitting) return RecordLook.NONE
             } else {
                 // The lost part may have been minutes long, but no log continues hours later.
                 if (fitting == 0 && head.id != 0 && abs(head.micros - near) > FAR_MICROS) return RecordLook.NONE
@@ -156,11 +156,11 @@ internal class RecordSearch(private val sink: RecordSink) {
         private const val SURE = 2
 
         /** The number that is enough at the end of the file, or if they are very large. */
-        private const val LEAST_AT_END = 3
-        private const val LEAST_FAR = 5
+        private const val MIN_AT_END = 3
+        private const val MIN_FAR_AWAY = 5
 
         /** The number of odd ones that may be among them, in addition to one for each fitting one. */
-        private const val MOST_ODD = 2
+        private const val MAX_ODD = 2
         private const val GOES_ON = 4
         private const val PATIENCE = 100
 

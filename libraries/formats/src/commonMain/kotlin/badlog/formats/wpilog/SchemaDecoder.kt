@@ -15,9 +15,9 @@ internal class SchemaDecoder(
     private val version: () -> Int,
     private val decoderNow: () -> PayloadDecoder?,
 ) : PayloadDecoder() {
-    private class Held(val time: Double, val payload: ByteArray)
+    private class HeldRecord(val time: Double, val payload: ByteArray)
 
-    private val held = ArrayDeque<Held>()
+    private val held = ArrayDeque<HeldRecord>()
     private var heldBytes = 0
 
     // The sizes of all payloads, once the payloads themselves need too much memory.
@@ -39,7 +39,7 @@ internal class SchemaDecoder(
             takeCounts(known)
             return
         }
-        held += Held(time, bytes.copyOfRange(from, until))
+        held += HeldRecord(time, bytes.copyOfRange(from, until))
         heldBytes += until - from + OVERHEAD
         sizes?.accept(time, bytes, from, until)
         if (heldBytes > MAX_HELD) dropFirst()
@@ -53,7 +53,7 @@ internal class SchemaDecoder(
         }
     }
 
-    private fun PayloadDecoder.accept(record: Held) = accept(record.time, record.payload, 0, record.payload.size)
+    private fun PayloadDecoder.accept(record: HeldRecord) = accept(record.time, record.payload, 0, record.payload.size)
 
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = decoder?.fits(bytes, from, until) != false
 

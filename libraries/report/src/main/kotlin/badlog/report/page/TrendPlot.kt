@@ -63,7 +63,7 @@ private class TrendPlot(private val points: List<TrendPoint>, known: List<TrendP
             pen.dots(Points().add(x, y), ODD, colors[Shade.ERROR])
             pen.ring(x, y, ODD, colors[Shade.SURFACE], LINE)
         } else {
-            pen.dots(Points().add(x, y), if (points.size > MANY) SMALL else LARGE, colors[Shade.ACCENT])
+            pen.dots(Points().add(x, y), if (points.size > MAX_LARGE_POINTS) SMALL else LARGE, colors[Shade.ACCENT])
         }
     }
 
@@ -97,7 +97,7 @@ private const val ROOM = 0.08
 private const val DASH = 3.0
 private const val LINE = 1.5
 private const val RANGE_OPACITY = 0.55
-private const val MANY = 60
+private const val MAX_LARGE_POINTS = 60
 private const val SMALL = 1.5
 private const val LARGE = 2.5
 private const val ODD = 4.5

@@ -34,11 +34,11 @@ private val FIXED = listOf(
 /** Returns the numbers that were findings in the most logs; if none was, the robot's current. */
 private fun mostDifferent(logs: List<IndexedLog>): List<Trend> {
     val found = logs.flatMap { it.report.differences.numbers }.filter { it.signal !in FIXED_SIGNALS }
-    val most = found.groupingBy { it }.eachCount().entries.sortedByDescending { it.value }.take(MOST).map { (key, _) ->
+    val most = found.groupingBy { it }.eachCount().entries.sortedByDescending { it.value }.take(MAX_VARYING).map { (key, _) ->
         Trend("${key.topic} ${key.measure.words}", key.unit) { numbers -> key.takeIf { it in numbers.keys } }
     }
     return most.ifEmpty { listOf(trendOf("Total current in teleop", "A", "total current", Measure.TELEOP)) }
 }
 
 private val FIXED_SIGNALS = setOf("battery", NumberKey.RESISTANCE, "loop time")
-private const val MOST = 3
+private const val MAX_VARYING = 3

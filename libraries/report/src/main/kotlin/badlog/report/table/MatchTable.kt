@@ -71,9 +71,9 @@ class MatchTable(
 
     // A hook receives everything in the log.
     private val sinks = if (hooks.isEmpty()) neededTopics() else NumberSinks.RECORDING
-    private val asked = ShapeCache(MAX_SHAPES) { Asked(it) }
+    private val asked = ShapeCache(MAX_SHAPES) { ShapeQuestions(it) }
 
-    private inner class Asked(shape: LogShape) {
+    private inner class ShapeQuestions(shape: LogShape) {
         val names = QuestionNames(usedSignals, shape)
         val questions: List<ParsedQuestion> = this@MatchTable.questions.map { askedQuestion(it, shape, names, signals) }
         val topics: List<TopicQuestion> = shape.vocabulary.signals
@@ -91,7 +91,7 @@ class MatchTable(
         (questions + listOfNotNull(condition)).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 
     @Serializable
-    internal class Stored(
+    internal class StoredRow(
         val title: String?,
         val headers: List<String> = emptyList(),
         val cells: List<TableCell> = emptyList(),
@@ -131,7 +131,7 @@ class MatchTable(
             ) + questions + "by" + by + "topics" + virtualTopics +
                 "only" +
                 only.map { it.text }
-        val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), Stored.serializer()) }
+        val known = cache?.takeIf { hooks.isEmpty() }?.let { ResultCache(it, parts.joinToString("\n"), StoredRow.serializer()) }
         val batteries = if (by.any(::isBattery)) {
             FolderBatteries.of(files.map { it.path }, commonFolderOf(files, folders))
         } else {
@@ -164,7 +164,7 @@ class MatchTable(
         }
     }
 
-    private fun rowOf(file: LogFile, stored: Stored, headers: List<String>): TableRow {
+    private fun rowOf(file: LogFile, stored: StoredRow, headers: List<String>): TableRow {
         val found = stored.hooks.flatMap { hook -> hook.result?.values.orEmpty().map { (name, text) -> HookValue(hook.hook, name, text) } }
         val failures = stored.hooks.mapNotNull { hook -> hook.failure?.let { HookFailure(hook.hook, it.message) } }
         return stored.run {
@@ -172,21 +172,21 @@ class MatchTable(
         }
     }
 
-    private fun ask(content: LogContent, name: String): CachedResult<Stored> = when (content) {
+    private fun ask(content: LogContent, name: String): CachedResult<StoredRow> = when (content) {
         is LogContent.None -> CachedResult(
-            Stored(null, unreadable = content.why.message, isNoLog = content.why.isLasting),
+            StoredRow(null, unreadable = content.why.message, isNoLog = content.why.isLasting),
             content.why.isLasting,
         )
 
         is LogContent.Log -> CachedResult(ask(content, name), isLasting = true)
     }
 
-    private fun ask(log: LogContent.Log, name: String): Stored {
+    private fun ask(log: LogContent.Log, name: String): StoredRow {
         val values = log.recording.values
         val (isWanted, mistake) = condition?.let { holdsFor(values, it) } ?: (true to null)
         val asked = asked[log.view]
         val signals = asked.names.signalsOf(log.view)
-        return Stored(
+        return StoredRow(
             log.view.title,
             by.map { if (isBattery(it)) batteryNameIn(log.recording, usedSignals).orEmpty() else headerOf(values, it) },
             cells = if (isWanted) asked.questions.map { cellOf(it, signals) } else emptyList(),

@@ -93,8 +93,8 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
     /** Returns the numbers of the logs nearest to that at [place], because a robot changes over a season. */
     private fun othersOf(column: Column, place: Int): DoubleArray {
         val at = column.logs.binarySearch(place)
-        val from = (at - MOST / 2).coerceAtMost(column.logs.size - MOST - 1).coerceAtLeast(0)
-        val until = minOf(column.logs.size, from + MOST + 1)
+        val from = (at - MAX_OTHERS / 2).coerceAtMost(column.logs.size - MAX_OTHERS - 1).coerceAtLeast(0)
+        val until = minOf(column.logs.size, from + MAX_OTHERS + 1)
         val others = DoubleArray(until - from - 1)
         var size = 0
         for (i in from until until) if (i != at) others[size++] = column.values[i]
@@ -109,18 +109,18 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         val isBelow = others.count { value < it } > others.size / 2
         if (!isBothWays && isBelow != signal.isWorseBelow) return null
         // Most numbers lie within the others, which is seen without sorting.
-        if (others.count { if (isBelow) it <= value else it >= value } > MOST_BEYOND) return null
+        if (others.count { if (isBelow) it <= value else it >= value } > MAX_BEYOND) return null
         val usual = Baseline(others)
         // A motor that is usually off, such as a compressor's or a climber's, is on when needed.
-        if (signal.isOfMotor && abs(usual.median) < LEAST_AMPS) return null
+        if (signal.isOfMotor && abs(usual.median) < MIN_AMPS) return null
         var away = abs(value - usual.median)
         if (key.measure == Measure.RESISTANCE) away -= log.uncertainty
         val least = if (signal.isRatio) maxOf(signal.least, rule.percent / PERCENT * abs(usual.median)) else signal.least
         // With a few logs, their usual distance from each other is not well known.
-        val few = 1 + FEW / usual.count
-        val scale = maxOf(usual.distance, if (signal.isRatio) LEAST_SHARE * abs(usual.median) else LEAST_PART * signal.least)
+        val few = 1 + SMALL_SAMPLE_ALLOWANCE / usual.count
+        val scale = maxOf(usual.distance, if (signal.isRatio) MIN_SHARE * abs(usual.median) else MIN_PART * signal.least)
         val strength = minOf(away / (rule.deviations * few * scale), away / (BEYOND_SECOND * usual.second))
-        return if (strength >= LEAST_STRENGTH && away >= least) Difference(rule, key, value, usual, strength) else null
+        return if (strength >= MIN_STRENGTH && away >= least) Difference(rule, key, value, usual, strength) else null
     }
 
     private fun findingOf(difference: Difference, log: LogNumbers): Finding {
@@ -167,33 +167,33 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         val isRatio = ComparedSignal.of(difference.key.signal)?.isRatio == true
         if (!isRatio || median <= 0) return "${threeDigitText(abs(away), difference.key.unit)} $word"
         val ratio = difference.value / median
-        return if (ratio >= MANY_TIMES) "${threeDigitText(ratio, "")} times" else "${round(abs(away) / median * PERCENT).toInt()} % $word"
+        return if (ratio >= MIN_RATIO) "${threeDigitText(ratio, "")} times" else "${round(abs(away) / median * PERCENT).toInt()} % $word"
     }
 
     private companion object {
         /** The maximum number of other logs that a log is compared with. */
-        const val MOST = 20
-        const val MOST_BEYOND = 1
-        const val FEW = 8.0
+        const val MAX_OTHERS = 20
+        const val MAX_BEYOND = 1
+        const val SMALL_SAMPLE_ALLOWANCE = 8.0
         const val PERCENT = 100.0
-        const val LEAST_SHARE = 0.03
-        const val LEAST_PART = 0.25
+        const val MIN_SHARE = 0.03
+        const val MIN_PART = 0.25
         const val BEYOND_SECOND = 1.5
-        const val MANY_TIMES = 3.0
-        const val LEAST_AMPS = 0.5
+        const val MIN_RATIO = 3.0
+        const val MIN_AMPS = 0.5
 
         /** Only a few numbers are related to an incident, so a smaller difference is enough. */
-        const val LEAST_STRENGTH = 0.5
+        const val MIN_STRENGTH = 0.5
     }
 }
 
 /** Returns the resistance of a log's battery with its uncertainty: `24.8 ± 0.9 mΩ`. Empty if the log does not show it. */
 fun resistanceText(log: LogNumbers): String =
-    if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, LEAST_SHOWN))} mΩ"
+    if (log.resistance.isNaN()) "" else "${tenths(log.resistance)} ± ${tenths(maxOf(log.uncertainty, MIN_SHOWN))} mΩ"
 
 private fun tenths(value: Double) = timeText(round(value * 10) / 10, "")
 
-private const val LEAST_SHOWN = 0.1
+private const val MIN_SHOWN = 0.1
 
 /** Returns the topics that show [key]: its own, and for the resistance also the topic of the current. */
 private fun LogNumbers.evidenceOf(key: NumberKey): List<String> {

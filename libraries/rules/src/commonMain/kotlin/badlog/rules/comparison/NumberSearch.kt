@@ -128,7 +128,7 @@ private class NumberSearch(
 
     private fun measured(series: Series, measure: Measure): Double = when (measure) {
         // Until there is a first voltage, libraries log 0.
-        Measure.LOWEST -> extreme(series) { one, other -> if (one <= LEAST_VOLTS || other < one) other else one }
+        Measure.LOWEST -> extreme(series) { one, other -> if (one <= MIN_VOLTS || other < one) other else one }
 
         Measure.HIGHEST -> extreme(series) { one, other -> maxOf(one, other) }
 
@@ -151,15 +151,15 @@ private class NumberSearch(
         weights.getOrPut(measure to series.x) { timeWithin(spans.getValue(measure), series.x, end) }
 
     private fun leastOf(measure: Measure) = second * when (measure) {
-        Measure.AUTONOMOUS -> LEAST_AUTONOMOUS
-        Measure.DRIVING -> LEAST_DRIVING
-        else -> LEAST_ENABLED
+        Measure.AUTONOMOUS -> MIN_AUTONOMOUS
+        Measure.DRIVING -> MIN_DRIVING
+        else -> MIN_ENABLED
     }
 
     /** Returns when a motor of the drivetrain had an output, or one of its modules a speed. */
     private fun drivenSpans(): List<Span> {
-        val (driven, least) = topics.of("motor output").filter { isOfDrivetrain(it.topic) } to LEAST_OUTPUT
-        return if (driven.isNotEmpty()) spansAbove(driven, least) else spansAbove(topics.of("module speed"), LEAST_SPEED)
+        val (driven, least) = topics.of("motor output").filter { isOfDrivetrain(it.topic) } to MIN_OUTPUT
+        return if (driven.isNotEmpty()) spansAbove(driven, least) else spansAbove(topics.of("module speed"), MIN_SPEED)
     }
 
     private fun spansAbove(topics: List<SignalTopic>, least: Double): List<Span> {
@@ -178,14 +178,14 @@ private class NumberSearch(
     private companion object {
         /** The share of a second before its end in which a log is at its end. */
         const val LAST = 10
-        const val LEAST_AUTONOMOUS = 5.0
-        const val LEAST_DRIVING = 10.0
-        const val LEAST_ENABLED = 20.0
-        const val LEAST_VOLTS = 1.0
+        const val MIN_AUTONOMOUS = 5.0
+        const val MIN_DRIVING = 10.0
+        const val MIN_ENABLED = 20.0
+        const val MIN_VOLTS = 1.0
 
         /** For a motor, and for a module in meters per second. */
-        const val LEAST_OUTPUT = 0.15
-        const val LEAST_SPEED = 0.5
+        const val MIN_OUTPUT = 0.15
+        const val MIN_SPEED = 0.5
 
         /** A robot that reverses is still driving. */
         const val BRIDGED = 0.3

@@ -97,10 +97,10 @@ internal class DistributedSignal(val signal: String, val above: Double, val binW
     }
 
     companion object {
-        private const val LEAST_VOLTS = 1.0
+        private const val MIN_VOLTS = 1.0
 
         val ALL = listOf(
-            DistributedSignal("battery", above = LEAST_VOLTS),
+            DistributedSignal("battery", above = MIN_VOLTS),
             DistributedSignal("loop time", above = 0.0, binWidth = 1.0, bins = 61),
             DistributedSignal("total current", above = 0.0),
         )

@@ -1,7 +1,7 @@
 package badlog.signals.battery
 
-import badlog.core.analysis.isMeant
-import badlog.core.analysis.meant
+import badlog.core.analysis.firstText
+import badlog.core.analysis.isMeaningful
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.signals.vocabulary.BATTERY_NAME
@@ -15,8 +15,8 @@ import badlog.signals.vocabulary.SignalVocabulary
 fun batteryNameIn(recording: Recording, vocabulary: SignalVocabulary): String? {
     val patterns = vocabulary.find(BATTERY_NAME)?.topics.orEmpty().map { it.pattern }
     fun isNamed(name: String) = NamePattern.folded(name).let { folded -> patterns.any { it.matchesFolded(folded) } }
-    val found = recording.values.firstOrNull { isMeant(it.text) && isNamed(it.name) }?.text
-        ?: recording.values.meant("battery")?.takeIf(::isName)
+    val found = recording.values.firstOrNull { isMeaningful(it.text) && isNamed(it.name) }?.text
+        ?: recording.values.firstText("battery")?.takeIf(::isName)
         ?: recording.topics.firstNotNullOfOrNull { topic -> if (isNamed(topic.name)) lastIn(topic) else null }
     return found?.trim()?.take(LONGEST)
 }
@@ -26,7 +26,7 @@ private fun isName(text: String) = text.trim().lowercase().removeSuffix("volts")
 
 private fun lastIn(topic: Topic): String? {
     val texts = topic.texts
-    for (i in texts.size - 1 downTo 0) if (isMeant(texts[i])) return texts[i]
+    for (i in texts.size - 1 downTo 0) if (isMeaningful(texts[i])) return texts[i]
     if (topic.type == "boolean") return null
     return topic.samples.lastOrNull { it >= 1 && it == it.toInt().toDouble() }?.toInt()?.toString()
 }

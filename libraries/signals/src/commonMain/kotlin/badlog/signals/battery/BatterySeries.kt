@@ -41,12 +41,12 @@ class BatterySeries private constructor(
             // An older voltage is not known any more.
             val held = minOf(to, from + LONGEST_LOAD, span.to) - maxOf(from, span.from)
             // Until there is a first voltage, libraries log 0.
-            if (held > 0 && volt > LEAST_VOLTS) {
+            if (held > 0 && volt > MIN_VOLTS) {
                 values[size] = volt
                 weights[size++] = held
             }
         }
-        return if (weights.sum() < LEAST_REST) null else weightedPercentile(values, weights, size, HALF)
+        return if (weights.sum() < MIN_REST) null else weightedPercentile(values, weights, size, HALF)
     }
 
     /** Returns whether the voltage was so low for 0.1 s while the robot was enabled that any roboRIO cuts outputs. */
@@ -54,7 +54,7 @@ class BatterySeries private constructor(
         var low = 0.0
         var longest = 0.0
         forEachHeld(volts) { from, to, volt ->
-            low = if (volt in LEAST_VOLTS..CUT_VOLTS) low + maxOf(0.0, minOf(to, span.to) - maxOf(from, span.from)) else 0.0
+            low = if (volt in MIN_VOLTS..CUT_VOLTS) low + maxOf(0.0, minOf(to, span.to) - maxOf(from, span.from)) else 0.0
             longest = maxOf(longest, low)
         }
         longest >= CUT_SECONDS
@@ -76,7 +76,7 @@ class BatterySeries private constructor(
                 known += to - from
             }
         }
-        return if (known < LEAST_KNOWN * (end - amps.x.first())) null else joules / SECONDS_PER_HOUR
+        return if (known < MIN_KNOWN * (end - amps.x.first())) null else joules / SECONDS_PER_HOUR
     }
 
     private inline fun forEachHeld(series: Series, each: (from: Double, to: Double, value: Double) -> Unit) {
@@ -108,11 +108,11 @@ private const val CUT_VOLTS = 6.3
 
 /** In seconds. */
 private const val CUT_SECONDS = 0.1
-private const val LEAST_REST = 1.0
+private const val MIN_REST = 1.0
 private const val LONGEST_LOAD = 5.0
 
 /** In amperes. */
 private const val SMALL_LOAD = 10.0
-private const val LEAST_KNOWN = 0.9
+private const val MIN_KNOWN = 0.9
 private const val HALF = 0.5
 private const val SECONDS_PER_HOUR = 3600.0

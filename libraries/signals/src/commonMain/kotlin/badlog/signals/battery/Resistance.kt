@@ -26,7 +26,7 @@ fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
         val held = (if (i + 1 < amps.size) amps.x[i + 1] else end) - time
         val volt = volts.y[v]
         val amp = amps.y[i]
-        if (!(held > 0) || !volt.isFinite() || !amp.isFinite() || volt < LEAST_VOLTS) continue
+        if (!(held > 0) || !volt.isFinite() || !amp.isFinite() || volt < MIN_VOLTS) continue
         if (time >= blockEnd) {
             blocks += Sums()
             blockEnd = time + BLOCK_SECONDS
@@ -35,12 +35,12 @@ fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
     }
     val xx = blocks.sumOf { it.xx }
     val xy = blocks.sumOf { it.xy }
-    if (blocks.size < LEAST_BLOCKS || !(sqrt(xx / blocks.sumOf { it.weight }) >= LEAST_DEVIATION)) return null
+    if (blocks.size < MIN_BLOCKS || !(sqrt(xx / blocks.sumOf { it.weight }) >= MIN_DEVIATION)) return null
     val slopes = blocks.map { (xy - it.xy) / (xx - it.xx) }
     val mean = slopes.average()
     val error = sqrt((slopes.size - 1.0) / slopes.size * slopes.sumOf { (it - mean) * (it - mean) })
     val found = Resistance(-MILLI * xy / xx, MILLI * error * quantile95(blocks.size - 1))
-    return found.takeIf { it.milliohms.isFinite() && it.uncertainty < it.milliohms * MOST_UNCERTAINTY }
+    return found.takeIf { it.milliohms.isFinite() && it.uncertainty < it.milliohms * MAX_UNCERTAINTY }
 }
 
 /**
@@ -80,15 +80,15 @@ internal const val NORMAL95 = 1.95996
 private val FEW_DEGREES = listOf(12.706, 4.303)
 
 /** Until there is a first voltage, libraries log 0. */
-internal const val LEAST_VOLTS = 1.0
+internal const val MIN_VOLTS = 1.0
 private const val BLOCK_SECONDS = 10.0
-private const val LEAST_BLOCKS = 4
+private const val MIN_BLOCKS = 4
 
 /** A value that was not logged for this long is not known. */
 private const val LONGEST_HOLD = 1.0
 
 /** A share of the resistance: a worn battery has a third more than a new one. */
-private const val MOST_UNCERTAINTY = 0.2
+private const val MAX_UNCERTAINTY = 0.2
 
 /** The minimum variation of the current, in amperes. */
-private const val LEAST_DEVIATION = 15.0
+private const val MIN_DEVIATION = 15.0

@@ -48,14 +48,14 @@ private fun batteryOf(log: ClockedLog): Voltage? {
     val topic = log.recording.topics.find { it.name == name } ?: return null
     val data = log.view.seriesOf(topic).data.takeIf { it.isOrdered } ?: return null
     val kept = data.y.indices.filter { data.y[it].isFinite() }
-    if (kept.size < FEWEST_SAMPLES) return null
+    if (kept.size < MIN_SAMPLES) return null
     val series = Series(DoubleArray(kept.size) { data.x[kept[it]] }, DoubleArray(kept.size) { data.y[kept[it]] })
-    return Voltage(series, log.view.secondsPerX).takeIf { it.seconds in LEAST_COMMON..LONGEST }
+    return Voltage(series, log.view.secondsPerX).takeIf { it.seconds in MIN_COMMON..LONGEST }
 }
 
 /** Returns the lag of [one] after [two] at which they move most alike, in s; null if that is not clear. */
 private fun correlated(one: DoubleArray, two: DoubleArray): Double? {
-    val common = maxOf((LEAST_COMMON / COARSE).toInt(), minOf(one.size, two.size) / 2)
+    val common = maxOf((MIN_COMMON / COARSE).toInt(), minOf(one.size, two.size) / 2)
     val lags = (common - one.size)..(two.size - common)
     if (lags.isEmpty()) return null
     val all = lags.map { it to (correlation(one, two, it) ?: -1.0) }
@@ -88,22 +88,22 @@ private fun correlation(one: DoubleArray, two: DoubleArray, lag: Int): Double? {
         ofOne += x * x
         ofTwo += y * y
     }
-    val least = LEAST_VOLTS * LEAST_VOLTS * count
+    val least = MIN_VOLTS * MIN_VOLTS * count
     return if (ofOne < least || ofTwo < least) null else both / sqrt(ofOne * ofTwo)
 }
 
-private const val FEWEST_SAMPLES = 50
+private const val MIN_SAMPLES = 50
 
 /** In seconds: the steps, first of all possible lags, then of those around the best. */
 private const val COARSE = 0.2
 private const val FINE = 0.02
 
 /** In seconds: both must have this time in common, and neither may be longer than the maximum for a comparison. */
-private const val LEAST_COMMON = 30.0
+private const val MIN_COMMON = 30.0
 private const val LONGEST = 1200.0
 
 /** In V: the standard deviation of a battery that moves. */
-private const val LEAST_VOLTS = 0.05
+private const val MIN_VOLTS = 0.05
 private const val ALIKE = 0.9
 private const val CLEARER = 0.15
 

@@ -19,24 +19,24 @@ fun motorFit(log: LogView, robot: LogView, signals: SignalVocabulary): ClockFit?
     val others = outputsOf(robot, signals).map(::edgesOf).filter { it.isNotEmpty() }
     // Names do not show which motor is which: the pair that fits best is taken for the same motor.
     val fits = own.flatMap { one -> others.mapNotNull { ClockFit.ofEdges(one, it, near = 0.0) } }
-    fits.filter { it.edges >= FEWEST_OF_MOTOR }.maxWithOrNull(compareBy({ it.edges }, { -it.error }))?.let { return it }
+    fits.filter { it.edges >= MIN_OF_MOTOR }.maxWithOrNull(compareBy({ it.edges }, { -it.error }))?.let { return it }
     val driven = edgesOf(outputsOf(log, signals).flatMap { it })
-    return ClockFit.ofEdges(driven, robot.enabledEdges(), near = 0.0)?.takeIf { it.edges >= FEWEST_OF_ENABLED }
+    return ClockFit.ofEdges(driven, robot.enabledEdges(), near = 0.0)?.takeIf { it.edges >= MIN_OF_ENABLED }
 }
 
 /** A time over which something was driven, in s. */
 private class Driven(val from: Double, val until: Double)
 
-/** Returns when each of the first [MOST_MOTORS] motors of [log] was driven. */
+/** Returns when each of the first [MAX_MOTORS] motors of [log] was driven. */
 private fun outputsOf(log: LogView, signals: SignalVocabulary): List<List<Driven>> {
     val known = signalTopicsOf(log, signals)
-    val outputs = known.of("motor output").map { it.topic to LEAST_OUTPUT }.ifEmpty {
+    val outputs = known.of("motor output").map { it.topic to MIN_OUTPUT }.ifEmpty {
         known.of("motor voltage").map {
             it.topic to
-                LEAST_VOLTS
+                MIN_VOLTS
         }
     }
-    return outputs.take(MOST_MOTORS).mapNotNull { (name, least) ->
+    return outputs.take(MAX_MOTORS).mapNotNull { (name, least) ->
         val series = log.recording.topics.find { it.name == name }?.let { log.seriesOf(it).data }?.takeIf { it.isOrdered && it.size > 0 }
         series?.let { drivenIn(it.x, it.y, least, log.secondsPerX) }
     }
@@ -73,17 +73,17 @@ private fun edgesOf(driven: List<Driven>): List<EnabledEdge> {
         }
     }
     if (until.isFinite()) edges += EnabledEdge(until, false)
-    return edges.take(MOST_EDGES)
+    return edges.take(MAX_EDGES)
 }
 
-private const val FEWEST_OF_MOTOR = 3
-private const val FEWEST_OF_ENABLED = 2
+private const val MIN_OF_MOTOR = 3
+private const val MIN_OF_ENABLED = 2
 
 /** As a fraction of the battery voltage, and in V: a motor with less is standing still. */
-private const val LEAST_OUTPUT = 0.02
-private const val LEAST_VOLTS = 0.25
+private const val MIN_OUTPUT = 0.02
+private const val MIN_VOLTS = 0.25
 
 /** In seconds. */
 private const val SHORT_PAUSE = 0.5
-private const val MOST_MOTORS = 16
-private const val MOST_EDGES = 60
+private const val MAX_MOTORS = 16
+private const val MAX_EDGES = 60

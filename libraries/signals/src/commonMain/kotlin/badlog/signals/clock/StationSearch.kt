@@ -30,7 +30,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     fun over(logs: List<F>, acceptsOnly: Boolean = false, mostRead: Int = Int.MAX_VALUE): FoundStation<F>? {
         if (!robot.hasClock) return null
         // A Driver Station writes one log after another, so the matching logs are those that began last before the time.
-        val near = logs.filter(::mayBeAtTime).sortedByDescending { startOf(it) ?: Double.POSITIVE_INFINITY }.take(MOST_AT_TIME).toSet()
+        val near = logs.filter(::mayBeAtTime).sortedByDescending { startOf(it) ?: Double.POSITIVE_INFINITY }.take(MAX_AT_TIME).toSet()
         val atTime = possible(near)
         val found = sure(atTime)
             ?: any(atTime + if (logs.size > mostRead) emptyList() else possible(logs.filter { it !in near }), acceptsOnly)
@@ -42,7 +42,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     /** Returns the one of [candidates] that no log of another time of day can be better than; null if there is none. */
     private fun sure(candidates: List<Candidate<F>>): Candidate<F>? {
         val (same, open) = candidates.partition { isOfSame(it.station.match) }
-        if (robot.edges.size < FEWEST_EDGES) return same.singleOrNull() ?: byTime(same) ?: byTime(open)
+        if (robot.edges.size < MIN_EDGES) return same.singleOrNull() ?: byTime(same) ?: byTime(open)
         val (own, others) = withEdges(candidates).partition { it in same }
         return first(own.filter { agrees(it, 0.0) }) ?: first(own.filter(::agreesButForAnHour)) ?: first(others.filter { agrees(it, 0.0) })
     }
@@ -67,8 +67,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     /** Returns those of [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
     private fun withEdges(candidates: List<Candidate<F>>): List<Candidate<F>> {
-        val needed = maxOf(FEWEST_EDGES, robot.edges.size * 9 / 10)
-        if (robot.edges.size < FEWEST_EDGES) return emptyList()
+        val needed = maxOf(MIN_EDGES, robot.edges.size * 9 / 10)
+        if (robot.edges.size < MIN_EDGES) return emptyList()
         return candidates.filter { (ClockFit.ofEdges(it.station.edges, robot.edges)?.edges ?: 0) >= needed }
     }
 
@@ -115,7 +115,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private companion object {
         /** The maximum number of logs that may begin before and during a robot's log. */
-        const val MOST_AT_TIME = 16
+        const val MAX_AT_TIME = 16
 
         /** The maximum length of a Driver Station log, in s. */
         const val LONGEST = 86_400.0
@@ -124,7 +124,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
         const val HOUR = 3600.0
 
         /** A match has at least two: its start and its end. */
-        const val FEWEST_EDGES = 2
+        const val MIN_EDGES = 2
 
         /** The maximum difference between clocks that were set by each other, in s. */
         const val NEAR_CLOCKS = 5.0

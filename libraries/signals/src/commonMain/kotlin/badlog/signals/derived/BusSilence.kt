@@ -10,10 +10,10 @@ import kotlin.math.max
  */
 fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> Boolean): Series {
     val own = sent.map(::known).maxByOrNull { it.size }
-    if (own == null || own.size < LEAST_SAMPLES || sent.none(::repeats)) return Series(DoubleArray(0), DoubleArray(0))
+    if (own == null || own.size < MIN_SAMPLES || sent.none(::repeats)) return Series(DoubleArray(0), DoubleArray(0))
     val end = others.maxOfOrNull { if (it.size == 0) 0.0 else it.x[it.size - 1] } ?: 0.0
     val usual = quantile(DoubleArray(own.size - 1) { own.x[it + 1] - own.x[it] }, 0.5)
-    val least = max(LEAST_SECONDS, usual * USUAL_GAPS)
+    val least = max(MIN_SECONDS, usual * USUAL_GAPS)
     val times = arrayListOf(own.x[0])
     val gaps = arrayListOf(0.0)
     for (i in 0 until own.size) {
@@ -43,6 +43,6 @@ private fun known(series: Series): Series {
 private fun repeats(series: Series) = (1 until series.size).count { series.y[it] == series.y[it - 1] } > REPEATS * series.size
 
 private const val REPEATS = 0.05
-private const val LEAST_SAMPLES = 100
-private const val LEAST_SECONDS = 0.3
+private const val MIN_SAMPLES = 100
+private const val MIN_SECONDS = 0.3
 private const val USUAL_GAPS = 12

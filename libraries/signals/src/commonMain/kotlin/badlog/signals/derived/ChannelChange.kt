@@ -13,7 +13,7 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
     if (used.isEmpty()) return null
     val start = times[used.first()]
     val seconds = times[used.last()] - start
-    if (seconds < LEAST_SECONDS) return null
+    if (seconds < MIN_SECONDS) return null
     val early = used.filter { times[it] < start + seconds * EARLY }
     val late = used.filter { times[it] > start + seconds * LATE }
     val first = currents.map { meanOf(it, early) }
@@ -24,7 +24,7 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
         val others = ratios.filterKeys { it != index }.values.sorted()
         val spread = others.last() / others.first()
         // The less alike the others are, the more it takes to be unlike them.
-        if (spread > MOST_SPREAD) null else own / if (spread > ALIKE_CHANNELS) others.first() else others[others.size / 2]
+        if (spread > MAX_SPREAD) null else own / if (spread > ALIKE_CHANNELS) others.first() else others[others.size / 2]
     }
 }
 
@@ -33,15 +33,15 @@ fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: B
  * four.
  */
 private fun equalsAmong(currents: List<DoubleArray>, means: List<Double>, at: List<Int>): Set<Int>? {
-    val drawing = currents.indices.filter { means[it] >= LEAST_MEAN }
+    val drawing = currents.indices.filter { means[it] >= MIN_MEAN }
     val alike = drawing.associateWith { one ->
         drawing.filterTo(HashSet()) { other ->
-            other == one || correlation(currents[one], means[one], currents[other], means[other], at) > LEAST_CORRELATION
+            other == one || correlation(currents[one], means[one], currents[other], means[other], at) > MIN_CORRELATION
         }
     }
     return alike.values.firstOrNull { group ->
         val sizes = group.map { means[it] }
-        group.size == EQUALS && group.all { alike[it] == group } && sizes.max() <= MOST_SPREAD * sizes.min()
+        group.size == EQUALS && group.all { alike[it] == group } && sizes.max() <= MAX_SPREAD * sizes.min()
     }
 }
 
@@ -65,12 +65,12 @@ private fun meanOf(current: DoubleArray, at: List<Int>) = at.sumOf { orZero(curr
 private fun orZero(amperes: Double) = if (amperes.isNaN()) 0.0 else amperes
 
 private const val EQUALS = 4
-private const val LEAST_SECONDS = 30.0
+private const val MIN_SECONDS = 30.0
 private const val EARLY = 1.0 / 6
 private const val LATE = 0.6
 
 /** In A. */
-private const val LEAST_MEAN = 1.0
-private const val LEAST_CORRELATION = 0.5
+private const val MIN_MEAN = 1.0
+private const val MIN_CORRELATION = 0.5
 private const val ALIKE_CHANNELS = 1.3
-private const val MOST_SPREAD = 1.5
+private const val MAX_SPREAD = 1.5

@@ -95,7 +95,7 @@ private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double
         last = i
         if (ratios.size == FIRST_STEPS) break
     }
-    if (ratios.size < LEAST_STEPS) return null
+    if (ratios.size < MIN_STEPS) return null
     val all = ratios.toDoubleArray()
     val ratio = quantile(all, 0.5)
     val isOne = quantile(all, 0.75) - quantile(all, 0.25) < ONE_RATIO * abs(ratio)
@@ -112,6 +112,6 @@ private const val START_SECONDS = 8.0
 private const val FROZEN_SHARE = 0.05
 private const val STEP_SHARE = 0.05
 private const val FIRST_STEPS = 60
-private const val LEAST_STEPS = 15
+private const val MIN_STEPS = 15
 private const val ONE_RATIO = 0.5
 private const val LATE_SECONDS = 0.05

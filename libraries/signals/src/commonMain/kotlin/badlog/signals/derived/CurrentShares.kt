@@ -9,10 +9,10 @@ import kotlin.math.abs
  */
 fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { i -> isEnabled[i] && currents.all { it[i].isFinite() } }
-    if (used.size < LEAST_SAMPLES) return null
+    if (used.size < MIN_SAMPLES) return null
     val late = used.drop(used.size / 2)
     val means = currents.map { current -> late.sumOf { abs(current[it]) } / late.size }
-    if (means.sum() < LEAST_AMPERES * means.size) return null
+    if (means.sum() < MIN_AMPERES * means.size) return null
     return means.mapIndexed { at, own ->
         val others = means.filterIndexed { index, _ -> index != at }
         if (others.max() > ALIKE * others.min()) null else own / others.average()
@@ -24,5 +24,5 @@ internal fun largestOf(currents: List<DoubleArray>): DoubleArray =
     DoubleArray(currents[0].size) { i -> currents.maxOf { if (it[i].isFinite()) it[i] else 0.0 } }
 
 private const val ALIKE = 1.2
-private const val LEAST_SAMPLES = 500
-private const val LEAST_AMPERES = 2.0
+private const val MIN_SAMPLES = 500
+private const val MIN_AMPERES = 2.0

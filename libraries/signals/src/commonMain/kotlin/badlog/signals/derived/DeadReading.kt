@@ -19,7 +19,7 @@ fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArr
         times,
         DoubleArray(times.size) { i ->
             if (i > 0 && measured[i] != measured[i - 1]) {
-                isDead = movedSeconds >= LEAST_MOVED && step(i) > JUMP * range && speeds[i] > FASTER * usual
+                isDead = movedSeconds >= MIN_MOVED && step(i) > JUMP * range && speeds[i] > FASTER * usual
                 if (times[i].toLong() != lastMoved) movedSeconds++
                 lastMoved = times[i].toLong()
             }
@@ -32,4 +32,4 @@ private const val JUMP = 0.1
 private const val FASTER = 2.5
 
 /** The number of seconds in which it must have moved before. */
-private const val LEAST_MOVED = 5
+private const val MIN_MOVED = 5

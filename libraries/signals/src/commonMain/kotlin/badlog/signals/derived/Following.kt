@@ -46,12 +46,12 @@ class Following(
         val reached = HashMap<Long, Boolean>()
         for (i in times.indices) {
             // Not for a target that is missing, either.
-            if (!isEnabled[i] || age[i] < STAYED_SECONDS || !(abs(target[i]) >= LEAST_TARGET * largest)) continue
+            if (!isEnabled[i] || age[i] < STAYED_SECONDS || !(abs(target[i]) >= MIN_TARGET * largest)) continue
             val isThere = abs(target[i] - measured[i]) <= tolerance
-            val kind = (target[i] / (LEAST_TARGET * range)).roundToLong()
+            val kind = (target[i] / (MIN_TARGET * range)).roundToLong()
             reached[kind] = isThere || reached[kind] == true
         }
-        return reached.values.count { it } >= maxOf(1.0, LEAST_REACHED * reached.size)
+        return reached.values.count { it } >= maxOf(1.0, MIN_REACHED * reached.size)
     }
 
     private fun unlessUnrelated(tolerance: Double, samples: () -> Series): Series =
@@ -119,7 +119,7 @@ class Following(
             val isLong = times[end - 1] - times[i] >= STEP_SECONDS
             if (isLong && isEnabled[i] && !before.isNaN()) {
                 val step = target[i] - before
-                if (abs(step) > LEAST_STEP * range) {
+                if (abs(step) > MIN_STEP * range) {
                     for (k in i until end) beyond[k] = max(0.0, PERCENT * (measured[k] - target[i]) / step)
                 }
             }
@@ -167,7 +167,7 @@ class Following(
      */
     private fun turnsIn(from: Int, to: Int, whole: Double): Double {
         val wanted = target[to]
-        val least = LEAST_SWING / 2 * whole
+        val least = MIN_SWING / 2 * whole
         val sizes = ArrayList<Double>()
         val sums = doubleArrayOf(0.0, 0.0)
         var side = 0.0
@@ -187,8 +187,8 @@ class Following(
             }
         }
         // Sides take turns, so their sums compare their sizes.
-        val isEven = sums.min() > LEAST_EVEN * sums.max()
-        return if (sizes.size < LEAST_TURNS || !isEven) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / whole
+        val isEven = sums.min() > MIN_EVEN * sums.max()
+        return if (sizes.size < MIN_TURNS || !isEven) Double.NaN else 2 * PERCENT * sizes.sorted()[sizes.size / 2] / whole
     }
 
     private fun endOfStretch(from: Int): Int {
@@ -218,8 +218,8 @@ class Following(
         const val NEAR = 0.1
         const val STILL = 0.01
         const val ROUGHLY = 0.4
-        const val LEAST_TARGET = 0.1
-        const val LEAST_REACHED = 0.4
+        const val MIN_TARGET = 0.1
+        const val MIN_REACHED = 0.4
 
         // Targets that differ less are the same.
         const val SAME = 0.002
@@ -231,10 +231,10 @@ class Following(
         const val STEADY = 0.04
         const val SWITCHED_OFF = 60.0
         const val STEP_SECONDS = 0.6
-        const val LEAST_STEP = 0.25
+        const val MIN_STEP = 0.25
         const val SWING_SECONDS = 2.0
-        const val LEAST_SWING = 0.012
-        const val LEAST_TURNS = 3
-        const val LEAST_EVEN = 0.4
+        const val MIN_SWING = 0.012
+        const val MIN_TURNS = 3
+        const val MIN_EVEN = 0.4
     }
 }

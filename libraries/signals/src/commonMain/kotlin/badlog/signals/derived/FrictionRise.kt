@@ -15,7 +15,7 @@ fun frictionRise(times: DoubleArray, place: DoubleArray, effort: DoubleArray, is
     if (used.isEmpty()) return null
     val start = times[used.first()]
     val seconds = times[used.last()] - start
-    if (seconds < LEAST_SECONDS) return null
+    if (seconds < MIN_SECONDS) return null
     val speed = speedsOf(times, place)
     val top = quantile(DoubleArray(times.size) { if (isEnabled[it]) abs(speed[it]) else Double.NaN }, 0.98)
     if (!(top > 0)) return null
@@ -61,7 +61,7 @@ private class Strokes(
     }
 
     fun rise(): Double? {
-        if (counts.any { it < LEAST_SAMPLES }) return null
+        if (counts.any { it < MIN_SAMPLES }) return null
         val sums = Array(PARAMETERS) { DoubleArray(PARAMETERS + 1) }
         for ((row, value) in rows.zip(values)) {
             for (a in 0 until PARAMETERS) {
@@ -84,10 +84,10 @@ private fun speedsOf(times: DoubleArray, place: DoubleArray) = DoubleArray(times
     if (span > 0 && span < LONGEST_SPAN) (place[after] - place[before]) / span else Double.NaN
 }
 
-private const val LEAST_SECONDS = 30.0
+private const val MIN_SECONDS = 30.0
 private const val EARLY = 1.0 / 6
 private const val LATE = 0.6
 private const val MOVING = 0.2
 private const val LONGEST_SPAN = 0.3
-private const val LEAST_SAMPLES = 12
+private const val MIN_SAMPLES = 12
 private const val PARAMETERS = 6

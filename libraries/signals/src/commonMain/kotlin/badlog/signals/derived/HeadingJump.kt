@@ -18,10 +18,10 @@ fun headingJump(heading: Series, degrees: Double): Series {
         val seconds = heading.x[i] - heading.x[i - 1]
         if (seconds <= 0 || seconds > LONGEST_STEP) continue
         val step = turned(heading, i, degrees)
-        if (abs(step) < LEAST_DEGREES) continue
+        if (abs(step) < MIN_DEGREES) continue
         val usual = (rate(heading, i - 1, degrees) + rate(heading, i + 1, degrees)) / 2
         val jump = abs(step - usual * seconds)
-        val isReal = jump > LEAST_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees)
+        val isReal = jump > MIN_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees)
         if (isReal && !turnsFast(heading, i - 1, degrees) && !turnsFast(heading, i + TURN_SAMPLES, degrees, i + 1)) jumps[i] = jump
     }
     return Series(heading.x, jumps)
@@ -62,7 +62,7 @@ private const val TURN_SAMPLES = 5
 
 /** In °/s. */
 private const val FAST = 200.0
-private const val LEAST_DEGREES = 12.0
+private const val MIN_DEGREES = 12.0
 
 /** No robot turns faster, in °/s. */
 private const val FASTEST = 900.0

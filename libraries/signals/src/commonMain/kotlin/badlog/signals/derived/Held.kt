@@ -30,7 +30,7 @@ internal fun steppedTimes(series: List<Series>, step: Double): DoubleArray {
     val all = ArrayList<Double>(own.size)
     for (time in own) {
         val before = all.lastOrNull() ?: time
-        val between = minOf(((time - before) / step).toInt(), MOST_BETWEEN)
+        val between = minOf(((time - before) / step).toInt(), MAX_BETWEEN)
         for (k in 1..between) if (before + k * step < time) all += before + k * step
         all += time
     }
@@ -38,7 +38,7 @@ internal fun steppedTimes(series: List<Series>, step: Double): DoubleArray {
 }
 
 /** A pause of minutes shows nothing. */
-private const val MOST_BETWEEN = 600
+private const val MAX_BETWEEN = 600
 
 /** Returns [values] times [scale]. */
 internal fun scaled(values: DoubleArray, scale: Double): DoubleArray = DoubleArray(values.size) { values[it] * scale }

@@ -15,7 +15,7 @@ fun heldSpeeds(times: DoubleArray, speed: DoubleArray, output: DoubleArray): Dou
         var mean = speed[i]
         var end = i + 1
         while (end < times.size && abs(speed[end] - mean) < NEAR * abs(mean)) mean += (speed[end] - mean) / (end++ - i + 1)
-        val isLong = times[end - 1] - times[i] > LEAST_SECONDS && abs(mean) > RUNNING * top
+        val isLong = times[end - 1] - times[i] > MIN_SECONDS && abs(mean) > RUNNING * top
         if (isLong && (i until end).any { output[it] != output[i] } && correlation(speed, output, i, end) < FOLLOWS) {
             val level = quantile(speed.copyOfRange(i, end), 0.5)
             for (k in i until end) held[k] = level
@@ -27,5 +27,5 @@ fun heldSpeeds(times: DoubleArray, speed: DoubleArray, output: DoubleArray): Dou
 
 private const val RUNNING = 0.3
 private const val NEAR = 0.15
-private const val LEAST_SECONDS = 2.0
+private const val MIN_SECONDS = 2.0
 private const val FOLLOWS = 0.5

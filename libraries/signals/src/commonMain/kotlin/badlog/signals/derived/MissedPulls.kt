@@ -55,14 +55,14 @@ private fun peakBefore(times: DoubleArray, own: DoubleArray, at: Int): Double {
 }
 
 private fun isEqual(own: DoubleArray, other: DoubleArray, before: List<Int>): Boolean {
-    if (before.size < LEAST_SAMPLES) return false
+    if (before.size < MIN_SAMPLES) return false
     val ownMean = before.sumOf { own[it] } / before.size
     val otherMean = before.sumOf { if (other[it].isFinite()) other[it] else 0.0 } / before.size
-    if (maxOf(ownMean, otherMean) > MOST_SPREAD * minOf(ownMean, otherMean)) return false
+    if (maxOf(ownMean, otherMean) > MAX_SPREAD * minOf(ownMean, otherMean)) return false
     val pulls = before.filter { other[it] > PULLS_AMPERES }
-    if (pulls.size < LEAST_PULLS || pulls.count { own[it] > NO_AMPERES } < TOGETHER * pulls.size) return false
+    if (pulls.size < MIN_PULLS || pulls.count { own[it] > NO_AMPERES } < TOGETHER * pulls.size) return false
     val ownAmperes = DoubleArray(before.size) { own[before[it]] }
-    return correlation(ownAmperes, DoubleArray(before.size) { other[before[it]] }) > LEAST_CORRELATION
+    return correlation(ownAmperes, DoubleArray(before.size) { other[before[it]] }) > MIN_CORRELATION
 }
 
 /** Raises [counts] in [rest] to the number of seconds until then in which [equal] pulled. */
@@ -82,8 +82,8 @@ private const val NO_AMPERES = 0.5
 private const val PULLS_AMPERES = 10.0
 private const val REST_SECONDS = 10.0
 private const val PULL_SECONDS = 8.0
-private const val LEAST_SAMPLES = 500
-private const val LEAST_PULLS = 50
+private const val MIN_SAMPLES = 500
+private const val MIN_PULLS = 50
 private const val TOGETHER = 0.9
-private const val MOST_SPREAD = 2.0
-private const val LEAST_CORRELATION = 0.5
+private const val MAX_SPREAD = 2.0
+private const val MIN_CORRELATION = 0.5

@@ -28,7 +28,7 @@ fun moduleAngleLags(
             turned += minOf(step, FARTHEST)
             count++
         }
-        if (count < LEAST_SAMPLES || turned < LEAST_TURNED) return null
+        if (count < MIN_SAMPLES || turned < MIN_TURNED) return null
         // An error below a sensor's resolution is not a lag.
         (error + RESOLUTION * count) / turned
     }
@@ -43,8 +43,8 @@ private const val FARTHEST = 20.0
 
 /** In degrees. */
 private const val RESOLUTION = 0.2
-private const val LEAST_SAMPLES = 500
+private const val MIN_SAMPLES = 500
 
 /** In degrees. */
-private const val LEAST_TURNED = 360.0
+private const val MIN_TURNED = 360.0
 private const val ALIKE_LAGS = 1.12

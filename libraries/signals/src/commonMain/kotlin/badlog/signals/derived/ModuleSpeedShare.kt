@@ -24,10 +24,10 @@ fun moduleSpeedShares(speeds: List<DoubleArray>, angles: List<DoubleArray>): Dou
         if (spread > STRAIGHT) continue
         for (k in speeds.indices) own[k] += size[k] / (size.sum() - size[k]) * (size.size - 1)
     }
-    if (own[0].size < LEAST_SAMPLES) return null
+    if (own[0].size < MIN_SAMPLES) return null
     return DoubleArray(speeds.size) { quantile(own[it].toDoubleArray(), 0.5) }
 }
 
 /** Directions that differ less are the same, in rad. */
 private const val STRAIGHT = 4 * PI / 180
-private const val LEAST_SAMPLES = 150
+private const val MIN_SAMPLES = 150

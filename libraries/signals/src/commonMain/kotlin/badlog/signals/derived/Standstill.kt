@@ -30,7 +30,7 @@ fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, is
                 val moved = abs(moves)
                 val share = (places[i] - low) / range
                 val isAtEnd = share < END || share > 1 - END
-                if (run.isLongFor(if (isAtEnd) minOf(moved, LEAST_MOVED - 1) else moved) && run.stood <= moved * MOST_STOOD) run.mark(still)
+                if (run.isLongEnough(if (isAtEnd) minOf(moved, MIN_MOVED - 1) else moved) && run.stood <= moved * MAX_STOOD) run.mark(still)
             } else {
                 val step = (places[end - 1] - places[i]) / range
                 if (abs(step) > MOVED) moves += sign(step * way).toInt()
@@ -58,10 +58,10 @@ private class StillRun(private val times: DoubleArray, private val places: Doubl
     private var down = 0.0
 
     /** Returns whether it was pushed long enough each way for something that [moved] pushes had moved before. */
-    fun isLongFor(moved: Int): Boolean {
+    fun isLongEnough(moved: Int): Boolean {
         val eachWay = minOf(up, down)
         val isLong = eachWay >= LONG_SECONDS && pushes.size >= MANY_PUSHES
-        return if (moved >= LEAST_MOVED) eachWay >= EACH_WAY_SECONDS else moved >= FEW_MOVED && isLong
+        return if (moved >= MIN_MOVED) eachWay >= EACH_WAY_SECONDS else moved >= FEW_MOVED && isLong
     }
 
     /** Adds the push from [from] until [until]; false if it moved something, which ends the run and its mark in [still] if it jumped. */
@@ -103,8 +103,8 @@ private const val END = 0.03
 private const val JUMP = 40
 
 /** The number of pushes that must have moved it the same way before, and how many of those that did not there may be for each of them. */
-private const val LEAST_MOVED = 8
-private const val MOST_STOOD = 0.15
+private const val MIN_MOVED = 8
+private const val MAX_STOOD = 0.15
 
 /** Fewer pushes that moved it are enough if it stood still for longer. */
 private const val FEW_MOVED = 4

@@ -20,20 +20,20 @@ fun unexplainedDrop(battery: Series, current: Series): Series {
     val explained = DoubleArray(times.size)
     var i = 0
     while (i < times.size) {
-        if (!(dropped[i] > LEAST_VOLTS)) {
+        if (!(dropped[i] > MIN_VOLTS)) {
             i++
             continue
         }
         var end = i
-        while (end < times.size && dropped[end] > LEAST_VOLTS) end++
+        while (end < times.size && dropped[end] > MIN_VOLTS) end++
         // A sensor that lags or is slow misses some of the current.
-        fun isMoreThanUnseen(from: Int, to: Int) =
-            lowest(amperes, from, to) < MOST_AMPERES && (from until to).maxOf { dropped[it] } > UNSEEN_AMPERES * resistance
+        fun exceedsUnmeasured(from: Int, to: Int) =
+            lowest(amperes, from, to) < MAX_AMPERES && (from until to).maxOf { dropped[it] } > UNMEASURED_AMPERES * resistance
         val until = if (end < times.size) times[end] else times[end - 1]
         val isDip = until - times[i] <= LONGEST_SECONDS && i > 0 && end < times.size
         // A load that begins with the dip explains more than a sensor that lags shows of it.
         val isLoad = i > 0 && (i until end).maxOf { amperes[it] } > amperes[i - 1] + LOAD_AMPERES
-        if (isDip && !isLoad && readsWithin(current, times[i], until) >= LEAST_READS && isMoreThanUnseen(i, end)) {
+        if (isDip && !isLoad && readsWithin(current, times[i], until) >= MIN_READS && exceedsUnmeasured(i, end)) {
             for (k in i until end) explained[k] = dropped[k]
         }
         i = end
@@ -60,7 +60,7 @@ private fun resistanceOf(volts: DoubleArray, amperes: DoubleArray): Double {
         0.5,
     )
     val slope = slopeOf(volts, amperes)
-    return (if (loaded > slope) loaded else slope).coerceIn(LEAST_OHMS, MOST_OHMS)
+    return (if (loaded > slope) loaded else slope).coerceIn(MIN_OHMS, MAX_OHMS)
 }
 
 private fun slopeOf(volts: DoubleArray, amperes: DoubleArray): Double {
@@ -80,7 +80,7 @@ private fun slopeOf(volts: DoubleArray, amperes: DoubleArray): Double {
         squares += dI * (a - meanI)
         products += dI * (v - meanV)
     }
-    return if (squares > 0) -products / squares else LEAST_OHMS
+    return if (squares > 0) -products / squares else MIN_OHMS
 }
 
 /** Returns the voltage without a load around each time: the median of each second. */
@@ -95,7 +95,7 @@ private fun openVolts(times: DoubleArray, volts: DoubleArray, amperes: DoubleArr
         val median = quantile(unloaded, 0.5)
         // A dip may fill most of a second.
         // While a robot brakes, its motors charge the battery to more than it holds.
-        val level = minOf(MOST_VOLTS, if (before.isNaN()) median else max(median, before - SLOWEST_VOLTS))
+        val level = minOf(MAX_VOLTS, if (before.isNaN()) median else max(median, before - SLOWEST_VOLTS))
         for (k in i until end) open[k] = level
         before = level
         i = end
@@ -131,22 +131,22 @@ private fun usualStep(current: Series): Double {
 private const val SLOWEST_STEP = 0.1
 private const val LAG_SECONDS = 0.15
 private const val LATEST_SECONDS = 0.35
-private const val LEAST_VOLTS = 0.5
+private const val MIN_VOLTS = 0.5
 private const val LONGEST_SECONDS = 2.0
-private const val LEAST_READS = 2
+private const val MIN_READS = 2
 
 /** With a higher current, a battery that sags more than in proportion explains a dip, too. */
-private const val MOST_AMPERES = 100.0
-private const val UNSEEN_AMPERES = 85.0
+private const val MAX_AMPERES = 100.0
+private const val UNMEASURED_AMPERES = 85.0
 private const val LOAD_AMPERES = 40.0
 private const val REST_AMPERES = 10.0
 private const val HIGH_AMPERES = 60.0
-private const val LEAST_OHMS = 0.010
-private const val MOST_OHMS = 0.100
+private const val MIN_OHMS = 0.010
+private const val MAX_OHMS = 0.100
 private const val SECOND = 1.0
 
 /** The largest fall of a battery without a load within a second, in V. */
 private const val SLOWEST_VOLTS = 0.2
 
 /** The highest voltage of a battery at rest. */
-private const val MOST_VOLTS = 13.2
+private const val MAX_VOLTS = 13.2

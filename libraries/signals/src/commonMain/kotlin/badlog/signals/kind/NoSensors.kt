@@ -37,7 +37,7 @@ class NoSensors(private val log: Signals) {
     private fun isList(array: String): Boolean {
         val elements = arrays[array].orEmpty().sortedBy(::indexOf).map(log::series)
         if (isEmptyAtTimes(elements)) return true
-        if (elements.none { comings(it) >= FEWEST_CHANGES }) return false
+        if (elements.none { comings(it) >= MIN_CHANGES }) return false
         return (1 until elements.size).all { at -> isShorter(elements[at - 1], elements[at]) }
     }
 
@@ -62,7 +62,7 @@ class NoSensors(private val log: Signals) {
 
     private companion object {
         /** The least number of times that an element comes or goes; the start counts if it is missing first. */
-        const val FEWEST_CHANGES = 3
+        const val MIN_CHANGES = 3
         const val LENGTH = "/length"
     }
 }

@@ -63,7 +63,7 @@ private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
     val resting = volts.count { it == NOMINAL }
     return when {
         resting == volts.size -> "its battery had exactly 12 V throughout"
-        resting > volts.size * LEAST_RESTING && volts.any(::isCalculated) -> "its battery rested at exactly 12 V"
+        resting > volts.size * MIN_RESTING && volts.any(::isCalculated) -> "its battery rested at exactly 12 V"
         else -> null
     }
 }
@@ -86,6 +86,6 @@ private val ADDRESS = Regex("\"remote_ip\":\"([^\"]*)\"")
 /** As the simulation of WPILib's HAL reports it; a roboRIO's is the year of its image in hexadecimal digits, such as 0x2024. */
 private const val SIMULATED_FPGA = 2018.0
 private const val NOMINAL = 12.0
-private const val LEAST_RESTING = 0.02
+private const val MIN_RESTING = 0.02
 private const val HUNDREDTHS = 100
 private const val ROUNDED = 1e-4

@@ -1,8 +1,8 @@
 package badlog.signals.match
 
-import badlog.core.analysis.isMeant
+import badlog.core.analysis.firstText
+import badlog.core.analysis.isMeaningful
 import badlog.core.analysis.matchTitle
-import badlog.core.analysis.meant
 import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 import badlog.core.recording.Value
@@ -59,13 +59,13 @@ fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog
     fun topic(signal: String) = topics.of(signal).firstOrNull()?.let { found -> recording.topics.find { it.name == found.topic } }
     fun value(signal: String): String? {
         val patterns = find(signal)?.topics.orEmpty().map { it.pattern }
-        return recording.values.firstOrNull { value -> isMeant(value.text) && patterns.any { it.matches(value.name) } }?.text?.trim()
+        return recording.values.firstOrNull { value -> isMeaningful(value.text) && patterns.any { it.matches(value.name) } }?.text?.trim()
     }
     val values = recording.values
     val logged = MatchOfLog(
-        event = values.meant("event name", "event") ?: value(EVENT_NAME) ?: topic(EVENT_NAME)?.let(::lastText),
-        type = values.meant("match type") ?: value(MATCH_TYPE) ?: topic(MATCH_TYPE)?.let(::typeIn),
-        number = values.meant("match number", "match") ?: value(MATCH_NUMBER) ?: topic(MATCH_NUMBER)?.let(::lastNumber)?.toString(),
+        event = values.firstText("event name", "event") ?: value(EVENT_NAME) ?: topic(EVENT_NAME)?.let(::lastText),
+        type = values.firstText("match type") ?: value(MATCH_TYPE) ?: topic(MATCH_TYPE)?.let(::typeIn),
+        number = values.firstText("match number", "match") ?: value(MATCH_NUMBER) ?: topic(MATCH_NUMBER)?.let(::lastNumber)?.toString(),
         alliance = allianceIn(values),
     )
     return logged.or(matchInName(fileName))
@@ -73,14 +73,14 @@ fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog
 
 /** Returns the alliance in the header [values] of a log: `Red` or `Blue` if it can be recognized, otherwise as logged; null if none has it. */
 fun allianceIn(values: List<Value>): String? {
-    val text = values.meant("alliance", "alliance color", "alliance colour", "alliance station") ?: return null
+    val text = values.firstText("alliance", "alliance color", "alliance colour", "alliance station") ?: return null
     return listOf(MatchOfLog.RED, MatchOfLog.BLUE).find { text.startsWith(it, ignoreCase = true) } ?: text
 }
 
 // Until the field reports the match, robots log that it is unknown.
 private fun lastText(topic: Topic): String? {
     val texts = topic.texts
-    return (texts.size - 1 downTo 0).firstNotNullOfOrNull { i -> texts.dictionary[texts.ids[i]].trim().takeIf(::isMeant) }
+    return (texts.size - 1 downTo 0).firstNotNullOfOrNull { i -> texts.dictionary[texts.ids[i]].trim().takeIf(::isMeaningful) }
 }
 
 private fun lastNumber(topic: Topic): Int? = topic.samples.lastOrNull { it.isFinite() && it >= 1 }?.toInt()

@@ -28,7 +28,7 @@ internal fun moduleListsOf(names: Collection<String>): List<ModuleList> {
     val elements = names.filter { it.endsWith(ANGLE) }.map { it.removeSuffix(ANGLE) }
         .filter { element -> SPEEDS.any { element + it in known } }
     val lists = elements.groupBy { it.substringBeforeLast(if (it.endsWith(']')) '[' else '/') }
-    return lists.filterValues { it.size in LEAST_MODULES..MOST_MODULES }.map { (name, unordered) ->
+    return lists.filterValues { it.size in MIN_MODULES..MAX_MODULES }.map { (name, unordered) ->
         val modules = unordered.sorted()
         ModuleList(name, modules, modules.map { element -> element + SPEEDS.first { element + it in known } })
     }
@@ -40,7 +40,7 @@ internal fun numberedLabel(module: Int): String = "Module $module"
 /** Whether [name] is of optimized targets: each module has got the direction in which it turns less. */
 internal fun isOptimized(name: String): Boolean = "optimized" in name.lowercase()
 
-internal const val LEAST_MODULES = 3
-internal const val MOST_MODULES = 6
+internal const val MIN_MODULES = 3
+internal const val MAX_MODULES = 6
 private const val ANGLE = "/angle/value"
 private val SPEEDS = listOf("/speed", "/velocity")

@@ -22,9 +22,9 @@ private fun modulesOf(key: List<String>, speeds: List<ModulePart>, angles: List<
     val speed = speeds.distinctBy { it.corner }.associateBy { it.corner }
     val angle = angles.distinctBy { it.corner }.associateBy { it.corner }
     // Logs may lack a module that has a wrong name.
-    val found = (0 until MOST_MODULES).filter { it in speed && it in angle }
+    val found = (0 until MAX_MODULES).filter { it in speed && it in angle }
     val isNumbered = found.any { speed.getValue(it).isNumbered }
-    if (found.size < LEAST_MODULES || (isNumbered && found.last() >= found.size)) return null
+    if (found.size < MIN_MODULES || (isNumbered && found.last() >= found.size)) return null
     val speedParts = found.map(speed::getValue)
     val angleParts = found.map(angle::getValue)
     if ((speedParts.map { it.factor }.distinct() + angleParts.map { it.factor }.distinct()).size > 2) return null
@@ -60,7 +60,7 @@ private fun partOf(topic: Topic, factor: Double, quantity: Set<String>): ModuleP
 
 /** Returns the number of the module that [words] name from [i] on. */
 private fun numberAt(words: List<String>, i: Int): Int? =
-    if (words[i] in NUMBERED) words.getOrNull(i + 1)?.toIntOrNull()?.takeIf { it in 0 until MOST_MODULES } else null
+    if (words[i] in NUMBERED) words.getOrNull(i + 1)?.toIntOrNull()?.takeIf { it in 0 until MAX_MODULES } else null
 
 /** Returns the corner that [words] name from [i] on, and the number of words. */
 private fun cornerAt(words: List<String>, i: Int): Pair<Int, Int>? {

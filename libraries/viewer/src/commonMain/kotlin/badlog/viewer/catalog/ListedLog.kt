@@ -18,7 +18,7 @@ interface ListedLog {
     val summary: LogSummary
 
     /** The findings of the rules; null until the rules have run. */
-    val found: LogFound?
+    val found: FindingSummary?
 
     /** The displayed name: the match if known, otherwise the name of the file. */
     val title: String get() = summary.match.match ?: fileName

@@ -1,6 +1,6 @@
 package badlog.viewer.catalog
 
-import badlog.core.analysis.meant
+import badlog.core.analysis.firstText
 import badlog.core.recording.Value
 import badlog.signals.match.dateInName
 import badlog.signals.match.dateInText
@@ -19,7 +19,7 @@ data class LogDate(val second: Long, val source: DateSource) {
          * since 1970.
          */
         fun of(values: List<Value>, name: String, modified: Long): LogDate {
-            val logged = values.meant("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)
+            val logged = values.firstText("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)
             if (logged != null) return LogDate(logged, DateSource.VALUES)
             val named = dateInName(name)
             if (named != null) return LogDate(named.second, DateSource.FILE_NAME)

@@ -26,7 +26,7 @@ sealed interface BoardAction : Action {
     class Show(val board: Board) : BoardAction
 
     /** Takes back the change from the graphs [before] to [after]; later changes stay. */
-    class TakeBack(val before: Board, val after: Board) : BoardAction
+    class Revert(val before: Board, val after: Board) : BoardAction
 
     /** Takes over what others have changed of the board, which is [stored] now and was [read] before. */
     class Merge(val stored: Board, val read: Board) : BoardAction

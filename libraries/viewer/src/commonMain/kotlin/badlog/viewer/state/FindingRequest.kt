@@ -19,7 +19,7 @@ sealed interface FindingRequest : Request {
         FindingRequest
 
     /** Says that there is no finding to go to, or that the rules are still running. */
-    object SayNone : FindingRequest
+    object AnnounceNone : FindingRequest
 
     /** Adds the graphs that show [finding], and [incident] if it is part of one, to the board. */
     class Pin(val finding: Finding, val incident: Incident?) : FindingRequest

@@ -13,7 +13,7 @@ internal fun ViewerState.after(shown: Shown, action: BoardAction): Outcome = whe
     is BoardAction.Visit -> Outcome(copy(board = board.changed(action.board)))
     is BoardAction.ShowAll -> taking(shown, board.changed(action.board))
     is BoardAction.Show -> taking(shown, board.changed(action.board, shown.graphs))
-    is BoardAction.TakeBack -> taking(shown, board.changed(action.before, action.after))
+    is BoardAction.Revert -> taking(shown, board.changed(action.before, action.after))
     is BoardAction.Merge -> Outcome(copy(board = board.mergedWith(action.stored, action.read)))
     is BoardAction.Rename -> everywhere(shown) { renamed(action.line, action.name) }
     is BoardAction.Forget -> everywhere(shown) { action.lines.fold(this, Board::withoutSignal) }

@@ -20,7 +20,7 @@ internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = w
 /** Goes to the step [steps] after the finding that was gone to, in the order of keys. */
 internal fun ViewerState.nextFinding(shown: Shown, steps: Int): Outcome {
     val step = shown.found?.order?.beside(place.visited?.finding, place.cursors.x ?: Double.NaN, steps)
-    if (step == null) return Outcome(this, FindingRequest.SayNone)
+    if (step == null) return Outcome(this, FindingRequest.AnnounceNone)
     return visiting(step.place, FindingRequest.Show(step.place, step.incident, step.incident != null, step.spoken))
 }
 

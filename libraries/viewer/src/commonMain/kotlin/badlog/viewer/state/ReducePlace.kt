@@ -6,11 +6,11 @@ import badlog.viewer.shown.cursor.Cursors
 
 /** Returns the state after [action], for a log with the content [shown]. */
 internal fun ViewerState.after(shown: Shown, action: PlaceAction): ViewerState = when (action) {
-    is PlaceAction.Open -> copy(place = Place(Viewport(action.full)), stay = Stay())
+    is PlaceAction.Open -> copy(place = Place(Viewport(action.full)), following = EndFollowing())
     is PlaceAction.Grow -> grown(action)
-    PlaceAction.GoToEnd -> place.atEnd().let { copy(place = it, stay = if (shown.newest == null) stay else stay.begun(it)) }
+    PlaceAction.GoToEnd -> place.atEnd().let { copy(place = it, following = if (shown.newest == null) following else following.begun(it)) }
     PlaceAction.FollowEnd -> at(place.movedToEnd())
-    PlaceAction.Pause -> copy(stay = stay.paused(place))
+    PlaceAction.Pause -> copy(following = following.paused(place))
     is PlaceAction.GoTo -> at(action.run { if (isWithSurroundings) place.at(x, Span(x, x)) else place.at(x) })
     is PlaceAction.Visit -> at(place.copy(visited = action.finding))
     is PlaceAction.Show -> range { showing(action.from, action.to) }
@@ -41,8 +41,8 @@ private fun ViewerState.clicked(click: PlaceAction.Click): ViewerState {
 }
 
 private fun ViewerState.grown(log: PlaceAction.Grow): ViewerState {
-    val stayed = stay.grown(place, if (log.isOtherAxis) Place(Viewport(log.full)) else place.copy(range = place.range.grown(log.full)))
-    return copy(place = stayed.place, stay = stayed.stay)
+    val stayed = following.grown(place, if (log.isOtherAxis) Place(Viewport(log.full)) else place.copy(range = place.range.grown(log.full)))
+    return copy(place = stayed.place, following = stayed.following)
 }
 
 private fun Viewport.centered(x: Double) = showing(x - visible.width / 2, x + visible.width / 2)

@@ -3,7 +3,7 @@ package badlog.viewer.state
 import badlog.core.analysis.EnabledSpan
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 
 /** The content of an open log that [reduce] needs besides the state. Each part is calculated for the first action that needs it. */
 interface Shown {
@@ -17,7 +17,7 @@ interface Shown {
     val enabled: List<EnabledSpan>
 
     /** The findings; null while none are known. */
-    val found: FoundInLog?
+    val found: RuleResults?
 
     /** The graphs of the board that can be drawn of the log. */
     val graphs: Board

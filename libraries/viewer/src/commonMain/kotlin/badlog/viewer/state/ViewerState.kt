@@ -13,14 +13,14 @@ import badlog.viewer.choices.board.BoardHistory
  * @property findings the search and the unfolded parts in the findings.
  * @property added each graph added to show a finding, in its original form, except graphs that a person keeps: undoing also brings back
  *   the graphs of previous findings.
- * @property stay whether the person stays at the end of the log.
+ * @property following whether the person stays at the end of the log.
  */
 data class ViewerState(
     val place: Place,
     val board: BoardHistory,
     val findings: FindingsState = FindingsState(),
     val added: Set<BoardGraph> = emptySet(),
-    val stay: Stay = Stay(),
+    val following: EndFollowing = EndFollowing(),
 ) {
     /** All graphs that the person arranged, also those that the open log cannot draw. */
     val arranged: Board get() = Board(board.now.graphs - added)

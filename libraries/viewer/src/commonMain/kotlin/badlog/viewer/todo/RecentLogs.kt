@@ -10,7 +10,7 @@ import kotlin.math.abs
  * Returns the [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; without any match, the last four logs. Logs
  * without a date belong to their matches. Idle logs should not be in [logs].
  */
-fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
+fun recentOf(logs: Collection<TodoLog>): List<TodoLog> {
     val known = logs.filter { it.isDated }.ifEmpty { logs }
     val matches = known.filter { it.match.match != null }
     val begins = if (matches.isEmpty()) known.map { it.second } else beginsOfRuns(matches)
@@ -22,8 +22,8 @@ fun recentOf(logs: Collection<FoundLog>): List<FoundLog> {
 }
 
 /** Returns the start of each run of a match in [logs]. The logs of the robot and of the Driver Station belong to one run. */
-private fun beginsOfRuns(logs: List<FoundLog>): List<Long> {
-    val runs = ArrayList<ArrayList<FoundLog>>()
+private fun beginsOfRuns(logs: List<TodoLog>): List<Long> {
+    val runs = ArrayList<ArrayList<TodoLog>>()
     for (ofMatch in logs.groupBy { it.match.match }.values) {
         val before = runs.size
         for (log in ofMatch.sortedBy { it.second }) {
@@ -34,16 +34,16 @@ private fun beginsOfRuns(logs: List<FoundLog>): List<Long> {
     return runs.map { it.first().second }
 }
 
-private fun isOfSameRun(one: FoundLog, other: FoundLog) =
+private fun isOfSameRun(one: TodoLog, other: TodoLog) =
     isOfSameMatch(one.match, other.match) && (abs(one.second - other.second) < LONGEST_RUN || !one.isDated || !other.isDated)
 
 /**
  * Returns the log of the match that was played last; null if [logs] have no match. Logs without a date are ordered by the number of their
  * match.
  */
-internal fun lastMatchOf(logs: Collection<FoundLog>): FoundLog? {
+internal fun lastMatchOf(logs: Collection<TodoLog>): TodoLog? {
     val (dated, others) = logs.filter { it.match.match != null }.partition { it.isDated }
-    val last = dated.maxWithOrNull(compareBy<FoundLog> { it.second }.then(BY_NUMBER))
+    val last = dated.maxWithOrNull(compareBy<TodoLog> { it.second }.then(BY_NUMBER))
     return (others.filter { last == null || isOfSameEvent(it.match, last.match) } + listOfNotNull(last)).maxWithOrNull(BY_NUMBER)
 }
 
@@ -51,7 +51,7 @@ internal fun lastMatchOf(logs: Collection<FoundLog>): FoundLog? {
 private fun isOfSameEvent(one: MatchOfLog, other: MatchOfLog) =
     one.type == other.type && (one.event == null || other.event == null || one.event == other.event)
 
-private val BY_NUMBER: Comparator<FoundLog> = compareBy<FoundLog> { log ->
+private val BY_NUMBER: Comparator<TodoLog> = compareBy<TodoLog> { log ->
     FIRST_TYPES.indexOf(log.match.type).takeIf { it >= 0 }
         ?: FIRST_TYPES.size
 }

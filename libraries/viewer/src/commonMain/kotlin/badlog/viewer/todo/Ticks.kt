@@ -9,15 +9,15 @@ package badlog.viewer.todo
  * @param changes all changes, in their order.
  * @param logs the logs of the folder.
  */
-internal fun ticksOf(changes: List<TodoChange>, logs: Collection<FoundLog>, next: String): Map<String, DoneMark> {
+internal fun ticksOf(changes: List<TodoChange>, logs: Collection<TodoLog>, next: String): Map<String, DoneMark> {
     val newest = logs.filter { it.isDated }.maxByOrNull { it.second }
     val last = lastMatchOf(logs)
     val words = changes.mapNotNull { change -> (change.subject as? NextMatch)?.let { change.time to it.match } }
 
     fun isOfNext(change: TodoChange, match: String): Boolean {
-        if (newest != null && !change.isOfDaysOf(newest, isPractice = next == SOME_MATCH)) return false
+        if (newest != null && !change.isOfSameEventAs(newest, isPractice = next == UNNAMED_MATCH)) return false
         if (match == next) return true
-        if (!match.startsWith(AFTER) && match != SOME_MATCH) return false
+        if (!match.startsWith(AFTER) && match != UNNAMED_MATCH) return false
         if (last != null && (!last.isDated || change.seen == null || change.seen < last.second)) return false
         val said = words.filter { it.first > change.time }
         return said.isNotEmpty() && said.all { it.second == next }
@@ -34,7 +34,7 @@ internal fun ticksOf(changes: List<TodoChange>, logs: Collection<FoundLog>, next
 }
 
 /** Returns whether this change was made at the event of [newest], and also after it if [isPractice]. */
-private fun TodoChange.isOfDaysOf(newest: FoundLog, isPractice: Boolean): Boolean {
+private fun TodoChange.isOfSameEventAs(newest: TodoLog, isPractice: Boolean): Boolean {
     if (event != null && newest.match.event != null && event != newest.match.event) return false
     if (seen == null) return true
     return newest.second - seen <= LONGEST_EVENT && !(isPractice && seen < newest.second)

@@ -37,7 +37,7 @@ data class TodoItem(
  * @property fault the finding in that log.
  * @property runs the number of matches and other runs with the fault.
  */
-data class LastFound(val log: FoundLog, val fault: FoundFault, val runs: Int) {
+data class LastFound(val log: TodoLog, val fault: FoundFault, val runs: Int) {
     /** The severity of the fault. */
     val severity: Severity get() = fault.severity
 }
@@ -57,5 +57,5 @@ data class DoneMark(private val change: TodoChange, private val deed: TodoDeed.D
     internal val order: String get() = change.time + change.id
 
     /** Returns whether [log] was recorded after the item was done. */
-    internal fun isBefore(log: FoundLog): Boolean = change.isBefore(log, deed.before)
+    internal fun isBefore(log: TodoLog): Boolean = change.isBefore(log, deed.before)
 }

@@ -39,18 +39,18 @@ class TodoList private constructor(
          *
          * @param logs the logs of the folder that have something to see.
          */
-        fun of(changes: Collection<TodoChange>, logs: Collection<FoundLog>): TodoList {
+        fun of(changes: Collection<TodoChange>, logs: Collection<TodoLog>): TodoList {
             // Two lines with one id are damaged; the text of the line decides, so that all laptops agree.
             val ordered = changes.map { it to it.toLine() }
                 .sortedWith(compareBy({ it.first.time }, { it.first.id }, { it.second }))
                 .map { it.first }
                 .distinctBy { it.id }
-            val recorded = logs.distinct().sortedWith(compareByDescending<FoundLog> { it.second }.thenBy { it.name }.thenBy { "$it" })
+            val recorded = logs.distinct().sortedWith(compareByDescending<TodoLog> { it.second }.thenBy { it.name }.thenBy { "$it" })
             val found = lastFound(recorded)
             val ofEach = found.keys.filter { it.topic != null }.mapTo(HashSet()) { it.rule }
             val whole = (found.keys + ordered.map { it.subject })
                 .filterTo(HashSet()) { it is FaultTask && it.topic == null && it.rule !in ofEach }
-            val ofSubjects = ordered.groupBy { nowNamed(it.subject, whole) }
+            val ofSubjects = ordered.groupBy { withCurrentName(it.subject, whole) }
             val recent = recentOf(recorded).toSet()
             val tasks = ofSubjects.keys.filterIsInstance<TodoTask>().toSet() +
                 found.filterValues { it.severity == Severity.ERROR && it.log in recent }.keys
@@ -97,9 +97,9 @@ class TodoList private constructor(
 data class CheckedLine(val check: Check, val done: DoneMark?)
 
 /** Returns the last place of each fault in [logs]; the latest log must be first. */
-private fun lastFound(logs: List<FoundLog>): Map<FaultTask, LastFound> {
+private fun lastFound(logs: List<TodoLog>): Map<FaultTask, LastFound> {
     val runs = HashMap<FaultTask, HashSet<String>>()
-    val last = HashMap<FaultTask, Pair<FoundLog, FoundFault>>()
+    val last = HashMap<FaultTask, Pair<TodoLog, FoundFault>>()
     for (log in logs) {
         for (fault in log.faults) {
             runs.getOrPut(fault.task, ::HashSet) += log.title
@@ -110,7 +110,7 @@ private fun lastFound(logs: List<FoundLog>): Map<FaultTask, LastFound> {
 }
 
 /** Returns the item of [task] with [changes] applied; null if it is not on the list. */
-private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTask, LastFound>, logs: List<FoundLog>): TodoItem? {
+private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTask, LastFound>, logs: List<TodoLog>): TodoItem? {
     val fault = (task as? FaultTask)?.let(found::get)
     val last = changes.lastOrNull { it.deed !is TodoDeed.Assign }
     val person = changes.mapNotNull { (it.deed as? TodoDeed.Assign)?.person }.lastOrNull().orEmpty()
@@ -129,7 +129,7 @@ private fun itemOf(task: TodoTask, changes: List<TodoChange>, found: Map<FaultTa
 }
 
 /** Returns [subject] as rules name it now. Older lines also have a topic for rules that are about the [whole] robot. */
-private fun nowNamed(subject: TodoSubject, whole: Set<TodoSubject>): TodoSubject =
+private fun withCurrentName(subject: TodoSubject, whole: Set<TodoSubject>): TodoSubject =
     (subject as? FaultTask)?.copy(topic = null)?.takeIf { it in whole } ?: subject
 
 internal fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { DoneMark(this, it) }
@@ -137,10 +137,10 @@ internal fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { Done
 /**
  * Returns the match that the team plays next: the last one named in [changes], unless [logs] have it; otherwise the match after [last].
  */
-private fun nextOf(changes: List<TodoChange>, logs: List<FoundLog>, last: MatchOfLog?): String {
+private fun nextOf(changes: List<TodoChange>, logs: List<TodoLog>, last: MatchOfLog?): String {
     val said = changes.lastOrNull { it.subject is NextMatch && it.deed != TodoDeed.Remove }
     val match = (said?.subject as? NextMatch)?.match
-    fun isPlayed(log: FoundLog) = log.match.match != null && (log.isDated || log.match.event == said?.event)
+    fun isPlayed(log: TodoLog) = log.match.match != null && (log.isDated || log.match.event == said?.event)
     if (match != null && logs.none { isPlayed(it) && said.isBefore(it, match) }) return match
-    return last?.match?.let { AFTER + it } ?: SOME_MATCH
+    return last?.match?.let { AFTER + it } ?: UNNAMED_MATCH
 }

@@ -10,7 +10,7 @@ import kotlin.math.abs
 internal const val AFTER = "the match after "
 
 /** The words for the next match if no match was played yet. */
-const val SOME_MATCH: String = "the next match"
+const val UNNAMED_MATCH: String = "the next match"
 
 /**
  * Returns a [typed] match, such as `q58` or `58`, as logs name it: `Qualification 58`. Other texts stay as they are.
@@ -37,7 +37,7 @@ private val TYPED_MATCH = Regex("([A-Za-z]*)[-_. #]*0*([0-9]{1,3})(?:(?:-|-?[mM]
  *
  * @param before the match before which it was done; null if not given.
  */
-internal fun TodoChange.isBefore(log: FoundLog, before: String?): Boolean {
+internal fun TodoChange.isBefore(log: TodoLog, before: String?): Boolean {
     val clock = seen ?: dateInName(time)?.second ?: return false
     val isSameEvent = event != null && event == log.match.event
     // Without the name of an event, a log from days before may belong to another event.
@@ -47,7 +47,7 @@ internal fun TodoChange.isBefore(log: FoundLog, before: String?): Boolean {
 }
 
 /** Returns whether [log] is of [match] or of a later one of its type; null if they cannot be compared. */
-private fun TodoChange.orderOf(log: FoundLog, match: String): Boolean? {
+private fun TodoChange.orderOf(log: TodoLog, match: String): Boolean? {
     val name = match.removePrefix(AFTER)
     val (type, number) = name.substringBeforeLast(' ', "") to name.substringAfterLast(' ')
     val own = log.match.number?.takeIf { (log.match.type ?: "Match") == type } ?: return null

@@ -9,7 +9,7 @@ import badlog.viewer.choices.board.fittedTo
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -21,7 +21,7 @@ class ReduceBoardSpec : FunSpec({
     class Log(override val graphs: Board) : Shown {
         override val samples = CursorSteps(emptyList())
         override val enabled = emptyList<EnabledSpan>()
-        override val found: FoundInLog? = null
+        override val found: RuleResults? = null
     }
 
     val abc = Board().withGraph(listOf("A")).withGraph(listOf("B")).withGraph(listOf("C"))
@@ -113,7 +113,7 @@ class ReduceBoardSpec : FunSpec({
     test("taking back a board keeps later changes, and changes of others are merged") {
         val start = beginning.after(BoardAction.ShowAll(Board().withGraph(listOf("D"))))
         val more = start.after(GraphChange.Add(listOf("E")))
-        more.after(BoardAction.TakeBack(abc, start.board.now)).lines().toSet() shouldBe setOf("A", "B", "C", "E")
+        more.after(BoardAction.Revert(abc, start.board.now)).lines().toSet() shouldBe setOf("A", "B", "C", "E")
         beginning.after(GraphChange.Remove(1), BoardAction.Merge(abc.withGraph(listOf("D")), abc)).lines() shouldBe listOf("B", "C", "D")
     }
 

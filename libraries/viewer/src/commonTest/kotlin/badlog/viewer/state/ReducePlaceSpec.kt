@@ -11,7 +11,7 @@ import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.cursor.Cursors
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
@@ -25,7 +25,7 @@ class ReducePlaceSpec : FunSpec({
     class Log(override val newest: Double? = null) : Shown {
         override val samples = CursorSteps(emptyList())
         override val enabled = emptyList<EnabledSpan>()
-        override val found: FoundInLog? = null
+        override val found: RuleResults? = null
         override val graphs = Board()
     }
 

@@ -12,7 +12,7 @@ import badlog.viewer.draw.mark.FindingTimeline
 import badlog.viewer.input.KeyAction
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.cursor.Cursors
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.firstPlace
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
@@ -38,7 +38,7 @@ class ReduceSpec : FunSpec({
         override val graph: Int? = board.graphs[1].id,
         override val samples: CursorSteps = CursorSteps(listOf(DoubleArray(101) { it.toDouble() })),
         override val enabled: List<EnabledSpan> = emptyList(),
-        override val found: FoundInLog? = FoundInLog(listOf(early, late)),
+        override val found: RuleResults? = RuleResults(listOf(early, late)),
         override val newest: Double? = null,
     ) : Shown
 
@@ -89,7 +89,7 @@ class ReduceSpec : FunSpec({
     test("before the rules have run, the key for the next finding moves nothing, and says so") {
         val outcome = after(beginning, Log(board, found = null), KeyAction.NEXT_FINDING)
         outcome.state shouldBe beginning
-        outcome.request shouldBe FindingRequest.SayNone
+        outcome.request shouldBe FindingRequest.AnnounceNone
     }
 
     test("a finding about the whole log is selected at the person's place") {
@@ -103,7 +103,7 @@ class ReduceSpec : FunSpec({
         after.visited?.finding shouldBe whole
     }
 
-    fun ViewerState.after(action: Action, found: FoundInLog = FoundInLog(listOf(early, late))) = reduce(this, Log(board, found = found), action)
+    fun ViewerState.after(action: Action, found: RuleResults = RuleResults(listOf(early, late))) = reduce(this, Log(board, found = found), action)
 
     test("going to a finding requests its evidence, and more findings are listed on request") {
         val outcome = beginning.after(FindingAction.GoTo(late.firstPlace, null))
@@ -116,7 +116,7 @@ class ReduceSpec : FunSpec({
 
     test("steps within a finding stop at its last place, and do nothing without a visited finding") {
         val often = found("Often", Severity.ERROR, Span(10.0, 10.0), Span(30.0, 30.0))
-        val log = FoundInLog(listOf(often))
+        val log = RuleResults(listOf(often))
         val first = beginning.after(FindingAction.GoTo(often.firstPlace, null), log).state
         val second = first.after(FindingAction.StepWithin(1), log)
         second.state.place.cursors.pinned shouldBe 30.0

@@ -6,7 +6,7 @@ import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardHistory
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.shown.cursor.CursorSteps
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
@@ -20,7 +20,7 @@ class StoreSpec : FunSpec({
         val shown = object : Shown {
             override val samples = CursorSteps(emptyList())
             override val enabled = emptyList<EnabledSpan>()
-            override val found: FoundInLog? = null
+            override val found: RuleResults? = null
             override val graphs: Board
                 get() {
                     if (isFirst) {

@@ -19,7 +19,7 @@ class TodoListSpec : FunSpec({
     val error = FoundFault(brownout, Severity.ERROR, "The battery fell to 6.1 V.")
     val slow = FoundFault(FaultTask("Slow loops", null), Severity.WARNING, "Loops took 31 ms.")
 
-    fun log(number: Int, vararg faults: FoundFault, second: Long = 1_000_000L + number * 600) = FoundLog("q$number.bag", MatchOfLog("Mill Creek", "Qualification", "$number"), second, faults.toList())
+    fun log(number: Int, vararg faults: FoundFault, second: Long = 1_000_000L + number * 600) = TodoLog("q$number.bag", MatchOfLog("Mill Creek", "Qualification", "$number"), second, faults.toList())
 
     var count = 0
     fun change(task: TodoSubject, deed: TodoDeed, seen: Long? = null, by: String = "Ada"): TodoChange {
@@ -107,7 +107,7 @@ class TodoListSpec : FunSpec({
         val lines = listOf("Battery in", "Bumpers tight")
         val said = change(NextMatch("Qualification 61"), TodoDeed.Open, seen = log(58).second)
         val ticked = change(Check("Battery in", "Qualification 61"), TodoDeed.Done())
-        fun ticks(logs: List<FoundLog>) = TodoList.of(listOf(said, ticked), logs).run { next to checklist(lines).map { it.done?.by } }
+        fun ticks(logs: List<TodoLog>) = TodoList.of(listOf(said, ticked), logs).run { next to checklist(lines).map { it.done?.by } }
         ticks(listOf(log(58))) shouldBe ("Qualification 61" to listOf("Ada", null))
         ticks(listOf(log(58), log(61))) shouldBe ("the match after Qualification 61" to listOf(null, null))
         TodoList.of(listOf(said, ticked, change(ticked.subject, TodoDeed.Open)), listOf(log(58))).checklist(lines)[0].done shouldBe null
@@ -116,7 +116,7 @@ class TodoListSpec : FunSpec({
 
     test("numbers of one event are compared without a clock, also in logs without a type") {
         fun done(before: String, seen: Long?, event: String?) = change(brownout, TodoDeed.Done(before = before), seen).copy(event = event)
-        fun isAgain(done: TodoChange, log: FoundLog) = TodoList.of(listOf(done), listOf(log)).open.isNotEmpty()
+        fun isAgain(done: TodoChange, log: TodoLog) = TodoList.of(listOf(done), listOf(log)).open.isNotEmpty()
         // The robot's clock was in 2031 when the item was done.
         val wrong = done("Qualification 58", 1_900_000_000, "Mill Creek")
         listOf(57, 58).map { isAgain(wrong, log(it, error)) } shouldBe listOf(false, true)
@@ -127,12 +127,12 @@ class TodoListSpec : FunSpec({
 
     test("a log dated only by its file’s time, or by a clock in the future, is compared by its number alone") {
         val now = log(58).second + 2_000_000_000
-        fun date(second: Long, source: DateSource) = FoundLog.of("a", MatchOfLog(), LogDate(second, source), now).isDated
+        fun date(second: Long, source: DateSource) = TodoLog.of("a", MatchOfLog(), LogDate(second, source), now).isDated
         date(now + 3600, DateSource.VALUES) shouldBe true
         date(now + 2 * 86_400, DateSource.VALUES) shouldBe false
         date(now - 3600, DateSource.FILE_TIME) shouldBe false
         // A laptop in 1970 cannot recognize a date in the future.
-        FoundLog.of("a", MatchOfLog(), LogDate(now, DateSource.VALUES), 5).isDated shouldBe true
+        TodoLog.of("a", MatchOfLog(), LogDate(now, DateSource.VALUES), 5).isDated shouldBe true
         val done = change(brownout, TodoDeed.Done(before = "Qualification 58"), seen = 5)
         fun undated(number: Int) = log(number, error, second = 1_900_000_000).copy(isDated = false)
         listOf(57, 58).map { TodoList.of(listOf(done), listOf(undated(it))).open.size } shouldBe listOf(0, 1)
@@ -157,7 +157,7 @@ class TodoListSpec : FunSpec({
     test("a tick is for the next match, even if that is named later, and not for another event or day") {
         val lines = listOf("Battery in")
         val unnamed = change(Check("Battery in", "the match after Qualification 58"), TodoDeed.Done(), seen = log(58).second)
-        fun isTicked(changes: List<TodoChange>, vararg logs: FoundLog) = TodoList.of(changes, logs.toList()).checklist(lines).single().done != null
+        fun isTicked(changes: List<TodoChange>, vararg logs: TodoLog) = TodoList.of(changes, logs.toList()).checklist(lines).single().done != null
         fun said(number: Int) = change(NextMatch("Qualification $number"), TodoDeed.Open, seen = log(58).second)
         isTicked(listOf(unnamed), log(58)) shouldBe true
         val named = said(61)
@@ -171,8 +171,8 @@ class TodoListSpec : FunSpec({
         isTicked(listOf(ticked, again), log(10)) shouldBe true
         isTicked(listOf(ticked, again), log(10).copy(match = MatchOfLog("Elm City", "Qualification", "10"))) shouldBe false
         isTicked(listOf(ticked, again), log(10, second = log(10).second + 20 * 86_400)) shouldBe false
-        val practice = change(Check("Battery in", SOME_MATCH), TodoDeed.Done(), seen = 5000)
-        fun practiced(second: Long) = FoundLog("a", MatchOfLog(), second, emptyList())
+        val practice = change(Check("Battery in", UNNAMED_MATCH), TodoDeed.Done(), seen = 5000)
+        fun practiced(second: Long) = TodoLog("a", MatchOfLog(), second, emptyList())
         isTicked(listOf(practice), practiced(5000)) shouldBe true
         isTicked(listOf(practice), practiced(5000), practiced(5600)) shouldBe false
     }
@@ -208,7 +208,7 @@ class TodoListSpec : FunSpec({
                 }
             }
             val logs = List(4) { log(it, *listOf(error, slow).filter { random.nextBoolean() }.toTypedArray()) }
-            fun shown(changes: List<TodoChange>, logs: List<FoundLog>) = TodoList.of(changes, logs).run {
+            fun shown(changes: List<TodoChange>, logs: List<TodoLog>) = TodoList.of(changes, logs).run {
                 listOf(open, done, next, checklist(listOf("Battery"))).toString()
             }
             val one = shown(laptops.flatten(), logs)

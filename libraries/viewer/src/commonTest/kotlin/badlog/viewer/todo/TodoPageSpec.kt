@@ -9,7 +9,7 @@ import io.kotest.matchers.string.shouldNotContain
 
 class TodoPageSpec : FunSpec({
     val fault = FoundFault(FaultTask("Browned out", null), Severity.ERROR, "The battery fell to 6.1 V.")
-    val log = FoundLog("q58.bag", MatchOfLog(null, "Qualification", "58"), 5000, listOf(fault))
+    val log = TodoLog("q58.bag", MatchOfLog(null, "Qualification", "58"), 5000, listOf(fault))
     fun change(id: Int, subject: TodoSubject, deed: TodoDeed) = TodoChange("$id", "2026-03-07T14:05:0$id.000Z", "Ada", subject, deed)
     val list = TodoList.of(
         listOf(

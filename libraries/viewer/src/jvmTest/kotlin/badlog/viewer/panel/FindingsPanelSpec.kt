@@ -16,7 +16,7 @@ import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.firstPlace
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
@@ -42,9 +42,9 @@ class FindingsPanelSpec : FunSpec({
     val early = found("Early", Severity.ERROR, Span(10.0, 12.5))
     val late = found("Late", Severity.NOTE, Span(80.0, 80.0))
     val whole = found("Whole", Severity.WARNING)
-    val some = FoundInLog(listOf(early, late, whole), ran = 3)
+    val some = RuleResults(listOf(early, late, whole), ran = 3)
 
-    fun shown(found: FoundInLog? = some, state: FindingsState = FindingsState(), visited: Finding? = null, room: FindingsRoom = FindingsRoom.WHOLE, details: FindingDetails? = null) = FindingsShown(found, isRunning = found == null, state, visited?.firstPlace, times, details = details, room = room)
+    fun shown(found: RuleResults? = some, state: FindingsState = FindingsState(), visited: Finding? = null, room: FindingsRoom = FindingsRoom.WHOLE, details: FindingDetails? = null) = FindingsShown(found, isRunning = found == null, state, visited?.firstPlace, times, details = details, room = room)
 
     fun List<Part>.rows(key: String = "findings-list") = filterIsInstance<Rows>().filter { it.key == key }.flatMap { it.rows }
     fun List<Part>.fold(key: String) = filterIsInstance<Fold>().single { it.key == key }
@@ -60,7 +60,7 @@ class FindingsPanelSpec : FunSpec({
         }
     }
 
-    fun many(count: Int) = FoundInLog(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
+    fun many(count: Int) = RuleResults(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
 
     test("findings have severity, time and text, the worst first, and ones without a time are about the whole log") {
         val parts = findingsPanel(shown())
@@ -75,13 +75,13 @@ class FindingsPanelSpec : FunSpec({
 
     test("the panel says that rules run, and is empty before anything is known") {
         findingsPanel(shown(found = null)).filterIsInstance<Heading>().single().status shouldBe "running the rules…"
-        findingsPanel(shown(FoundInLog())).shouldBeEmpty()
-        findingsPanel(shown(FoundInLog(ran = 4))).filterIsInstance<Heading>().single().status shouldBe "Nothing was found."
+        findingsPanel(shown(RuleResults())).shouldBeEmpty()
+        findingsPanel(shown(RuleResults(ran = 4))).filterIsInstance<Heading>().single().status shouldBe "Nothing was found."
     }
 
     test("rules that could not run, and wrong rules, are troubles with the place of the mistake") {
         val wrong = SkippedRule("Half", 1, "Line 4: unknown\nmean(A, 5)\n^^^^", isMistake = true)
-        val parts = findingsPanel(shown(FoundInLog(skipped = listOf(wrong), ran = 1, trouble = "badlog-rules.toml: bad")))
+        val parts = findingsPanel(shown(RuleResults(skipped = listOf(wrong), ran = 1, trouble = "badlog-rules.toml: bad")))
         parts.filterIsInstance<Trouble>().map { it.text } shouldBe listOf("badlog-rules.toml: bad", "The rule “Half” is wrong. Line 4: unknown")
         parts.filterIsInstance<Trouble>().last().pointer shouldBe "mean(A, 5)\n^^^^"
         parts.filterIsInstance<Heading>().single().status shouldBe ""
@@ -91,7 +91,7 @@ class FindingsPanelSpec : FunSpec({
         fun of(rule: String, time: Double, severity: Severity) = Finding(rule, severity, "Arm/Output", "$rule.", time, listOf(Span(time, time + 1)), 1, "s")
         val all = listOf(of("Motor stalled", 20.0, Severity.ERROR), of("Low battery", 20.5, Severity.ERROR), of("Own rule", 90.0, Severity.WARNING))
         val incidents = RuleSet.BUILT_IN_PROVEN.incidentsIn(all)
-        val parts = findingsPanel(shown(FoundInLog(all, incidents = incidents, ran = 3), visited = all[0]))
+        val parts = findingsPanel(shown(RuleResults(all, incidents = incidents, ran = 3), visited = all[0]))
         val incident = parts.rows("incidents").single()
         incident.isFramed shouldBe true
         incident.isCurrent shouldBe true
@@ -128,7 +128,7 @@ class FindingsPanelSpec : FunSpec({
         val often = found("Often", Severity.ERROR, *places, next = "Look at the cable.", caveats = listOf("Sampled twice a second."))
         val offer = EvidenceOffer("Voltage", listOf("V"))
         val details = FindingDetails(hasGraphs = true, offers = listOf(offer))
-        val row = findingsPanel(shown(FoundInLog(listOf(often), ran = 1), visited = often, details = details)).rows().single()
+        val row = findingsPanel(shown(RuleResults(listOf(often), ran = 1), visited = often, details = details)).rows().single()
         row.isCurrent shouldBe true
         row.below.filterIsInstance<Paragraph>().map { it.text } shouldBe
             listOf("1 of 2: 10.00", "Often was seen.", "Next: Look at the cable.", "Sampled twice a second.")
@@ -136,7 +136,7 @@ class FindingsPanelSpec : FunSpec({
             listOf("Previous place" to false, "Next place" to true, "Keep" to true, "Voltage" to true)
         row.below.buttons().last().action shouldSend Action.Ask(FindingRequest.Add(offer))
         row.tools.shouldBeEmpty()
-        val apart = findingsPanel(shown(FoundInLog(listOf(often), ran = 1), visited = often)).rows().single()
+        val apart = findingsPanel(shown(RuleResults(listOf(often), ran = 1), visited = often)).rows().single()
         apart.below.shouldBeEmpty()
         apart.tools.single().action shouldSend Action.Ask(FindingRequest.Pin(often, null))
     }
@@ -155,7 +155,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("skipped rules are folded, with a field for each of at most five missing signals") {
         val skipped = List(8) { SkippedRule("Rule $it", 1, "no signal", isMistake = false, lacking = "signal $it") }
-        val fold = findingsPanel(shown(FoundInLog(skipped = skipped, ran = 2), FindingsState(isSkippedOpen = true))).fold("findings-skipped")
+        val fold = findingsPanel(shown(RuleResults(skipped = skipped, ran = 2), FindingsState(isSkippedOpen = true))).fold("findings-skipped")
         fold.isOpen shouldBe true
         fold.toggle shouldBe FindingAction.ToggleSkipped
         val fields = fold.parts.filterIsInstance<Field>()
@@ -167,7 +167,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("signals that a program can log have the lines of code for them, with the selected library") {
         val skipped = listOf("battery", "packet loss", "no such").map { SkippedRule("Rule of $it", 1, "no signal", isMistake = false, lacking = it) }
-        fun parts(state: FindingsState) = findingsPanel(shown(FoundInLog(skipped = skipped, ran = 2), state)).fold("findings-skipped").parts
+        fun parts(state: FindingsState) = findingsPanel(shown(RuleResults(skipped = skipped, ran = 2), state)).fold("findings-skipped").parts
         val first = parts(FindingsState(isSkippedOpen = true))
         first.filterIsInstance<Code>().single().text shouldBe """SmartDashboard.putNumber("Battery Voltage", RobotController.getBatteryVoltage());"""
         val options = first.filterIsInstance<Choice>().single().options
@@ -210,7 +210,7 @@ class FindingsPanelSpec : FunSpec({
     }
 
     test("all rows have different keys, even if a hook reports the same twice") {
-        val twice = FoundInLog(listOf(early, found("Early", Severity.ERROR, Span(10.0, 12.5)), found("Early null 1", Severity.ERROR), late), ran = 1)
+        val twice = RuleResults(listOf(early, found("Early", Severity.ERROR, Span(10.0, 12.5)), found("Early null 1", Severity.ERROR), late), ran = 1)
         findingsPanel(shown(twice)).rows().map { it.key }.shouldBeUnique()
     }
 

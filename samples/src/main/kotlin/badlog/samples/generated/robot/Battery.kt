@@ -44,7 +44,7 @@ internal class Battery(restVolts: Double, val resistance: Double) {
         val series = resistance + contact
         val target = openVolts - amperes * series
         volts += FOLLOWING * (target - volts) / (1 + series * slope)
-        volts = volts.coerceIn(LEAST_VOLTS, MOST_VOLTS)
+        volts = volts.coerceIn(MIN_VOLTS, MAX_VOLTS)
         energy += volts * amperes * dt
         heat += (openVolts - volts) * amperes * dt
     }
@@ -60,9 +60,9 @@ internal class Battery(restVolts: Double, val resistance: Double) {
         const val FOLLOWING = 0.7
 
         // Below that, the roboRIO is off, and there would be no log.
-        const val LEAST_VOLTS = 4.8
+        const val MIN_VOLTS = 4.8
 
         // Controllers turn the energy of braking motors beyond this voltage into heat.
-        const val MOST_VOLTS = 13.45
+        const val MAX_VOLTS = 13.45
     }
 }

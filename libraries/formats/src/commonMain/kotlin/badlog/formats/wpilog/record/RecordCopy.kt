@@ -25,7 +25,7 @@ public class RecordCopy(
     private val sink: (bytes: ByteArray, size: Int) -> Unit,
 ) {
     /** A record that is repeated, at another time, before the record [place]. */
-    private class Held(val record: Int, val micros: Double, val place: Int)
+    private class HeldValue(val record: Int, val micros: Double, val place: Int)
 
     private val store = log.store
     private val out = RecordBuffer()
@@ -112,7 +112,7 @@ public class RecordCopy(
      * Returns the record of [entry] that holds at the start of [span]. Null if the entry has a record at that moment, or none before it. [begin] is
      * the span's first record in the file.
      */
-    private fun heldIn(entry: RecordEntry, span: Span, begin: Int): Held? {
+    private fun heldIn(entry: RecordEntry, span: Span, begin: Int): HeldValue? {
         val micros = microsOf(span.from)
         val next = firstAt(entry, span.from)
         val isThere = next < firstAfter(entry, span.to) && log.micros(entry.records[next]) <= micros
@@ -120,7 +120,7 @@ public class RecordCopy(
         val record = entry.records[next - 1]
         // By then, its id may belong to another entry.
         val isValid = begin > record && store.sessionEnd(record) > begin
-        return Held(record, micros, if (isValid) begin else record + 1)
+        return HeldValue(record, micros, if (isValid) begin else record + 1)
     }
 
     /** Returns the time in the file, in µs, for [seconds] from time 0 of the recording. */
@@ -149,7 +149,7 @@ public class RecordCopy(
      */
     private fun write(
         isKept: BooleanArray,
-        held: List<Held> = emptyList(),
+        held: List<HeldValue> = emptyList(),
         metadata: Map<Int, String> = emptyMap(),
         onPiece: () -> Unit = {},
     ) {

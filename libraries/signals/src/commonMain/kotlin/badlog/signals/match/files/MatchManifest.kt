@@ -32,7 +32,7 @@ class MatchManifest(val files: List<StatedFile>) {
         private const val VERSION = 1
         private const val VERSION_KEY = "version"
         private const val FILES_KEY = "files"
-        private const val MOST_SECONDS = 1e10
+        private const val MAX_SECONDS = 1e10
 
         /**
          * Returns whether [text], of a file with this name, is meant as a manifest, even if it has mistakes. Other programs have files
@@ -66,13 +66,13 @@ class MatchManifest(val files: List<StatedFile>) {
             val name = fields.string("name")
             if (!isNameInside(name)) {
                 throw MatchManifestException(
-                    "$NAME names “${name.take(MOST_SHOWN)}”, which is outside its folder or no file name on every system; " +
+                    "$NAME names “${name.take(MAX_SHOWN)}”, which is outside its folder or no file name on every system; " +
                         "name only files beside it.",
                 )
             }
             val role = fields.optional("role")?.let { role ->
                 FileRole.of(role) ?: throw MatchManifestException(
-                    "$NAME gives $name the role “${role.take(MOST_SHOWN)}”; roles are ${FileRole.entries.joinToString { it.role }}.",
+                    "$NAME gives $name the role “${role.take(MAX_SHOWN)}”; roles are ${FileRole.entries.joinToString { it.role }}.",
                 )
             }
             return StatedFile(name, role, seconds("seconds", name, fields), seconds("error", name, fields)?.takeIf { it >= 0 })
@@ -81,11 +81,11 @@ class MatchManifest(val files: List<StatedFile>) {
         private fun seconds(key: String, name: String, fields: JsonFields): Double? = fields.find(key)?.takeIf {
             it.json != "null"
         }?.let { value ->
-            value.json.toDoubleOrNull()?.takeIf { it in -MOST_SECONDS..MOST_SECONDS }
+            value.json.toDoubleOrNull()?.takeIf { it in -MAX_SECONDS..MAX_SECONDS }
                 ?: throw MatchManifestException("$NAME gives $name a clock that is not a number of seconds.")
         }
 
-        private const val MOST_SHOWN = 40
+        private const val MAX_SHOWN = 40
 
         /** As editors of Windows write it. */
         private const val BYTE_ORDER_MARK = "\uFEFF"
@@ -107,7 +107,7 @@ class MatchManifestException(override val message: String) : Exception(message)
 
 /** Returns whether [name], with slashes, names a file below its folder on any system. */
 fun isNameInside(name: String): Boolean =
-    name.length in 1..MOST_NAME && name.none { it < ' ' || it == '\u007f' || it == '\\' || it == ':' } &&
+    name.length in 1..MAX_NAME && name.none { it < ' ' || it == '\u007f' || it == '\\' || it == ':' } &&
         name.split('/').none { it.isEmpty() || it == "." || it == ".." }
 
-private const val MOST_NAME = 500
+private const val MAX_NAME = 500

@@ -105,7 +105,7 @@ private fun stationOf(robot: MatchPart, stations: List<MatchFile>, areAlone: Boo
     val contradicts = byClocks != null && !agree(pair.fit.seconds, byClocks)
     val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
     // A single edge may be of any match, all matches have the same periods, and a replay has the same number.
-    val isSure = !contradicts && if (pair.fit.edges < FEWEST_EDGES) isSame && byClocks != null else isSame || byClocks != null || areAlone
+    val isSure = !contradicts && if (pair.fit.edges < MIN_EDGES) isSame && byClocks != null else isSame || byClocks != null || areAlone
     return PossiblePart(robot.placed(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges), isSure, contradicts)
 }
 
@@ -124,7 +124,7 @@ private fun fitOf(file: MatchFile, robot: MatchPart): PossiblePart? {
             contradicts,
         )
     }
-    ClockFit.ofEdges(own.edges, others.edges, byClocks)?.takeIf { it.edges >= FEWEST_EDGES }?.let { return part(it, ClockReason.ENABLED) }
+    ClockFit.ofEdges(own.edges, others.edges, byClocks)?.takeIf { it.edges >= MIN_EDGES }?.let { return part(it, ClockReason.ENABLED) }
     motorFit(own.view, others.view, others.vocabulary)?.let { return part(it, ClockReason.MOTORS) }
     batteryFit(own, others)?.let { return part(it, ClockReason.BATTERY) }
     if (byClocks == null) return null
@@ -175,7 +175,7 @@ private fun doubtsIn(parts: List<MatchPart>): List<String> {
 }
 
 /** The fewest moments that show where a log belongs: the start and the end of a period. */
-internal const val FEWEST_EDGES = 2
+internal const val MIN_EDGES = 2
 
 /** In s: clocks are right, or an hour off. */
 private val OFF = listOf(0.0, 3600.0, -3600.0)

@@ -27,7 +27,7 @@ internal class RobotGroups(files: List<MatchFile>) {
         val isSame = file.log.match.isSameAs(first.log.match)
         if (isSame == false || areAlike(namesOf(file), namesOf(first))) return null
         val byClocks = clocksOf(file.log, first.log)
-        val fit = ClockFit.ofEdges(file.log.edges, first.log.edges, byClocks)?.takeIf { it.edges >= FEWEST_EDGES } ?: return null
+        val fit = ClockFit.ofEdges(file.log.edges, first.log.edges, byClocks)?.takeIf { it.edges >= MIN_EDGES } ?: return null
         // Every match has the same periods, and one robot has one clock.
         val isSure = if (byClocks == null) isSame == true else areNear(fit.seconds, byClocks)
         return if (isSure) MatchPart(file, fit.seconds, ClockReason.ENABLED, fit.error, fit.edges) else null

@@ -49,5 +49,5 @@ fun Board.fittedTo(excused: Set<String> = emptySet(), isThere: (String) -> Boole
  * Returns this board, with the graphs of [start] below it if a recording has none of this board's lines. [isThere] says whether it has a
  * line.
  */
-fun Board.orAlso(start: () -> Board, isThere: (String) -> Boolean): Board =
+fun Board.withFallback(start: () -> Board, isThere: (String) -> Boolean): Board =
     if (graphs.any { it.lines.any(isThere) }) this else Board(graphs + start().graphs)

@@ -4,7 +4,7 @@ import badlog.core.analysis.LogView
 import badlog.signals.LogShape
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
-import badlog.viewer.shown.outline.MANY
+import badlog.viewer.shown.outline.MAX_SHOWN_GRAPHS
 import badlog.viewer.shown.outline.everChanges
 import badlog.viewer.shown.outline.outlineOf
 
@@ -33,7 +33,7 @@ fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<Str
 fun boardAbove(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board {
     boardOfLarge(view, vocabulary, pointed)?.let { return it }
     val path = pathBoard(view)
-    if (view.folders.sumOf { it.graphs.size } <= FEW) return path.identifiedByLines()
+    if (view.folders.sumOf { it.graphs.size } <= MAX_CLOSE_GRAPHS) return path.identifiedByLines()
     val topics = LogShape.of(view).topicsOf(vocabulary)
     val changing = changingIn(view)
     val power = POWER.mapNotNull { signal -> namesOf(signal, topics).firstOrNull { it in changing } }
@@ -48,7 +48,7 @@ fun boardAbove(view: LogView, vocabulary: SignalVocabulary, pointed: List<String
 
 private fun evidenceBeside(graphs: List<BoardGraph>, view: LogView, pointed: List<String>, vocabulary: SignalVocabulary): List<BoardGraph> {
     val shown = graphs.flatMapTo(HashSet()) { it.lines }
-    return evidenceBoard(view, pointed.filter { it !in shown }, vocabulary).graphs.take(MOST_POINTED)
+    return evidenceBoard(view, pointed.filter { it !in shown }, vocabulary).graphs.take(MAX_POINTED)
 }
 
 private fun changingIn(view: LogView) = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
@@ -59,7 +59,7 @@ private fun changingIn(view: LogView) = view.recording.topics.filter(::everChang
  * graphs that [outlineOf] draws follow, the ones of several topics first.
  */
 private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: List<String> = emptyList()): Board? {
-    if (view.folders.sumOf { it.graphs.size } <= MANY) return null
+    if (view.folders.sumOf { it.graphs.size } <= MAX_SHOWN_GRAPHS) return null
     // The x axis does not have a graph.
     val outlined = outlineOf(view, vocabulary).folders.flatMap { it.folder.graphs }
         .filter { graph -> graph.series.any { it.topic !== view.xAxis.topic } }.map { it to it.asBoardGraph() }
@@ -76,7 +76,7 @@ private fun boardOfLarge(view: LogView, vocabulary: SignalVocabulary, pointed: L
     val first = signals + evidenceBeside(path.graphs + signals, view, pointed, vocabulary).map { it.copy(height = null) }
     val shown = first.flatMapTo(HashSet()) { it.lines }
     val others = outlined.map { it.second }.filter { graph -> graph.lines.none { it in shown } }
-        .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MOST - first.size - path.graphs.size))
+        .sortedByDescending { it.lines.size > 1 }.take(maxOf(0, MAX_GRAPHS - first.size - path.graphs.size))
     return path.withGraphs(first + others).identifiedByLines()
 }
 
@@ -87,13 +87,13 @@ private fun graphsOf(view: LogView, names: List<String>, vocabulary: SignalVocab
     evidenceBoard(view, names, vocabulary).graphs.map { it.copy(height = null) }
 
 /** The maximum number of initial graphs of a large log. */
-private const val MOST = 24
+private const val MAX_GRAPHS = 24
 
 /** The maximum number of graphs that are close enough together. */
-private const val FEW = 10
+private const val MAX_CLOSE_GRAPHS = 10
 
 /** The maximum number of graphs from a finding beside the others. */
-private const val MOST_POINTED = 2
+private const val MAX_POINTED = 2
 
 private val POWER = listOf("battery", "total current")
 private val MODES = listOf("robot enabled", "robot autonomous", "robot teleop", "brownout", "link")

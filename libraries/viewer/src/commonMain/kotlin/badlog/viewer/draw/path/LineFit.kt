@@ -42,7 +42,7 @@ internal class LineFit private constructor(val slope: Double, val offset: Double
                 x += trail.x[i]
                 y += trail.y[i]
             }
-            if (count < FEWEST) return null
+            if (count < MIN_POINTS) return null
             x /= count
             y /= count
             var xx = 0.0
@@ -63,7 +63,7 @@ internal class LineFit private constructor(val slope: Double, val offset: Double
             }
         }
 
-        private const val FEWEST = 3
+        private const val MIN_POINTS = 3
         private const val MILLI = 1000.0
         private const val MAX_DECIMALS = 9.0
     }

@@ -36,7 +36,7 @@ internal fun Trail.resetsIn(visible: Span): DoubleArray {
 private fun Trail.isReset(index: Int, secondsPerX: Double): Boolean {
     if (!isPlace(index) || !isPlace(index - 1)) return false
     val seconds = (times[index] - times[index - 1]) * secondsPerX
-    return hypot(x[index] - x[index - 1], y[index] - y[index - 1]) > MOST_CORRECTED + FASTEST * maxOf(0.0, seconds)
+    return hypot(x[index] - x[index - 1], y[index] - y[index - 1]) > MAX_CORRECTED + FASTEST * maxOf(0.0, seconds)
 }
 
 private const val GAP = -1
@@ -45,4 +45,4 @@ private const val GAP = -1
 private const val FASTEST = 8.0
 
 /** A distance in m that is larger than corrections of a pose by cameras. */
-private const val MOST_CORRECTED = 0.75
+private const val MAX_CORRECTED = 0.75

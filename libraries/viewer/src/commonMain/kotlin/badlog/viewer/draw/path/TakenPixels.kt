@@ -97,7 +97,7 @@ internal class TakenPixels {
      *
      * @param isInside whether both ends are.
      */
-    fun takeWay(fromX: Double, fromY: Double, toX: Double, toY: Double, cell: Int, isInside: Boolean): Boolean {
+    fun takeSegment(fromX: Double, fromY: Double, toX: Double, toY: Double, cell: Int, isInside: Boolean): Boolean {
         var isNew = take(cell)
         val right = toX - fromX
         val down = toY - fromY

@@ -69,7 +69,7 @@ internal class TrailDrawing(private val pyramid: TrailPyramid) {
                     if (!isJoined || lastCell == NONE) {
                         // A last sample without a successor is still visible.
                         if (pixels.take(cell)) strokes.dot(px, py)
-                    } else if (pixels.takeWay(lastX, lastY, px, py, cell, isInside && wasInside)) {
+                    } else if (pixels.takeSegment(lastX, lastY, px, py, cell, isInside && wasInside)) {
                         if (!isDown) strokes.add(lastX, lastY)
                         strokes.add(px, py)
                         isDown = true

@@ -23,7 +23,7 @@ import badlog.viewer.panel.PartIcon
 import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.SearchedFindings
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.state.Action
@@ -59,7 +59,7 @@ fun findingsPanel(shown: FindingsShown): List<Part> {
     ) + assigned(shown)
 }
 
-private fun heading(shown: FindingsShown, found: FoundInLog, searched: SearchedFindings): Heading {
+private fun heading(shown: FindingsShown, found: RuleResults, searched: SearchedFindings): Heading {
     val counts = if (found.all.isEmpty() && found.ran != null && found.trouble == null) SearchedFindings.NOTHING else searched.counts
     val status = listOf(counts, if (shown.isRunning) RUNNING else "").filter { it.isNotEmpty() }.joinToString()
     if (shown.room != FindingsRoom.WHOLE) return Heading(TITLE, status)
@@ -87,7 +87,7 @@ private fun heading(shown: FindingsShown, found: FoundInLog, searched: SearchedF
     )
 }
 
-private fun rulesLine(shown: FindingsShown, found: FoundInLog): Part? = if (shown.room == FindingsRoom.WHOLE) {
+private fun rulesLine(shown: FindingsShown, found: RuleResults): Part? = if (shown.room == FindingsRoom.WHOLE) {
     val others = if (shown.isComparing) " Findings of the open log only, not of compared logs." else ""
     Paragraph("rules", "Rules: ${found.rules ?: "built-in"}.$others", Tone.MUTED)
 } else {
@@ -101,14 +101,14 @@ private fun changes(differences: List<Finding>): Part? = if (differences.isEmpty
     Offers("changes", Changes.TITLE, buttons)
 }
 
-private fun troubles(found: FoundInLog): List<Part> {
+private fun troubles(found: RuleResults): List<Part> {
     val wrong = found.skipped.filter { it.isMistake }.map { "The rule “${it.rule}” is wrong. ${it.message}" }
     return (listOfNotNull(found.trouble) + wrong).mapIndexed { i, text ->
         Trouble("trouble $i", Severity.WARNING, text.substringBefore('\n'), text.substringAfter('\n', ""))
     }
 }
 
-private fun search(shown: FindingsShown, found: FoundInLog): Part? {
+private fun search(shown: FindingsShown, found: RuleResults): Part? {
     if (shown.room != FindingsRoom.WHOLE || found.all.isEmpty()) return null
     return Field("search", "Search findings", text = shown.state.query, isSearch = true) { FindingAction.Search(it) }
 }
@@ -127,11 +127,11 @@ private fun hidden(searched: SearchedFindings): Part? = if (searched.hidden.isEm
  * @property findings the findings that are listed below the incidents.
  * @property left the number of findings and incidents that are not listed.
  */
-private class Listed(val incidents: List<Incident>, val findings: List<Finding>, val left: Int)
+private class VisibleFindings(val incidents: List<Incident>, val findings: List<Finding>, val left: Int)
 
-private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): Listed {
+private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): VisibleFindings {
     val beside = searched.beside
-    if (shown.room == FindingsRoom.WHOLE) return Listed(searched.incidents, beside.outside, left = 0)
+    if (shown.room == FindingsRoom.WHOLE) return VisibleFindings(searched.incidents, beside.outside, left = 0)
     val all = beside.outside + beside.within
     val isNarrow = shown.room == FindingsRoom.NARROW
     val wanted = shown.state.listed
@@ -153,10 +153,10 @@ private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): Li
     // A finding that a person went to is always listed.
     val visited = all.indexOfFirst { it === current }
     val findings = all.take(count) + if (visited >= count) listOf(all[visited]) else emptyList()
-    return Listed(incidents, findings, all.size - findings.size + searched.incidents.size - incidents.size)
+    return VisibleFindings(incidents, findings, all.size - findings.size + searched.incidents.size - incidents.size)
 }
 
-private fun more(shown: FindingsShown, listed: Listed): Part? {
+private fun more(shown: FindingsShown, listed: VisibleFindings): Part? {
     val left = listed.left
     val more = if (left > FINDINGS_AT_A_TIME) "Show more (${countText(left)} left)" else "Show ${countText(left)} more"
     val buttons = listOfNotNull(
@@ -180,12 +180,12 @@ private fun within(shown: FindingsShown, searched: SearchedFindings): Part? {
     )
 }
 
-private fun skipped(shown: FindingsShown, found: FoundInLog): Part? {
+private fun skipped(shown: FindingsShown, found: RuleResults): Part? {
     val notLookedAt = found.notLookedAt ?: return null
     val lacking = found.skipped.filter { !it.isMistake }
     if (lacking.isEmpty()) return null
     val isOpen = shown.state.isSkippedOpen
-    val parts = if (isOpen) lacking(shown, notLookedAt.lacking.take(MOST_LACKING), lacking) else emptyList()
+    val parts = if (isOpen) lacking(shown, notLookedAt.lacking.take(MAX_LACKING), lacking) else emptyList()
     return Fold("findings-skipped", notLookedAt.text, isOpen, FindingAction.ToggleSkipped, parts)
 }
 
@@ -240,4 +240,4 @@ private const val RUNNING = "running the rules…"
 private const val SLACK = 2
 
 /** The maximum number of signals with a field, as many as a person assigns at a time. */
-private const val MOST_LACKING = 5
+private const val MAX_LACKING = 5

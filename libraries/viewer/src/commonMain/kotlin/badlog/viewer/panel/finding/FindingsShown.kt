@@ -4,7 +4,7 @@ import badlog.rules.Finding
 import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.panel.LogTimes
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.FindingsState
 
 /**
@@ -24,7 +24,7 @@ import badlog.viewer.state.FindingsState
  * @property room the available room.
  */
 class FindingsShown(
-    val found: FoundInLog?,
+    val found: RuleResults?,
     val isRunning: Boolean,
     val state: FindingsState,
     val visited: FindingPlace<Finding>?,

@@ -17,7 +17,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
     val all: List<AdvisedBattery> get() = listOfNotNull(next) + retire + charge
 
     /** The most important advice, as much as a pit view has room for. */
-    val inPit: List<AdvisedBattery> get() = all.take(MOST_IN_PIT)
+    val inPit: List<AdvisedBattery> get() = all.take(MAX_IN_PIT)
 
     /** Returns the advice on the battery of [season]; null if there is none. */
     fun of(season: BatterySeason): AdvisedBattery? = all.find { it.name == season.battery?.name }
@@ -38,7 +38,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
             val own = season.resistance?.takeIf { season !== best } ?: return null
             val least = best?.resistance ?: return null
             // One match does not show how much matches differ.
-            if (season.matches.count { it.use.resistance != null } < LEAST_TO_RETIRE) return null
+            if (season.matches.count { it.use.resistance != null } < MIN_TO_RETIRE) return null
             // A worn battery's voltage drops a third more at the same current.
             if (own.milliohms - own.uncertainty <= highOf(least) * WORN) return null
             val more = ((own.milliohms / least.milliohms - 1) * PERCENT).roundToInt()
@@ -120,8 +120,8 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         private const val FULL = 12.4
         private const val MATCHES_TO_TELL = 3
         private const val HUNDREDTHS = 100
-        private const val LEAST_TO_RETIRE = 2
-        private const val MOST_IN_PIT = 3
+        private const val MIN_TO_RETIRE = 2
+        private const val MAX_IN_PIT = 3
     }
 }
 
@@ -160,9 +160,9 @@ enum class BatteryStep(val label: String, internal val before: String, internal 
 
 /** Returns `20.7 ± 0.4 mΩ`. */
 fun resistanceText(resistance: Resistance): String =
-    "${fixedText(resistance.milliohms, 1)} ± ${fixedText(maxOf(resistance.uncertainty, LEAST_SHOWN), 1)} mΩ"
+    "${fixedText(resistance.milliohms, 1)} ± ${fixedText(maxOf(resistance.uncertainty, MIN_SHOWN), 1)} mΩ"
 
 internal fun voltsText(volts: Double): String = "${fixedText(volts, 2)} V"
 
 /** The smallest shown uncertainty: no resistance is known more precisely. */
-private const val LEAST_SHOWN = 0.1
+private const val MIN_SHOWN = 0.1

@@ -115,7 +115,7 @@ private fun resistancesOf(matches: List<BatteryMatch>) = matches.mapNotNull { it
 
 private fun growthIn(matches: List<BatteryMatch>): Resistance? {
     val measured = resistancesOf(matches)
-    if (measured.size < LEAST_FOR_GROWTH) return null
+    if (measured.size < MIN_FOR_GROWTH) return null
     val half = measured.size / 2
     val later = meanOf(measured.take(half)) ?: return null
     val earlier = meanOf(measured.takeLast(half)) ?: return null
@@ -135,4 +135,4 @@ private fun medianOf(values: List<Double>): Double? = values.sorted().let {
     }
 }
 
-private const val LEAST_FOR_GROWTH = 4
+private const val MIN_FOR_GROWTH = 4

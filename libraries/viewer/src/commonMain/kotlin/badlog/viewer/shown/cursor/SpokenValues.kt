@@ -9,11 +9,11 @@ import badlog.viewer.text.withUnit
  * [lines] there.
  */
 fun spokenAt(lines: List<GraphSeries>, x: Double, place: String): String {
-    val values = lines.take(MOST_SPOKEN).mapNotNull { line ->
+    val values = lines.take(MAX_SPOKEN).mapNotNull { line ->
         val text = line.textOf(line.indexAt(x)) { withUnit(numberText(it), line.unit) }
         if (text.isEmpty()) null else "${line.name} $text"
     }
     return (listOf(place) + values).joinToString(", ")
 }
 
-private const val MOST_SPOKEN = 4
+private const val MAX_SPOKEN = 4

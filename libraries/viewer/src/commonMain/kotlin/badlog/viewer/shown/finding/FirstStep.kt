@@ -3,15 +3,15 @@ package badlog.viewer.shown.finding
 import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.rules.incident.Incident
-import badlog.rules.incident.firstToSee
+import badlog.rules.incident.mainFinding
 import badlog.viewer.draw.mark.FindingPlace
 
 /**
- * Returns the step to the first thing to see among [findings] and [incidents], see [firstToSee]. Both have the worst first. Null if
+ * Returns the step to the first thing to see among [findings] and [incidents], see [mainFinding]. Both have the worst first. Null if
  * nothing was found. A finding about the whole log has the place NaN.
  */
 fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? {
-    val first = firstToSee(findings, incidents) ?: return null
+    val first = mainFinding(findings, incidents) ?: return null
     first.incident?.let(::stepTo)?.let { return it }
     return FindingStep(first.begin.firstPlace, first.incident)
 }

@@ -1,7 +1,7 @@
 package badlog.viewer.shown.folder
 
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.ListedLog
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.text.countText
 
 /**
@@ -26,7 +26,7 @@ class Arrivals<E : ListedLog> private constructor(private val known: Map<String,
     fun isNew(log: E): Boolean = known != null && known[log.path] != log.size && known[log.path] != ARRIVED
 
     /** Returns the arrivals when the folder has [entries]. */
-    fun knowing(entries: List<E>): Arrivals<E> {
+    fun withEntries(entries: List<E>): Arrivals<E> {
         if (known == null) return this
         val present = entries.associateBy { it.path }
         val arrived = entries.filter { it.found != null && it.isReadable && !it.isGray && isNew(it) }
@@ -59,7 +59,7 @@ fun arrivalText(log: ListedLog, others: Int = 0): String {
     return "${log.title} arrived: ${outcomeOf(log.found)}$rest"
 }
 
-private fun outcomeOf(found: LogFound?): String {
+private fun outcomeOf(found: FindingSummary?): String {
     if (found?.rules == null) return "the rules could not be run over it."
     val verdict = found.verdict ?: return "no errors, no warnings."
     val counts = listOf(verdict.errors to "error", verdict.warnings to "warning").filter { it.first > 0 }

@@ -25,7 +25,7 @@ data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList
 /** Returns the [logs] of matches before the match of [log], in the order of time; only as many of the last ones as may be needed. */
 fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
     it.summary.date.second < log.summary.date.second && !isOfSameRun(it, log)
-}.sortedBy { it.summary.date.second }.takeLast(MOST_READ)
+}.sortedBy { it.summary.date.second }.takeLast(MAX_READ)
 
 /**
  * Returns the differences between [log] and the [earlier] logs of the same kind, by [rules]. [numbersOf] returns the numbers for the
@@ -37,7 +37,7 @@ fun <E : ListedLog> changesOf(log: E, earlier: List<E>, rules: RuleSet, numbersO
     // The Driver Station logs the same matches, but nothing about the robot's actions.
     val alike = earlier.map { it to numbersOf(it) }
         .filter { (_, numbers) -> numbers.kind == own.kind && numbers.keys.any(keys::contains) }
-        .takeLast(MOST)
+        .takeLast(MAX_COMPARED)
     if (alike.isEmpty()) return Changes()
     val compared = rules.compared(alike.map { it.second } + own).last()
     val previous = compared.findings.zip(compared.numbers) { difference, key -> difference to alike.last { key in it.second.keys }.first }
@@ -45,7 +45,7 @@ fun <E : ListedLog> changesOf(log: E, earlier: List<E>, rules: RuleSet, numbersO
 }
 
 /** The maximum number of compared logs: a robot changes over a season. */
-private const val MOST = 20
+private const val MAX_COMPARED = 20
 
 /** The maximum number of logs to read. Between the matches of an event there is practice, and the Driver Station has logs of its own. */
-private const val MOST_READ = 100
+private const val MAX_READ = 100

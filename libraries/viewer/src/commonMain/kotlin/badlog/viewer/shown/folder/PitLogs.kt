@@ -1,29 +1,29 @@
 package badlog.viewer.shown.folder
 
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.ListedLog
-import badlog.viewer.catalog.LogFound
 
 /**
  * The logs for a pit between two matches: of several logs of one match, the one with the worst finding.
  *
  * @property last the log that began last.
- * @property before the logs before it, at most [MOST_BEFORE], the latest first.
+ * @property before the logs before it, at most [MAX_BEFORE], the latest first.
  */
 class PitLogs<E : ListedLog>(val last: E, val before: List<E>) {
     companion object {
         /** The maximum number of earlier logs, beside each other on a screen that is read from two meters. */
-        const val MOST_BEFORE: Int = 3
+        const val MAX_BEFORE: Int = 3
 
         /** Returns the pit's logs among [logs]; null if there is nothing to see. */
         fun <E : ListedLog> of(logs: List<E>): PitLogs<E>? {
             val latest = runsOf(logs.filter { it.isReadable && !it.isGray }).map { it.worst }
-            return latest.firstOrNull()?.let { PitLogs(it, latest.drop(1).take(MOST_BEFORE)) }
+            return latest.firstOrNull()?.let { PitLogs(it, latest.drop(1).take(MAX_BEFORE)) }
         }
     }
 }
 
 /** Returns the verdict on a log in a few words: `Browned out at 1:33`. */
-fun verdictText(found: LogFound?): String = when {
+fun verdictText(found: FindingSummary?): String = when {
     found == null -> "The rules are still running"
     found.rules == null -> "The rules could not be run"
     else -> found.verdict?.headline ?: "No errors, no warnings"

@@ -41,16 +41,16 @@ class ConstantTopic(val graph: Graph, val text: String, val exact: String) {
 }
 
 /**
- * Returns the initial outline of [view]. A log with at most [MANY] graphs shows all graphs that its attributes define. In a larger one,
- * empty and constant topics are not drawn. The parts of an array or struct share a graph, and so do target and actual of one thing, and
- * the states of a folder. The remaining graphs are limited to [MANY], together with a board's graphs: first graphs of the signals of
- * [vocabulary], then graphs of several topics.
+ * Returns the initial outline of [view]. A log with at most [MAX_SHOWN_GRAPHS] graphs shows all graphs that its attributes define. In a
+ * larger one, empty and constant topics are not drawn. The parts of an array or struct share a graph, and so do target and actual of one
+ * thing, and the states of a folder. The remaining graphs are limited to [MAX_SHOWN_GRAPHS], together with a board's graphs: first graphs
+ * of the signals of [vocabulary], then graphs of several topics.
  *
  * @param kept names of graphs that are always drawn unchanged.
  */
 fun outlineOf(view: LogView, vocabulary: SignalVocabulary, kept: Set<String> = emptySet()): LogOutline {
     val all = view.folders.flatMap { it.graphs }
-    if (all.size <= MANY) return LogOutline(view.folders.map { OutlineFolder(it) })
+    if (all.size <= MAX_SHOWN_GRAPHS) return LogOutline(view.folders.map { OutlineFolder(it) })
     // In the order of the file: in a pose, x is before the angle, but not its folder.
     val places = view.recording.topics.withIndex().associate { (place, topic) -> topic to place }
     val (asked, others) = all.sortedBy { places[it.series[0].topic] ?: 0 }.partition { it.name in kept }
@@ -100,7 +100,7 @@ private fun firstOf(groups: List<TopicGroup>, view: LogView, vocabulary: SignalV
             else -> OTHER
         }
     }
-    return byWorth.take(MOST).toSet()
+    return byWorth.take(MAX_FIRST_GRAPHS).toSet()
 }
 
 private fun foldersOf(view: LogView, drawn: List<Graph>, listed: List<Graph>): List<OutlineFolder> {
@@ -118,11 +118,11 @@ private fun foldersOf(view: LogView, drawn: List<Graph>, listed: List<Graph>): L
 }
 
 /** The maximum number of graphs that a person looks through. */
-const val MANY: Int = 60
+const val MAX_SHOWN_GRAPHS: Int = 60
 
 /** The number of folders above which the tree is initially closed. */
-const val MANY_FOLDERS: Int = 24
+const val MAX_OPEN_FOLDERS: Int = 24
 
 /** The maximum number of initial graphs of a large log; a board above them has at most 24. */
-private const val MOST = MANY - 24
+private const val MAX_FIRST_GRAPHS = MAX_SHOWN_GRAPHS - 24
 private const val OTHER = 3

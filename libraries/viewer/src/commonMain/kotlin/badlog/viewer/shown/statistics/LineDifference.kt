@@ -95,7 +95,7 @@ private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double?
     fun squareAt(shift: Int): Double {
         var sum = 0.0
         var count = 0
-        for (i in MOST_SHIFT until SAMPLES - MOST_SHIFT) {
+        for (i in MAX_SHIFT until SAMPLES - MAX_SHIFT) {
             val difference = wrapped(first[i] - second[i - shift], turn)
             if (difference.isNaN()) continue
             sum += difference * difference
@@ -103,15 +103,15 @@ private fun lagOf(one: Series, other: Series, part: Span, turn: Double): Double?
         }
         return if (count < SAMPLES / 2) Double.NaN else sum / count
     }
-    val squares = DoubleArray(2 * MOST_SHIFT + 1) { squareAt(it - MOST_SHIFT) }
+    val squares = DoubleArray(2 * MAX_SHIFT + 1) { squareAt(it - MAX_SHIFT) }
     if (squares.any { it.isNaN() }) return null
     val best = squares.indices.minBy { squares[it] }
-    if (best == MOST_SHIFT || best == 0 || best == squares.lastIndex || squares[best] > squares[MOST_SHIFT] * MUCH_BETTER) return null
+    if (best == MAX_SHIFT || best == 0 || best == squares.lastIndex || squares[best] > squares[MAX_SHIFT] * MUCH_BETTER) return null
     val (before, at, after) = listOf(squares[best - 1], squares[best], squares[best + 1])
     // The vertex of the parabola through the three values.
     val bend = before - 2 * at + after
     val fine = if (bend > 0) (before - after) / (2 * bend) else 0.0
-    return (best - MOST_SHIFT + fine) * step
+    return (best - MAX_SHIFT + fine) * step
 }
 
 private fun sampled(series: Series, part: Span, step: Double): DoubleArray {
@@ -158,5 +158,5 @@ private const val JUMP = 0.2
 /** The largest range of an angle within a turn, as a fraction of the turn, with a tolerance for rounding. */
 private const val ROUNDED = 1.05
 private const val SAMPLES = 1000
-private const val MOST_SHIFT = 100
+private const val MAX_SHIFT = 100
 private const val MUCH_BETTER = 0.5

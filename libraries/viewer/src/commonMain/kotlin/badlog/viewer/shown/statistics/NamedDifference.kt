@@ -49,10 +49,10 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
         )
 
         /** The maximum number of differences that a graph shows. */
-        const val MOST: Int = 6
+        const val MAX_SHOWN: Int = 6
 
         /**
-         * Returns the differences of a graph's [lines] within [parts] of x, at most [MOST]: between each line and the first one of its
+         * Returns the differences of a graph's [lines] within [parts] of x, at most [MAX_SHOWN]: between each line and the first one of its
          * unit.
          */
         fun of(lines: List<GraphSeries>, parts: List<Span>): List<NamedDifference> {
@@ -61,7 +61,7 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
             val pairs = lines.filter {
                 it.states == null
             }.groupBy { it.unit }.values.flatMap { alike -> alike.drop(1).map { it to alike[0] } }
-            return pairs.take(MOST).mapNotNull { (line, first) ->
+            return pairs.take(MAX_SHOWN).mapNotNull { (line, first) ->
                 differenceOf(line.data, first.data, parts, first.unit, endOf(line), endOf(first))?.let {
                     NamedDifference(line, first, it, width)
                 }

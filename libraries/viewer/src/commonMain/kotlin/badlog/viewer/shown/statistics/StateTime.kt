@@ -31,7 +31,7 @@ class StateTime(val state: String, val time: Double, val share: Double, val coun
         val TITLES: List<String> = listOf("Lane", "State", "Time", "Share", "Times")
 
         /** The maximum number of listed states of a lane; a longer list is not readable. */
-        const val MOST: Int = 12
+        const val MAX_LISTED: Int = 12
     }
 }
 
@@ -63,4 +63,4 @@ fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> 
 
 /** Returns the time in each of [states] within [span] as lines of text; [axis] has its unit. */
 fun StateRuns.textOf(states: List<String>, span: Span, axis: XAxis): String =
-    timesOf(states, listOf(span)).take(StateTime.MOST).joinToString("\n") { it.text(axis) }
+    timesOf(states, listOf(span)).take(StateTime.MAX_LISTED).joinToString("\n") { it.text(axis) }

@@ -10,18 +10,18 @@ internal class TargetCourse(private val x: DoubleArray, private val second: Doub
     private val turned = DoubleArray(x.size)
     private val net = DoubleArray(x.size)
     private var size = 0
-    private var didCount = false
+    private var wasCounting = false
 
     /** Adds the next moment, in which the target has turned by [degrees], NaN if unknown. Errors count from then on if [counts]. */
     fun add(counts: Boolean, degrees: Double) {
         val i = size++
         if (i > 0) {
-            val step = if (counts && didCount && !degrees.isNaN()) degrees else 0.0
-            time[i] = time[i - 1] + if (didCount) x[i] - x[i - 1] else 0.0
+            val step = if (counts && wasCounting && !degrees.isNaN()) degrees else 0.0
+            time[i] = time[i - 1] + if (wasCounting) x[i] - x[i - 1] else 0.0
             turned[i] = turned[i - 1] + if (step < 0) -step else step
             net[i] = net[i - 1] + step
         }
-        didCount = counts
+        wasCounting = counts
     }
 
     /** Returns the turning within [part]. */

@@ -5,10 +5,10 @@ import badlog.signals.battery.BatteryUse
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.FoundRule
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogDate
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.ProblemCounts
 import io.kotest.core.spec.style.FunSpec
@@ -26,7 +26,7 @@ import io.kotest.property.checkAll
 internal data class AnyLog(
     override val path: String,
     override val summary: LogSummary,
-    override val found: LogFound?,
+    override val found: FindingSummary?,
     override val size: Long = 1000,
     override val modified: Long = 0,
 ) : ListedLog {
@@ -44,7 +44,7 @@ class ListingSpec : FunSpec({
     ) = AnyLog(
         path,
         LogSummary(match, LogDate(second, DateSource.VALUES), content = content, battery = BatteryUse(lowest = battery)),
-        LogFound(0, found).takeIf { content == Content.SOMETHING },
+        FindingSummary(0, found).takeIf { content == Content.SOMETHING },
     )
 
     val match9 = log("logs/a.bag", MatchOfLog("Mill Creek Regional", "Qualification", "9", "Red"), 300, found = listOf(FoundRule("Browned out", Severity.ERROR)))
@@ -96,7 +96,7 @@ class ListingSpec : FunSpec({
         listing.copy(filter = " nothing ", onlyErrors = true).emptiness shouldBe "No log matches “nothing”."
         listing.copy(onlyErrors = true, hidesEmpty = true).emptiness shouldBe "Rules found no error in any of these logs."
         listing.copy(hidesEmpty = true).emptiness shouldBe "All of these logs are idle."
-        val onlyErrors = Listing(listOf(bench, match9.copy(found = null), bench.copy(found = LogFound(0, null)), match10), onlyErrors = true)
+        val onlyErrors = Listing(listOf(bench, match9.copy(found = null), bench.copy(found = FindingSummary(0, null)), match10), onlyErrors = true)
         onlyErrors.emptiness shouldBe "Rules found no error, but have not run over 2 of these logs."
         onlyErrors.copy(entries = onlyErrors.entries.map { it.copy(found = null) }).emptiness shouldBe
             "Rules have not run over any of these logs."
@@ -127,7 +127,7 @@ class ListingSpec : FunSpec({
         foundText(log("a.bag", found = two)) shouldBe "Browned out +1"
         foundText(log("a.bag")) shouldBe null
         foundText(log("a.bag").copy(found = null)) shouldBe "…"
-        foundText(log("a.bag").copy(found = LogFound(0, null))) shouldBe "–"
+        foundText(log("a.bag").copy(found = FindingSummary(0, null))) shouldBe "–"
         foundLines(log("a.bag", found = two)) shouldBe "error: Browned out\nwarning: Loop slow"
     }
 

@@ -4,18 +4,18 @@ import badlog.core.recording.Severity
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.FoundRule
 import badlog.viewer.catalog.LogDate
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.Verdict
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class PitLogsSpec : FunSpec({
-    val error = LogFound(0, listOf(FoundRule("Browned out", Severity.ERROR)), Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged.")))
+    val error = FindingSummary(0, listOf(FoundRule("Browned out", Severity.ERROR)), Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It sagged.")))
 
-    fun log(path: String, second: Long, match: String? = null, found: LogFound? = LogFound(0, emptyList()), content: Content = Content.SOMETHING) = AnyLog(path, LogSummary(MatchOfLog("Mill Creek", match?.let { "Qualification" }, match), LogDate(second, DateSource.VALUES), content = content), found)
+    fun log(path: String, second: Long, match: String? = null, found: FindingSummary? = FindingSummary(0, emptyList()), content: Content = Content.SOMETHING) = AnyLog(path, LogSummary(MatchOfLog("Mill Creek", match?.let { "Qualification" }, match), LogDate(second, DateSource.VALUES), content = content), found)
 
     fun pit(vararg logs: AnyLog) = PitLogs.of(logs.toList())
 
@@ -63,8 +63,8 @@ class PitLogsSpec : FunSpec({
 
     test("a log has its facts in a few words") {
         verdictText(null) shouldBe "The rules are still running"
-        verdictText(LogFound(0, null)) shouldBe "The rules could not be run"
-        verdictText(LogFound(0, emptyList())) shouldBe "No errors, no warnings"
+        verdictText(FindingSummary(0, null)) shouldBe "The rules could not be run"
+        verdictText(FindingSummary(0, emptyList())) shouldBe "No errors, no warnings"
         verdictText(error) shouldBe "Browned out at 1:33"
     }
 })

@@ -12,8 +12,8 @@ import badlog.signals.match.MatchKind
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
 import badlog.viewer.catalog.DateSource
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.catalog.LogDate
-import badlog.viewer.catalog.LogFound
 import badlog.viewer.catalog.LogSummary
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
@@ -21,7 +21,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
 class ChangesSpec : FunSpec({
-    fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), LogFound(0, emptyList()))
+    fun log(name: String, second: Long) = AnyLog(name, LogSummary(date = LogDate(second, DateSource.VALUES), content = Content.SOMETHING), FindingSummary(0, emptyList()))
 
     /** A log with a motor as hot as [celsius]. */
     fun numbers(celsius: Double, kind: MatchKind = MatchKind.MATCH, motor: String = "Arm"): LogNumbers = LogNumbersReader().read(

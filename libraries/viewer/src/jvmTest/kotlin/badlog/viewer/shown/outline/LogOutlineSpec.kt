@@ -117,7 +117,7 @@ class LogOutlineSpec : FunSpec({
             val view = timedView(*topics.toTypedArray())
             val outline = outlineOf(view, RuleSet.BUILT_IN.signals)
             val graphs = outline.folders.flatMap { it.folder.graphs }
-            graphs.size shouldBeLessThanOrEqual MANY
+            graphs.size shouldBeLessThanOrEqual MAX_SHOWN_GRAPHS
             for (graph in graphs) graph.series.size shouldBeLessThanOrEqual MAX_LINES
             val shown = (graphs + outline.folders.flatMap { it.listed }).flatMap { it.series }.map { it.topic.name }
             shown + outline.constants.map { it.name } + outline.empty.map { it.name } shouldContainExactlyInAnyOrder topics.map { it.name }

@@ -14,7 +14,7 @@ import java.nio.file.Path
  *
  * @property ending the ending of such files' names.
  */
-internal enum class LogFormat(val ending: String, private val recordingFormat: RecordingFormat) {
+internal enum class OutputFormat(val ending: String, private val recordingFormat: RecordingFormat) {
     /** A line of JSON, then CSV. */
     BAG(".bag", RecordingFormat.BAG),
 
@@ -65,12 +65,12 @@ internal enum class LogFormat(val ending: String, private val recordingFormat: R
 
     companion object {
         /** Returns the format for a file's name, or null if it has none. */
-        fun ofName(path: Path): LogFormat? = FileName.of(path).let { name ->
+        fun ofName(path: Path): OutputFormat? = FileName.of(path).let { name ->
             entries.find { it.ending == name.ending.lowercase() } ?: BAG.takeIf { name.ending.lowercase() == ".badbag" }
         }
 
         /** Returns the format of the file that [recording] was read from, or else WPILOG. */
-        fun of(recording: Recording): LogFormat = entries.find { it.recordingFormat == recording.format } ?: WPILOG
+        fun of(recording: Recording): OutputFormat = entries.find { it.recordingFormat == recording.format } ?: WPILOG
 
         /** Returns the name of a log made from [recording]: the name of its [file], with another ending if its format cannot be written. */
         fun nameFor(file: Path, recording: Recording): FileName = FileName.of(file).let { name ->

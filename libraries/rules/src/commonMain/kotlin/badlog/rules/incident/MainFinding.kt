@@ -10,7 +10,7 @@ import badlog.rules.worstFirst
  * @property finding the worst; of an incident, the last of those that its sentences report, to which the others have led.
  * @property incident the incident that it belongs to; null if there is none.
  */
-class FirstToSee internal constructor(val finding: Finding, val incident: Incident?) {
+class MainFinding internal constructor(val finding: Finding, val incident: Incident?) {
     /** The finding to read first: the cause of the incident, or else [finding]. */
     val begin: Finding get() = incident?.sentences?.first()?.finding ?: finding
 }
@@ -19,11 +19,11 @@ class FirstToSee internal constructor(val finding: Finding, val incident: Incide
  * Returns the worst of [findings] and of the [incidents] among them; null if nothing was found. A worse finding that belongs to no incident comes
  * before an incident.
  */
-fun firstToSee(findings: List<Finding>, incidents: List<Incident>): FirstToSee? {
+fun mainFinding(findings: List<Finding>, incidents: List<Incident>): MainFinding? {
     val worst: Severity = findings.maxOfOrNull { it.severity } ?: return null
     val incident = incidents.firstOrNull()?.takeIf { it.severity == worst }
     val finding = incident?.lastReported(worst) ?: incident?.first ?: findings.worstFirst().first()
-    return FirstToSee(finding, incident)
+    return MainFinding(finding, incident)
 }
 
 /** Returns the last finding of [severity] that its sentences report; one about the whole log comes before all others. */

@@ -8,7 +8,7 @@ import badlog.rules.RuleSet
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class LogFoundSpec : FunSpec({
+class FindingSummarySpec : FunSpec({
     fun finding(rule: String, severity: Severity, from: Double, topic: String? = null, unit: String = "s", next: String = "") = Finding(rule, severity, topic, "$rule.", from, listOf(Span(from, from + 2)), 1, unit, next = next)
 
     fun verdict(vararg findings: Finding) = RuleSet.BUILT_IN_PROVEN.foundIn(findings.toList(), 7).verdict
@@ -46,6 +46,6 @@ class LogFoundSpec : FunSpec({
 
     test("notes alone, or nothing, are not a verdict") {
         verdict(finding("Note", Severity.NOTE, 3.0)) shouldBe null
-        RuleSet.BUILT_IN_PROVEN.foundIn(emptyList(), 7) shouldBe LogFound(7, emptyList())
+        RuleSet.BUILT_IN_PROVEN.foundIn(emptyList(), 7) shouldBe FindingSummary(7, emptyList())
     }
 })

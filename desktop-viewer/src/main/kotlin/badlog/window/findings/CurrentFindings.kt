@@ -12,7 +12,7 @@ import badlog.rules.incident.incidentsIn
 import badlog.rules.over
 import badlog.viewer.choices.board.evidenceBoard
 import badlog.viewer.draw.mark.FindingPlace
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.state.FindingAction
 import badlog.viewer.state.PlaceAction
@@ -42,17 +42,17 @@ import kotlin.time.TimeSource
  * @param rest returns when the rules, which took the time `running`, may run again over a log that grows.
  * @param find runs the rules over a recording.
  */
-internal class LogFindings(
+internal class CurrentFindings(
     private val current: CurrentRecording,
     private val view: AxisView,
     private val board: GraphBoard,
     private val folder: () -> Path?,
     private val awaitDrawn: suspend () -> Unit,
-    private val rest: suspend (running: Duration) -> Unit = { delay(restAfter(it)) },
-    private val find: (view: LogView, file: Path, library: Path?) -> FoundInLog = ::findingsOf,
+    private val rest: suspend (running: Duration) -> Unit = { delay(pauseAfter(it)) },
+    private val find: (view: LogView, file: Path, library: Path?) -> RuleResults = ::findingsOf,
 ) : StateHolder<Findings>(Findings()) {
     /** The log that will show its worst finding once that is known; null for none. */
-    private var worstWanted: Path? = null
+    private var worstRequested: Path? = null
 
     /** The finding that a person went to last; null for none. */
     val selected: Finding? get() = view.visited?.finding
@@ -63,22 +63,22 @@ internal class LogFindings(
     /** Runs the rules over each opened log, until cancelled. */
     suspend fun run() {
         var before: Path? = null
-        snapshotFlow { Wanted(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
+        snapshotFlow { RulesRequest(current.recording?.file, folder(), state.timesAsked) }.collectLatest { wanted ->
             change { unknown() }
             view.send(FindingAction.Forget)
             select(null)
             // A person has opened another log in the meantime.
-            if (wanted.file != before && wanted.file != worstWanted) worstWanted = null
+            if (wanted.file != before && wanted.file != worstRequested) worstRequested = null
             before = wanted.file
             if (wanted.file == null) return@collectLatest
             withTimeoutOrNull(PATIENCE) { awaitDrawn() }
             snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.forRules }.filterNotNull().conflate().collect { view ->
                 val began = TimeSource.Monotonic.markNow()
                 val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
-                change { knowing(list) }
+                change { withList(list) }
                 // A growing log may have the same finding again, as another object.
                 select(selected?.let(list::like))
-                if (worstWanted == wanted.file) goToWorst() else beginWithFirst(list)
+                if (worstRequested == wanted.file) goToWorst() else beginWithFirst(list)
                 rest(began.elapsedNow())
             }
         }
@@ -89,18 +89,18 @@ internal class LogFindings(
      * finding. The log is open or being opened.
      */
     fun showWorst(log: Path) {
-        worstWanted = log
+        worstRequested = log
         if (current.recording?.file == log && state.list != null) goToWorst()
     }
 
     private fun goToWorst() {
-        worstWanted = null
+        worstRequested = null
         val list = state.list ?: return
         firstStep(list.all, list.incidents)?.let { view.send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
     }
 
     /** Adds the graphs of the first result, unless a person has arranged other graphs. */
-    private fun beginWithFirst(list: FoundInLog) {
+    private fun beginWithFirst(list: RuleResults) {
         val open = current.recording ?: return
         if (!board.shows(open.standardGraphs)) return
         board.beginWith(open.standardGraphs(firstEvidenceOf(list.incidents, list.all)))
@@ -138,7 +138,7 @@ internal class LogFindings(
     private fun placeOf(finding: Finding, from: Double) =
         FindingPlace(finding, finding.severity, finding.places.find { it.from == from } ?: Span(from, from))
 
-    private data class Wanted(val file: Path?, val library: Path?, val timesAsked: Int)
+    private data class RulesRequest(val file: Path?, val library: Path?, val timesAsked: Int)
 
     private companion object {
         val PATIENCE = 3.seconds
@@ -149,14 +149,14 @@ internal class LogFindings(
  * Returns the rest after rules that took the time [running] over a growing log. The machine should mostly be free for the program that
  * writes the log.
  */
-internal fun restAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
+internal fun pauseAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)
 
 /**
  * Runs the rules for [file], which was read as [view]. Call it off the window's thread; interrupting the thread cancels it.
  *
  * @param library the folder of logs, see [FolderRules.of].
  */
-internal fun findingsOf(view: LogView, file: Path, library: Path?): FoundInLog {
+internal fun findingsOf(view: LogView, file: Path, library: Path?): RuleResults {
     assertOffWindow()
     val rules = FolderRules.of(file, library)
     return try {
@@ -164,8 +164,8 @@ internal fun findingsOf(view: LogView, file: Path, library: Path?): FoundInLog {
             if (Thread.interrupted()) throw InterruptedException()
         }
         val source = rules.file?.let { "${it.fileName} in ${it.parent.fileName}" }
-        FoundInLog(found.findings, found.skipped, rules.rules.incidentsIn(found.findings), found.ran, source, rules.problem)
+        RuleResults(found.findings, found.skipped, rules.rules.incidentsIn(found.findings), found.ran, source, rules.problem)
     } catch (_: OutOfMemoryError) {
-        FoundInLog(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
+        RuleResults(trouble = "There is not enough memory to run the rules over this log; close other logs and run them again.")
     }
 }

@@ -23,7 +23,7 @@ import kotlin.math.roundToInt
  * @property fewBytes the bytes of memory for the topics [few].
  * @property few the topics that are signals, or that rules use.
  */
-internal class LogNeed private constructor(val bytes: Double, val fewBytes: Double, val few: WantedTopics) {
+internal class MemoryEstimate private constructor(val bytes: Double, val fewBytes: Double, val few: WantedTopics) {
     /** Whether this browser may not have that much memory. */
     val isTooMuch: Boolean get() = bytes > most
 
@@ -45,19 +45,19 @@ internal class LogNeed private constructor(val bytes: Double, val fewBytes: Doub
         }
 
         /** Promises the estimate for the log in [files] and [rules]; null for a small log. */
-        fun of(files: List<File>, rules: RuleSet): Promise<LogNeed?> {
+        fun of(files: List<File>, rules: RuleSet): Promise<MemoryEstimate?> {
             val size = files.sumOf { it.size.toDouble() }
             if (size < SMALL) return Promise.resolve(null)
             val head = File(arrayOf(files[0].asDynamic().slice(0, HEAD)), files[0].name)
             return LogFileReader(listOf(head)) {}.read().then { read -> of(read, head.name, size / HEAD, rules) }
         }
 
-        private fun of(head: Recording, fileName: String, times: Double, rules: RuleSet): LogNeed {
+        private fun of(head: Recording, fileName: String, times: Double, rules: RuleSet): MemoryEstimate {
             val view = LogView.of(head).withSignals(rules.signals, fileName)
             val names = signalTopicsOf(view, rules.signals).all.map { it.topic } + RuleProgram(rules, LogShape.of(view)).topics
             val axis = listOfNotNull(view.xAxis.topic) + view.enabledTopics()
             val few = names.toSet() + axis.map { it.name }
-            return LogNeed(
+            return MemoryEstimate(
                 PAGE + GROWTH * times * bytesOf(head.topics),
                 PAGE + GROWTH * times * bytesOf(head.topics.filter { it.name in few }),
                 WantedTopics(few),

@@ -18,7 +18,7 @@ import badlog.viewer.shown.search.Query
  * @property rules the name of the file with the rules; null for the built-in ones.
  * @property trouble the reason why a file of rules is not used, or the rules could not run, as a sentence; null if all is well.
  */
-class FoundInLog(
+class RuleResults(
     found: List<Finding> = emptyList(),
     val skipped: List<SkippedRule> = emptyList(),
     val incidents: List<Incident> = emptyList(),

@@ -4,7 +4,7 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.text.countText
 
 /** The number of matches of a [Query] on the page, by kind. */
-internal class Hits(
+internal class SearchCounts(
     val graphs: Int = 0,
     val values: Int = 0,
     val events: Int = 0,
@@ -17,7 +17,7 @@ internal class Hits(
     /** The total. */
     val sum: Int get() = graphs + values + events + findings + topics + notes
 
-    operator fun plus(other: Hits): Hits = Hits(
+    operator fun plus(other: SearchCounts): SearchCounts = SearchCounts(
         graphs + other.graphs,
         values + other.values,
         events + other.events,

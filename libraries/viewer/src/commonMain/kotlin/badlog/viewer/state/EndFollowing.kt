@@ -9,7 +9,7 @@ import badlog.core.analysis.Span
  * @property place the last place at the end that this state moved the person to; null for a person who does not want to stay there.
  * @property held the visible range that a person wants to keep, though it ends where the log ended; null if there is none.
  */
-data class Stay(val place: Place? = null, val held: Span? = null) {
+data class EndFollowing(val place: Place? = null, val held: Span? = null) {
     /** Returns whether a person at [now] is at the end, and has not gone elsewhere. */
     fun isAt(now: Place): Boolean {
         if (place == null || !now.range.isAtEnd || now.range.full != place.range.full) return false
@@ -20,17 +20,17 @@ data class Stay(val place: Place? = null, val held: Span? = null) {
     fun isUntouched(now: Place): Boolean = isAt(now) && place?.range?.visible == now.range.visible && now.selection == null
 
     /** Returns the state of a person at [end], the end of the log, who wants to stay there. */
-    fun begun(end: Place): Stay = Stay(place = end)
+    fun begun(end: Place): EndFollowing = EndFollowing(place = end)
 
     /** Returns the state of a person who wants to stay at [now], though the log grows. */
-    internal fun paused(now: Place): Stay = Stay(held = now.range.visible.takeIf { now.range.isZoomed })
+    internal fun paused(now: Place): EndFollowing = EndFollowing(held = now.range.visible.takeIf { now.range.isZoomed })
 
     /** Returns the state after the log has grown, and is shown at [shown] to a person who was at [before]. */
-    internal fun grown(before: Place, shown: Place): Stayed {
-        if (isAt(before)) return shown.movedToEnd().let { Stayed(begun(it), it) }
+    internal fun grown(before: Place, shown: Place): GrownPlace {
+        if (isAt(before)) return shown.movedToEnd().let { GrownPlace(begun(it), it) }
         val kept = held?.takeIf { it == before.range.visible && before.range.full.from == shown.range.full.from }
         val there = if (kept == null) shown else shown.copy(range = shown.range.moved(kept.from, kept.to))
-        return Stayed(Stay(held = if (kept == null) null else there.range.visible), there)
+        return GrownPlace(EndFollowing(held = if (kept == null) null else there.range.visible), there)
     }
 }
 
@@ -39,4 +39,4 @@ data class Stay(val place: Place? = null, val held: Span? = null) {
  *
  * @property place the person's place in the log now.
  */
-internal class Stayed(val stay: Stay, val place: Place)
+internal class GrownPlace(val following: EndFollowing, val place: Place)

@@ -6,12 +6,12 @@ import badlog.viewer.choices.note.Note
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
-class SaidNearSpec : FunSpec({
+class MarkNearSpec : FunSpec({
     val view = bagView(listOf("Time|xaxis", "Log|log"), listOf("10,homed", "20,jammed"))
     val events = EventTimeline.of(view.folders.flatMap { it.eventLogs })
     val notes = listOf(Note(20.1, "Look here."), Note(40.0, "And here."))
 
-    fun said(x: Double, visible: Span) = saidNear(x, visible, notes, events)?.let { it.x to it.text }
+    fun said(x: Double, visible: Span) = markNear(x, visible, notes, events)?.let { it.x to it.text }
 
     test("a cursor points at the nearest note, otherwise at the nearest event, within a part of the screen") {
         val visible = Span(0.0, 100.0)

@@ -18,7 +18,7 @@ import kotlin.io.path.writeBytes
 
 /** Logs that may need more memory than a browser has. */
 @Tags("InCheck")
-internal class LogNeedSpec : PageSpec({
+internal class MemoryEstimateSpec : PageSpec({
     val temporary by lazy { Files.createTempDirectory("badlog-need") }
     val page by lazy { (temporary / EmptyPage.NAME).also { EmptyPage().write(it) } }
 

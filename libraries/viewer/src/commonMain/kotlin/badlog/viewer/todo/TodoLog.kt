@@ -16,7 +16,7 @@ import badlog.viewer.catalog.LogDate
  * @property isDated whether [second] can be compared with the clocks of other logs. The time of a file differs on each laptop, and a
  *   robot's clock in the future does not show which log is earlier.
  */
-data class FoundLog(val name: String, val match: MatchOfLog, val second: Long, val faults: List<FoundFault>, val isDated: Boolean = true) {
+data class TodoLog(val name: String, val match: MatchOfLog, val second: Long, val faults: List<FoundFault>, val isDated: Boolean = true) {
     /** The displayed name: the match if known, otherwise the name of the file. */
     val title: String get() = match.match ?: name
 
@@ -26,9 +26,9 @@ data class FoundLog(val name: String, val match: MatchOfLog, val second: Long, v
          *
          * @param now the local time of the wall clock here, in s since 1970 on that clock.
          */
-        fun of(name: String, match: MatchOfLog, date: LogDate, now: Long, faults: List<FoundFault> = emptyList()): FoundLog {
+        fun of(name: String, match: MatchOfLog, date: LogDate, now: Long, faults: List<FoundFault> = emptyList()): TodoLog {
             val isFuture = now > FIRST_RELEASE && date.second > now + DAY
-            return FoundLog(name, match, date.second, faults, date.source != DateSource.FILE_TIME && !isFuture)
+            return TodoLog(name, match, date.second, faults, date.source != DateSource.FILE_TIME && !isFuture)
         }
 
         /** A day, in s: the time zone of a log may differ. */

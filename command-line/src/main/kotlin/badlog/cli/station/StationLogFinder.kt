@@ -21,11 +21,11 @@ import java.util.concurrent.ConcurrentHashMap
  *
  * @param folder the folder to search for them; empty for the folder of each log.
  */
-internal class StationsBeside(private val folder: Path, private val signals: SignalVocabulary) {
+internal class StationLogFinder(private val folder: Path, private val signals: SignalVocabulary) {
     private val logsIn = ConcurrentHashMap<Path, StationLogs>()
-    private val found = ConcurrentHashMap<Path, Found>()
+    private val found = ConcurrentHashMap<Path, UsedStationLog>()
 
-    private class Found(val name: String, val fit: ClockFit)
+    private class UsedStationLog(val name: String, val fit: ClockFit)
 
     /** Returns the view for rules for the robot's log [view] of [file]: that log, plus what only the Driver Station's has. */
     fun over(file: LogFile, view: LogView): LogView {
@@ -33,7 +33,7 @@ internal class StationsBeside(private val folder: Path, private val signals: Sig
         val below = folderBeside(file.path, folder)
         val robot = ClockedLog(file.name, view.recording, signals)
         val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
-        found[file.path] = Found(station.log.name, station.fit)
+        found[file.path] = UsedStationLog(station.log.name, station.fit)
         return StationOverlay(view, station.station, station.fit, signals).forRules
     }
 

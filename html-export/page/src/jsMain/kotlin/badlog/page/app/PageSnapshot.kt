@@ -10,4 +10,4 @@ import badlog.viewer.session.link.PageAddress
  * @property found the findings until the rules have run again; null if they have not run.
  * @property ranAt the time when the rules had run, on the browser's clock, in ms.
  */
-internal class LeftPage(val place: PageAddress, val found: LogFindings?, val ranAt: Double)
+internal class PageSnapshot(val place: PageAddress, val found: LogFindings?, val ranAt: Double)

@@ -3,7 +3,7 @@ package badlog.window.findings
 import androidx.compose.runtime.snapshots.Snapshot
 import badlog.core.analysis.LogView
 import badlog.files.UserFolders
-import badlog.viewer.shown.finding.FoundInLog
+import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.PlaceAction
 import badlog.window.app.Viewer
 import badlog.window.sidebar.MainView
@@ -25,14 +25,14 @@ import java.util.concurrent.atomic.AtomicInteger
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
-class LogFindingsSpec : FunSpec({
+class CurrentFindingsSpec : FunSpec({
     val home = tempdir().toPath()
 
     /** Returns a window without graphs, for which the rules do not wait. */
     fun viewerIn(scope: CoroutineScope) = Viewer(scope, UserFolders(home, home)).apply { panels.change { copy(main = MainView.LOGS) } }
 
     /** Returns the findings of [viewer], as returned by [find]. */
-    fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> FoundInLog) = LogFindings(viewer.current, viewer.view, viewer.board, { null }, {}, rest = { rest() }, find)
+    fun findingsBy(viewer: Viewer, rest: suspend () -> Unit = {}, find: (LogView, Path, Path?) -> RuleResults) = CurrentFindings(viewer.current, viewer.view, viewer.board, { null }, {}, rest = { rest() }, find)
 
     suspend fun over(test: suspend (Viewer) -> Unit) {
         val scope = CoroutineScope(Dispatchers.Main + Job())
@@ -69,7 +69,7 @@ class LogFindingsSpec : FunSpec({
         over { viewer ->
             val findings = findingsBy(viewer, rest = { rests.receive() }) { view, _, _ ->
                 runs.incrementAndGet()
-                FoundInLog(trouble = "${view.recording.rowCount} rows")
+                RuleResults(trouble = "${view.recording.rowCount} rows")
             }
             viewer.scope.launch { findings.run() }
             change { viewer.current.replace(counted(folder, rows = 1)) }
@@ -79,8 +79,8 @@ class LogFindingsSpec : FunSpec({
             eventually(60.seconds) { findings.state.list?.trouble shouldBe "20 rows" }
             runs.get() shouldBe 2
         }
-        restAfter(Duration.ZERO) shouldBe 2.seconds
-        restAfter(1.seconds) shouldBe 9.seconds
+        pauseAfter(Duration.ZERO) shouldBe 2.seconds
+        pauseAfter(1.seconds) shouldBe 9.seconds
     }
 
     test("the worst finding of a log being opened is shown once it is known, unless another log is opened") {
@@ -118,7 +118,7 @@ class LogFindingsSpec : FunSpec({
                         throw e
                     }
                 }
-                FoundInLog(trouble = "quick")
+                RuleResults(trouble = "quick")
             }
             viewer.scope.launch { findings.run() }
             change { viewer.current.replace(counted(home.resolve("slow"))) }

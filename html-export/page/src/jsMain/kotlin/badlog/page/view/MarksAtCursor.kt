@@ -9,4 +9,4 @@ import badlog.core.recording.Severity
  * @property severity the severity of the first finding there; null if there is none.
  * @property found the text of the findings; empty if there are none.
  */
-internal class Pointed(val said: String?, val severity: Severity?, val found: String)
+internal class MarksAtCursor(val said: String?, val severity: Severity?, val found: String)

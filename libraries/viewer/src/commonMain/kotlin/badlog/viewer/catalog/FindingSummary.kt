@@ -3,9 +3,9 @@ package badlog.viewer.catalog
 import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.RuleSet
-import badlog.rules.incident.FirstToSee
-import badlog.rules.incident.firstToSee
+import badlog.rules.incident.MainFinding
 import badlog.rules.incident.incidentsIn
+import badlog.rules.incident.mainFinding
 import badlog.rules.incident.nextOf
 import badlog.viewer.text.minutesText
 import badlog.viewer.text.numberText
@@ -19,7 +19,7 @@ import kotlin.math.floor
  * @property rules the rules that found something, each once, the worst first; null if they could not be run.
  * @property verdict the summary to show first; null if nothing is worse than a note.
  */
-data class LogFound(val key: Int, val rules: List<FoundRule>?, val verdict: Verdict? = null) {
+data class FindingSummary(val key: Int, val rules: List<FoundRule>?, val verdict: Verdict? = null) {
     /** The worst severity; null if nothing was found. */
     val worst: Severity? get() = rules?.maxOfOrNull { it.severity }
 
@@ -50,13 +50,13 @@ data class Verdict(
 )
 
 /** Returns the summary of [findings] for lists of logs; these rules have found them, and [key] identifies the rules. */
-fun RuleSet.foundIn(findings: List<Finding>, key: Int): LogFound {
-    val first = firstToSee(findings, incidentsIn(findings)) ?: return LogFound(key, emptyList())
+fun RuleSet.foundIn(findings: List<Finding>, key: Int): FindingSummary {
+    val first = mainFinding(findings, incidentsIn(findings)) ?: return FindingSummary(key, emptyList())
     val listed = (listOf(first.finding) + findings).map { FoundRule(it.rule, it.severity) }
-    return LogFound(key, listed.sortedByDescending { it.severity }.distinctBy { it.name }, verdictOf(first, findings))
+    return FindingSummary(key, listed.sortedByDescending { it.severity }.distinctBy { it.name }, verdictOf(first, findings))
 }
 
-private fun verdictOf(first: FirstToSee, findings: List<Finding>): Verdict? {
+private fun verdictOf(first: MainFinding, findings: List<Finding>): Verdict? {
     val finding = first.finding
     if (findings.all { it.severity == Severity.NOTE }) return null
     return Verdict(
