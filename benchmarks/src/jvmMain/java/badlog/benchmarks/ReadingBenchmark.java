@@ -68,7 +68,7 @@ public final class ReadingBenchmark {
 
     private static double read(Path bag, int cores) {
         long begin = System.nanoTime();
-        ReadOptions options = new ReadOptions(true, false, NumberSinks.Companion.getRECORDING(), cores, null);
+        ReadOptions options = new ReadOptions(true, false, NumberSinks.Companion.getRECORDING(), cores, null, null);
         ReadRecordingKt.readRecording(bag, LogFormatsKt.getLOG_FORMATS(), options, (done, total) -> Unit.INSTANCE);
         return (System.nanoTime() - begin) / 1e9;
     }

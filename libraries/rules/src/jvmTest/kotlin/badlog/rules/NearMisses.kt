@@ -15,14 +15,11 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         within(20.0..20.1, BATTERY) { "7.6" }
     },
     "Low battery" to { within(20.0..20.05, BATTERY) { "6.4" } },
-    "Weak battery" to {
-        within(20.0..21.5, BATTERY) { "8.4" }
-        within(25.0..25.6, BATTERY) { "7.6" }
-    },
+    "Weak battery" to { within(20.0..20.4, BATTERY) { "8.4" } },
     "Battery not charged" to { number(BATTERY) { 12.3 - 0.015 * TestMatch.load(it) } },
     "Bad battery contact" to { within(20.4..20.5, BATTERY) { (11.9 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.043 * TestMatch.load(it) } },
-    "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.036 * TestMatch.load(it) } },
+    "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.03 * TestMatch.load(it) } },
     "Current too long" to { within(20.0..21.9, CHANNEL) { "70" } },
     "High current" to { within(20.0..20.9, CHANNEL) { "55" } },
     // A motor starts, and rests after that.

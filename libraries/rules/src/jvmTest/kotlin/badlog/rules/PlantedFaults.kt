@@ -12,11 +12,11 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(20.0, BATTERY) { if (it < 20.1) "7.2" else "12" }
     },
     "Low battery" to { from(20.0, BATTERY) { if (it < 20.5) "6.4" else "12" } },
-    "Weak battery" to { from(20.0, BATTERY) { if (it < 21.5) "7.6" else "12" } },
+    "Weak battery" to { from(20.0, BATTERY) { if (it < 21.0) "8.4" else "12" } },
     "Battery not charged" to { number(BATTERY) { 12.2 - 0.015 * TestMatch.load(it) } },
     "Bad battery contact" to { from(20.4, BATTERY) { if (it < 20.5) "8" else (12.6 - 0.015 * TestMatch.load(it)).toString() } },
     "High battery resistance" to { number(BATTERY) { 12.8 - 0.055 * TestMatch.load(it) } },
-    "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.042 * TestMatch.load(it) } },
+    "Raised battery resistance" to { number(BATTERY) { 12.8 - 0.036 * TestMatch.load(it) } },
     "Current too long" to { from(20.0, CHANNEL) { if (it < 22.5) "70" else "3" } },
     "High current" to { from(20.0, CHANNEL) { if (it < 21.5) "55" else "3" } },
     // It pulled less than most breakers stand.
