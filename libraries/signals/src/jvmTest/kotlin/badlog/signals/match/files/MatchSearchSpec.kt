@@ -236,6 +236,10 @@ class MatchSearchSpec : FunSpec({
         // One of two robots with one program has logged a topic more.
         val other = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0), numbers("Arm", listOf(0.0 to 1.0)), numbers("Leg", listOf(0.0 to 1.0))), null, match)
         matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, other))).matches.size shouldBe 2
+        // A coprocessor logs a few topics of the robot, too.
+        val robot = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)) + List(9) { numbers("Topic $it", listOf(0.0 to 1.0)) }, null, match)
+        val few = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0)) + List(3) { numbers("Topic $it", listOf(0.0 to 1.0)) }, null, match)
+        matchesOf(listOf(file("a", FileRole.ROBOT, robot), file("b", FileRole.ROBOT, few))).matches.single().parts.size shouldBe 2
         // Without a number or a time of day, nothing shows that it is the same match.
         matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, logOf(camera)))).matches.size shouldBe 2
     }
