@@ -1,5 +1,6 @@
 package badlog.cli.info
 
+import badlog.catalog.match.MatchMaker
 import badlog.files.filesAround
 import badlog.files.isOfDriverStation
 import badlog.formats.revlog.RevlogFormat
@@ -26,9 +27,10 @@ internal class FilesBeside {
     // All logs of a folder have the same files around them.
     private val around = HashMap<Path, List<Path>>()
 
-    /** Returns the files of the match of [robot], which was read from [file]; none for the log of anything else. */
+    /** Returns the files of the match of [robot], which was read from [file]; none for the log of anything else, or a whole match. */
     fun of(file: Path, robot: ClockedLog): List<FileBeside> {
         if (robot.recording.isOfDriverStation || roleOf(file.fileName.toString()) != null) return emptyList()
+        if (MatchMaker.isSource(file)) return emptyList()
         val log = file.toAbsolutePath().normalize()
         return around.getOrPut(log.parent) { filesAround(log) { roleOf(it) != null } }.mapNotNull { path ->
             val role = roleOf(path.fileName.toString())?.takeIf { robot.isNamedAlike("${path.fileName}", "${path.parent.fileName}") }

@@ -27,8 +27,8 @@ internal sealed interface MergeResult {
     class Made(private val merge: Merged, override val moved: MovedLogs, private val target: Path, private val leftOut: Omissions) :
         MergeResult {
         override fun remarks(isOfDoubts: Boolean): List<String> {
-            // A single edge may match by chance.
-            val moves = if (isOfDoubts) moved.moves.filter { it.edges == 1 } else moved.moves
+            // A single edge may match by chance, and samples before 0 are lost.
+            val moves = if (isOfDoubts) moved.moves.filter { it.edges == 1 || it.early > 0 } else moved.moves
             return clockLines(moves, moved.pauses) + renamedLines(merge) + leftOut.lines
         }
 

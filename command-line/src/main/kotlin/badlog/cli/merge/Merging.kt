@@ -44,7 +44,7 @@ internal class Merging(
         val parts = (if (beside == null) sorted else sorted - setOfNotNull(twin)) + listOfNotNull(beside?.part)
         if (parts.size < 2 && !parts[0].isMatch) throw Failure("Merging needs at least two logs, but there is one.")
         val moved = clocks.moved(parts, beside)
-        return if (isZip(target)) zipped(moved, target) else merge(moved, target, progress)
+        return if (isZip(target)) zipped(parts, moved, target) else merge(moved, target, progress)
     }
 
     /** Writes one log of a robot's and a Driver Station's, [beside], to [target]. */
@@ -77,8 +77,8 @@ internal class Merging(
         return MergeResult.Made(merged, moved, target, records.leftOut)
     }
 
-    /** The files stay as they are, with the known clocks beside them. */
-    private fun zipped(moved: MovedLogs, target: Path): MergeResult {
+    /** The files of [parts] stay as they are, with the known clocks beside them. */
+    private fun zipped(parts: List<LogPart>, moved: MovedLogs, target: Path): MergeResult {
         moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} is of several logs; name these, to make one ZIP of all.") }
         val known = (moved.placed + leadIn(moved)).toMutableSet()
         do {
@@ -92,13 +92,13 @@ internal class Merging(
         val files = moved.parts.map { part ->
             FileForZip(part.file, part.role, (part.offset - first.offset).takeIf { part in known }, errors[part])
         }
-        requireOneMatch(moved.parts, files)
+        requireOneMatch(parts, files)
         writeAtomically(target) { writeMatchZip(files, it) }
         return MergeResult.Zipped(moved, target, moved.parts.filter { it !in known })
     }
 
     /**
-     * Makes sure that the ZIP of [parts] opens with all of them.
+     * Makes sure that the ZIP of [parts], which are as in their [files], opens with all of them.
      *
      * @throws Failure if nothing shows how their clocks fit.
      */

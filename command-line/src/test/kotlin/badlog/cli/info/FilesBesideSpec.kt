@@ -40,6 +40,10 @@ class FilesBesideSpec : FunSpec({
                 mapOf("path" to "../videos/Q42.mp4", "role" to "video"),
                 mapOf("path" to "REV_20260307_100010.revlog", "role" to "motors"),
             )
+            // A match has its files in itself.
+            val match = logs / "FRC_20260307_100000_MILLC_Q42.zip"
+            badlog("merge", log, logs.wpilog("eye.wpilog", listOf(Logged("/Eye", "double", "", listOf(0.0 to 1.0)))), "--offset", "eye.wpilog=0", "--offset", "${log.fileName}=0", "-o", match)
+            badlogJson("info", match).json.single().run { containsKey("topics") to containsKey("beside") } shouldBe (true to false)
             val alone = logs.wpilog("other.wpilog", listOf(Logged("/Arm", "double", "", listOf(0.0 to 1.0))))
             badlog("info", alone).out shouldNotContain "beside"
             badlogJson("info", alone).json.single().keys.contains("beside") shouldBe false

@@ -460,6 +460,30 @@ class MatchSpec : FunSpec({
         }
     }
 
+    test("a robot's log that is named after the time and is moved makes a ZIP with a Driver Station's log whose clock is open") {
+        inFolder { folder ->
+            val robot = folder.robot("FRC_20260307_150405.wpilog", "Arm", 0.0)
+            val station = folder.with("2026_03_07 10_04_05 Sat.dslog", dslog().bytes)
+            val ended = badlog("merge", robot, station, "--offset", "${robot.fileName}=10", "-o", folder / "m.zip")
+            withClue(ended.oneLine()) { ended.code shouldBe ExitCode.WHOLE }
+            badlogJson("info", folder / "m.zip").json.single().topics() shouldContain "Driver Station/Battery Voltage"
+        }
+    }
+
+    test("samples of the Driver Station's log before the robot's 0 are said to be left out, also in JSON") {
+        inFolder { folder ->
+            val robot = folder.robot("arm.wpilog", "Arm", 2.0)
+            val stations = (folder / "ds").createDirectory()
+            stations.with("2026_03_07 10_04_05 Sat.dslog", dslog().bytes)
+            for (command in listOf(listOf("info"), listOf("export", "-o", folder / "p.html", "--force"))) {
+                for (json in listOf(emptyList(), listOf("--json"))) {
+                    val ended = badlog(command[0], robot, "--with-ds=$stations", *command.drop(1).toTypedArray(), *json.toTypedArray())
+                    withClue("$command $json") { ended.err.replace(Regex("\\s+"), " ") shouldContain Regex("without [\\d,]+ samples before 0") }
+                }
+            }
+        }
+    }
+
     test("what is doubtful or damaged in a merged log is said, also in JSON: a single edge, and what the Driver Station's log lost") {
         inFolder { folder ->
             fun enabled(name: String, late: Double) = folder.wpilog(name, listOf(Logged("$name/Robot Enabled", "boolean", "", listOf(late to false, late + 4 to true, late + 5 to true)), Logged("$name/a", "double", "", listOf(late to 1.0))))

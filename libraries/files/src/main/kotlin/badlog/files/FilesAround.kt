@@ -10,15 +10,21 @@ import java.nio.file.attribute.BasicFileAttributes
 /**
  * Returns the files around [file] with names that are [wanted][isWanted].
  *
- * They are in its folder, in the folders in that, or in the folders beside that and the folders in these. Follows no links, and skips hidden and build folders. Looks at no more than 5,000 files and folders,
- * the nearest first; what cannot be read is skipped.
+ * They are in its folder, in the folders in that, or in the folders beside that and the folders in these. Never looks through the folders
+ * of the user's home folder. Follows no links, and skips hidden and build folders. Looks at no more than 5,000 files and
+ * folders, the nearest first; what cannot be read is skipped.
  */
-public fun filesAround(file: Path, isWanted: (String) -> Boolean): List<Path> {
+public fun filesAround(file: Path, isWanted: (String) -> Boolean): List<Path> =
+    filesAround(file, Path.of(System.getProperty("user.home")).toAbsolutePath().normalize(), isWanted)
+
+/** Returns the same for a user with the home folder [home]. */
+internal fun filesAround(file: Path, home: Path, isWanted: (String) -> Boolean): List<Path> {
     val folder = file.toAbsolutePath().normalize().parent
     val look = Around(isWanted)
-    look.into(folder, depth = 2)
+    // A home folder holds private things, and many systems ask before a program looks into its folders.
+    look.into(folder, depth = if (folder == home) 1 else 2)
     // Beside a folder at the top of a disk lies everything.
-    folder.parent?.takeIf { it.parent != null }?.let { look.into(it, depth = 3, except = folder) }
+    folder.parent?.takeIf { folder != home && it != home && it.parent != null }?.let { look.into(it, depth = 3, except = folder) }
     return look.found.filter { it != file.toAbsolutePath().normalize() }
 }
 

@@ -24,6 +24,19 @@ class FilesAroundSpec : FunSpec({
         }
     }
 
+    test("the user's home folder is not looked through") {
+        inFolder { folder ->
+            val home = (folder.toAbsolutePath().normalize()).resolve("users/ada")
+            val near = home.with("Downloads/day/b.hoot")
+            home.with("Documents/c.hoot")
+            val beside = home.with("a.hoot")
+            folder.with("users/bob/d.hoot")
+            fun around(log: String) = filesAround(home.resolve(log), home) { it.endsWith(".hoot") }
+            around("Downloads/log.bag") shouldBe listOf(near)
+            around("log.bag") shouldBe listOf(beside)
+        }
+    }
+
     test("of very many files, only the nearest are looked at") {
         inFolder { folder ->
             repeat(5200) { folder.with("day/other/$it.hoot") }

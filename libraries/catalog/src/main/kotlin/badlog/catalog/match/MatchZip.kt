@@ -35,6 +35,10 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
     private class Content(val manifest: Named?, val logs: List<Named>)
 
     private val zip: ZipFile = opened()
+
+    /** The unpacked size of all that grew more than [RATIO] times. */
+    private var grown = 0L
+
     private val content: Content = try {
         contentOf(zip.entries().asSequence())
     } catch (e: Throwable) {
@@ -105,7 +109,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
             }
         }
         if (sum.value != log.entry.crc) throw damaged(log)
-        return bound.size
+        return bound.end()
     }
 
     /** Returns the inflated size of the log [target] if it is itself compressed; 0 otherwise. */
@@ -128,7 +132,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         } catch (_: IOException) {
             // A log that was cut off is read up to its end.
         }
-        return bound.size
+        return bound.end()
     }
 
     /** Counts the bytes of [log]; the sizes that a ZIP names may be wrong. */
@@ -138,14 +142,19 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         private val most: Long,
         private val checkpoint: () -> Unit,
     ) {
-        var size = 0L
-            private set
+        private var size = 0L
 
         fun add(count: Int) {
             size += count
             if (size > most) throw tooLarge()
-            if (size > RATIO_COUNTS_FROM && size / RATIO > compressed) throw grows(log.name)
+            if (grown + size > RATIO_COUNTS_FROM && growsFar(size, compressed)) throw grows(log.name)
             checkpoint()
+        }
+
+        /** Returns the size of the whole log, which counts for the next ones. */
+        fun end(): Long {
+            if (growsFar(size, compressed)) grown += size
+            return size
         }
     }
 
@@ -197,6 +206,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
     private fun check(files: List<Named>) {
         val seen = HashMap<String, String>()
         var bytes = 0L
+        var growing = 0L
         for (file in files) {
             val (name, entry) = file.name to file.entry
             if (!isNameInside(name)) {
@@ -208,7 +218,8 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
             }
             bytes += maxOf(0, entry.size)
             if (bytes > ALL_BYTES) throw tooLarge()
-            if (entry.size > RATIO_COUNTS_FROM && entry.size / RATIO > entry.compressedSize) throw grows(name)
+            if (growsFar(entry.size, entry.compressedSize)) growing += entry.size
+            if (growing > RATIO_COUNTS_FROM) throw grows(name)
         }
     }
 
@@ -230,9 +241,14 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         const val MAX_SHOWN = 100
         const val PIECE = 1 shl 16
 
-        /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. Small logs may hold nearly nothing. */
+        /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
         const val RATIO = 200L
+
+        /** Small logs may hold nearly nothing. Many small ones fill a disk, too, so that their sizes add up. */
         const val RATIO_COUNTS_FROM = 64L shl 20
+
+        /** Whether something of [compressed] bytes that has [size] bytes unpacked is smaller than any usual log. */
+        fun growsFar(size: Long, compressed: Long) = size / RATIO > compressed
 
         /** How a file begins that is compressed with gzip. */
         val GZIP = byteArrayOf(0x1f, 0x8b.toByte())

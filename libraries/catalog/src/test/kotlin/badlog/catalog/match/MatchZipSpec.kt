@@ -157,6 +157,10 @@ class MatchZipSpec : FunSpec({
         said(zipOf("a.csv.gz" to gzip(zeros))) shouldContain "“a.csv.gz” in it grows more than 200 times"
         said(zipOf("a.csv" to gzip(zeros))) shouldContain "grows more than 200 times"
         said(zipOf("a.wpilogxz" to byteArrayOf(0xFD.toByte(), 0x37, 0x7A, 0x58, 0x5A, 0))) shouldContain "compressed with xz"
+        // Many logs that are small enough alone add up.
+        val few = ByteArray(6 shl 20)
+        said(zipOf(*Array(12) { "$it.csv" to few })) shouldContain "“10.csv” in it grows more than 200 times"
+        said(zipOf(*Array(12) { "$it.csv.gz" to gzip(few) })) shouldContain "“10.csv.gz” in it grows more than 200 times"
         // A log that recorded nearly nothing is small, too.
         unpacked(zipOf("a.csv" to ByteArray(8 shl 20))).keys shouldBe setOf("a.csv")
         val random = Random(1).nextBytes(4 shl 20)

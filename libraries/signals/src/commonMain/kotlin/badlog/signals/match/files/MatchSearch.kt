@@ -1,13 +1,11 @@
 package badlog.signals.match.files
 
 import badlog.signals.clock.ClockFit
-import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.StationSearch
 import badlog.signals.clock.batteryFit
 import badlog.signals.clock.motorFit
 import badlog.signals.match.NaturalOrder
 import badlog.signals.match.isSameAs
-import kotlin.math.abs
 
 /**
  * Returns which of [files] belong to one match: each log of a robot is one, with the files that fit it alone.
@@ -37,15 +35,11 @@ fun matchesOf(files: List<MatchFile>): FoundMatches {
     }
     val open = others.filter { it.seconds == null }
     val (stations, logs) = open.partition { it.role == FileRole.STATION }
-    // Of several logs of a robot, a camera's may have the clock of the match, but not show when the robot was enabled.
-    val shown = found.map { parts -> parts.filter { it.file.role == FileRole.ROBOT }.maxBy { it.file.log.edges.size } }
+    val shown = found.map { parts -> parts.filter { it.file.role == FileRole.ROBOT } }
     stationsOf(shown, stations, found.map { parts -> parts.any { it.file.role == FileRole.STATION } }, left)
         .forEachIndexed { i, part -> part?.let { found[i] += it } }
     for (file in logs) {
-        val fits = groups.map { parts ->
-            val all = parts.mapNotNull { fitOf(file, it) }
-            all.find { it.isSure } ?: all.firstOrNull()
-        }
+        val fits = shown.map { parts -> fitOf(file, parts) }
         val only = fits.indices.filter { fits[it]?.isSure == true }.singleOrNull()
         if (only != null) found[only] += checkNotNull(fits[only]).part else left += file to reasonFor(file, robots, fits)
     }
@@ -73,16 +67,23 @@ private fun homeOf(file: MatchFile, robots: List<MatchFile>): Int? = robots.indi
 /** A place for a file in a match; doubtful unless [isSure]. */
 private class PossiblePart(val part: MatchPart, val isSure: Boolean, val contradicts: Boolean)
 
+/** Returns the surest of these places, beside the logs of one robot; of several, that with the clearest reason. */
+private fun List<PossiblePart>.best(): PossiblePart? =
+    minWithOrNull(compareBy<PossiblePart> { !it.isSure }.thenBy { it.part.reason }.thenByDescending { it.part.edges })
+
+/** A number or type of match that contradicts excludes a file, whichever of [robots] has it. */
+private fun isOfAnother(file: MatchFile, robots: List<MatchPart>) = robots.any { file.log.match.isSameAs(it.file.log.match) == false }
+
 /** Returns [seconds], which put a log on the clock of this one, and their [error] on the clock of the match. */
 private fun MatchPart.placed(file: MatchFile, seconds: Double, reason: ClockReason, error: Double? = null, edges: Int = 0): MatchPart =
     MatchPart(file, this.seconds + seconds, reason, error?.let { it + (this.error ?: 0.0) }, edges)
 
 /**
- * Returns for each of [robots] that does not [have][haveOne] one the Driver Station's log of its match, or null. [stations] that
- * are in no match are added to [left].
+ * Returns for each of [robots], each with all its logs, that does not [have][haveOne] one the Driver Station's log of its match, or
+ * null. [stations] that are in no match are added to [left].
  */
 private fun stationsOf(
-    robots: List<MatchPart>,
+    robots: List<List<MatchPart>>,
     stations: List<MatchFile>,
     haveOne: List<Boolean>,
     left: MutableList<Pair<MatchFile, String>>,
@@ -92,55 +93,47 @@ private fun stationsOf(
     for (station in stations) {
         val claims = robots.indices.filter { found[it]?.part?.file === station }
         if (claims.size == 1 && found[claims[0]]?.isSure == true) continue
-        left += station to reasonFor(station, robots.map { it.file }, found.map { it?.takeIf { one -> one.part.file === station } })
+        left += station to reasonFor(station, robots.map { it.first().file }, found.map { it?.takeIf { one -> one.part.file === station } })
     }
     return found.map { one -> one?.part?.takeIf { one.isSure && found.count { it?.part?.file === one.part.file } == 1 } }
 }
 
-private fun stationOf(robot: MatchPart, stations: List<MatchFile>, areAlone: Boolean): PossiblePart? {
-    val log = robot.file.log
-    val pair = StationSearch<MatchFile>(log, { it.log.start }, { it.log }).over(stations) ?: return null
-    val isSame = pair.station.match.isSameAs(log.match) == true
-    val byClocks = clocksOf(pair.station, log)
-    val contradicts = byClocks != null && !agree(pair.fit.seconds, byClocks)
-    val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
-    // A single edge may be of any match, all matches have the same periods, and a replay has the same number.
-    val isSure = !contradicts && if (pair.fit.edges < MIN_EDGES) isSame && byClocks != null else isSame || byClocks != null || areAlone
-    return PossiblePart(robot.placed(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges), isSure, contradicts)
+private fun stationOf(robots: List<MatchPart>, stations: List<MatchFile>, areAlone: Boolean): PossiblePart? {
+    val open = stations.filterNot { isOfAnother(it, robots) }
+    // Of several logs of a robot, one may show when it was enabled, and another the time of day.
+    return robots.mapNotNull { robot ->
+        val pair = StationSearch<MatchFile>(robot.file.log, { it.log.start }, { it.log }).over(open) ?: return@mapNotNull null
+        val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
+        val part = robot.placed(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges)
+        PlaceEvidence(pair.log, part.seconds, robots).run {
+            // A single edge may be of any match, all matches have the same periods, and a replay has the same number.
+            val isSure = !contradicts && if (pair.fit.edges < MIN_EDGES) isSame && agrees else isSame || agrees || areAlone
+            PossiblePart(part, isSure, contradicts)
+        }
+    }.best()
 }
 
-/** Returns the place of [file], a log of devices, beside [robot]; null if nothing shows it, or the match is another one. */
-private fun fitOf(file: MatchFile, robot: MatchPart): PossiblePart? {
+/** Returns the place of [file], a log of devices, beside [robots]; null if nothing shows it, or the match is another one. */
+private fun fitOf(file: MatchFile, robots: List<MatchPart>): PossiblePart? =
+    if (isOfAnother(file, robots)) null else robots.mapNotNull { fitOf(file, it, robots) }.best()
+
+private fun fitOf(file: MatchFile, robot: MatchPart, robots: List<MatchPart>): PossiblePart? {
     val (own, others) = file.log to robot.file.log
-    val isSame = own.match.isSameAs(others.match)
-    if (isSame == false) return null
     val byClocks = clocksOf(own, others)
     fun part(fit: ClockFit, reason: ClockReason): PossiblePart {
-        val agrees = byClocks != null && agree(fit.seconds, byClocks)
-        val contradicts = byClocks != null && !agrees
-        return PossiblePart(
-            robot.placed(file, fit.seconds, reason, fit.error, fit.edges),
-            agrees || (isSame == true && !contradicts),
-            contradicts,
-        )
+        val part = robot.placed(file, fit.seconds, reason, fit.error, fit.edges)
+        return PlaceEvidence(file, part.seconds, robots).run { PossiblePart(part, !contradicts && (agrees || isSame), contradicts) }
     }
     ClockFit.ofEdges(own.edges, others.edges, byClocks)?.takeIf { it.edges >= MIN_EDGES }?.let { return part(it, ClockReason.ENABLED) }
     motorFit(own.view, others.view, others.vocabulary)?.let { return part(it, ClockReason.MOTORS) }
     batteryFit(own, others)?.let { return part(it, ClockReason.BATTERY) }
     if (byClocks == null) return null
     val isDuring = own.first + byClocks < others.last && own.last + byClocks > others.first
-    return PossiblePart(robot.placed(file, byClocks, ClockReason.SYSTEM_TIME), isDuring && isSame == true, !isDuring)
-        .takeIf { isDuring || isSame == true }
+    val part = robot.placed(file, byClocks, ClockReason.SYSTEM_TIME)
+    return PlaceEvidence(file, part.seconds, robots).run {
+        PossiblePart(part, isDuring && isSame && !contradicts, !isDuring || contradicts).takeIf { isDuring || isSame }
+    }
 }
-
-/** Returns how the clock of [own] relates to the clock of [others] by the time of day; null if one does not show it. */
-internal fun clocksOf(own: ClockedLog, others: ClockedLog): Double? = own.start?.let { start -> others.start?.let { start - it } }
-
-/** Whether [seconds] agrees with the clocks, [byClocks], or is an hour off, as with daylight saving time. */
-private fun agree(seconds: Double, byClocks: Double) = OFF.any { areNear(seconds - it, byClocks) }
-
-/** Whether two offsets between clocks, in s, are alike for clocks that were set by each other. */
-internal fun areNear(one: Double, other: Double): Boolean = abs(one - other) <= NEAR
 
 private fun reasonFor(file: MatchFile, robots: List<MatchFile>, fits: List<PossiblePart?>): String {
     val possible = robots.indices.filter { fits[it] != null }
@@ -176,7 +169,3 @@ private fun doubtsIn(parts: List<MatchPart>): List<String> {
 
 /** The fewest moments that show where a log belongs: the start and the end of a period. */
 internal const val MIN_EDGES = 2
-
-/** In s: clocks are right, or an hour off. */
-private val OFF = listOf(0.0, 3600.0, -3600.0)
-private const val NEAR = 5.0

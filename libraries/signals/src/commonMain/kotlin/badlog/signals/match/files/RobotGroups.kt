@@ -33,9 +33,9 @@ internal class RobotGroups(files: List<MatchFile>) {
         return if (isSure) MatchPart(file, fit.seconds, ClockReason.ENABLED, fit.error, fit.edges) else null
     }
 
-    /** Two robots with one program log the same topics, nearly; one robot does not log them twice. */
+    /** Two robots with one program log the same topics, nearly. A coprocessor may log a few of its robot's. */
     private fun areAlike(one: Set<String>, other: Set<String>): Boolean =
-        one == other || one.count { it in other } * 2 > minOf(one.size, other.size)
+        one == other || one.count { it in other } * 2 >= maxOf(one.size, other.size)
 
     /** The names of topics, without those that each log of WPILib has. */
     private fun namesOf(file: MatchFile): Set<String> =

@@ -236,8 +236,30 @@ class MatchSearchSpec : FunSpec({
         // One of two robots with one program has logged a topic more.
         val other = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0), numbers("Arm", listOf(0.0 to 1.0)), numbers("Leg", listOf(0.0 to 1.0))), null, match)
         matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, other))).matches.size shouldBe 2
+        // A coprocessor logs a few topics of the robot, too.
+        val robot = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)) + List(9) { numbers("Topic $it", listOf(0.0 to 1.0)) }, null, match)
+        val few = logOf(listOf(flag("DS:enabled", 0.0, PERIODS.map { it + 3 }, 203.0)) + List(3) { numbers("Topic $it", listOf(0.0 to 1.0)) }, null, match)
+        matchesOf(listOf(file("a", FileRole.ROBOT, robot), file("b", FileRole.ROBOT, few))).matches.single().parts.size shouldBe 2
         // Without a number or a time of day, nothing shows that it is the same match.
         matchesOf(listOf(file("a", FileRole.ROBOT, own), file("b", FileRole.ROBOT, logOf(camera)))).matches.size shouldBe 2
+    }
+
+    test("all logs of a robot say where another log belongs, so that a replay is offered, and the right log taken beside it") {
+        val number = listOf(Value("Match Number", "17"), Value("Match Type", "Qualification"))
+        val periods = listOf(10.0, 12.0) + PERIODS
+        val own = logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)), "2026-03-07 13:20:00 UTC", number)
+        // It has more edges, but no time of day.
+        val arm = logOf(listOf(flag("DS:enabled", 0.0, periods, 200.0), numbers("Arm", listOf(0.0 to 1.0))), null, number)
+        fun later(name: String, role: FileRole, start: String, values: List<Value> = number) = file(name, role, logOf(listOf(flag("Driver Station/Enabled", 0.0, periods.map { it + 2 }, 205.0)), start, values))
+        val robots = listOf(file("robot.wpilog", FileRole.ROBOT, own), file("arm.wpilog", FileRole.ROBOT, arm))
+        for (role in listOf(FileRole.STATION, FileRole.CAN_BUS)) {
+            val replay = later("replay", role, "2026-03-07 14:59:58 UTC")
+            val alone = matchesOf(robots + replay)
+            alone.matches.single().parts.map { it.file.name }.toSet() shouldBe setOf("robot.wpilog", "arm.wpilog")
+            alone.left.single().second shouldContain "but the time of day contradicts"
+            val both = matchesOf(robots + replay + later("first", role, "2026-03-07 13:19:58 UTC", emptyList()))
+            both.matches.single().parts.single { it.file.role == role }.run { file.name to seconds } shouldBe ("first" to -2.0)
+        }
     }
 
     test("a log that shows no enabling is put where its battery voltage moves alike") {
