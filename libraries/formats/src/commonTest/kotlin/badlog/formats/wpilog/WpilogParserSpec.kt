@@ -207,7 +207,7 @@ class WpilogParserSpec : FunSpec({
         val recording = log.read()
         recording.topic("a").samples.toList() shouldBe listOf(1.0)
         recording.problems.map { it.kind } shouldBe listOf(ProblemKind.RECORDS_LOST)
-        recording.problems[0].message shouldContain "Bytes $end to ${log.bytes.size - 1}, the last"
+        recording.problems[0].message shouldContain "The last bytes of the file, $end to ${log.bytes.size - 1}, "
         TestLog().start(1, "a", "double").double(1, 1, 1.0).raw(*IntArray(50)).read().problems.map { it.kind } shouldBe
             listOf(ProblemKind.RECORDS_LOST)
     }
