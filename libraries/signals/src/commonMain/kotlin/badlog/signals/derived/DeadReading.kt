@@ -5,13 +5,14 @@ import kotlin.math.abs
 
 /**
  * Returns whether [measured] has jumped, faster than it ever moves, to a value that it keeps exactly since: 1 or 0. An absolute encoder without a
- * cable reads like that. A value that has hardly moved before was at rest, and still is.
+ * cable reads like that. A value that has hardly moved before was at rest, and still is; one that came fast has arrived at a stop.
  */
 fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArray): Series {
     val range = rangeOf(measured)
     fun step(at: Int) = abs(measured[at] - measured[at - 1])
     val speeds = DoubleArray(times.size) { i -> if (i == 0 || times[i] == times[i - 1]) 0.0 else step(i) / (times[i] - times[i - 1]) }
     val usual = quantile(DoubleArray(times.size) { if (speeds[it] > 0) speeds[it] else Double.NaN }, 0.98)
+    fun isArrival(at: Int) = at > 1 && speeds[at - 1] > usual && (measured[at] > measured[at - 1]) == (measured[at - 1] > measured[at - 2])
     var isDead = false
     var movedSeconds = 0
     var lastMoved = -1L
@@ -19,7 +20,7 @@ fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArr
         times,
         DoubleArray(times.size) { i ->
             if (i > 0 && measured[i] != measured[i - 1]) {
-                isDead = movedSeconds >= MIN_MOVED && step(i) > JUMP * range && speeds[i] > FASTER * usual
+                isDead = movedSeconds >= MIN_MOVED && step(i) > JUMP * range && speeds[i] > FASTER * usual && !isArrival(i)
                 if (times[i].toLong() != lastMoved) movedSeconds++
                 lastMoved = times[i].toLong()
             }

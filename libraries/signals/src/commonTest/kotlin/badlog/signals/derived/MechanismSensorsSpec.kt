@@ -53,6 +53,12 @@ class MechanismSensorsSpec : FunSpec({
         deadReading(times, times.of { if (it < 31) swing(it) else -1.0 }, times.always()).most() shouldBe 0.0
     }
 
+    test("a reading that falls ever faster to a stop and rests there is not dead") {
+        fun fallen(seconds: Double) = 1 - 60 * seconds * seconds
+        val falling = times.of { if (it < 30.0) 0.02 * swing(it) + 1 else maxOf(-1.85, fallen(it - 30)) }
+        deadReading(times, falling, times.always()).most() shouldBe 0.0
+    }
+
     test("a switch that stays pressed is not contradicted by a position that only drifts, wherever it begins") {
         switchError(times, times.of { 5 + 0.005 * it }, times.of { 1.0 }, range = 1.0).most() shouldBeLessThan 11.0
     }
