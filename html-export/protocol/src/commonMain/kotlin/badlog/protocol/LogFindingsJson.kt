@@ -8,6 +8,7 @@ import badlog.core.recording.Severity
 import badlog.rules.Finding
 import badlog.rules.LogFindings
 import badlog.rules.SkippedRule
+import badlog.rules.standing.PROVEN_TRUST
 
 /** Returns these findings as JSON, the form in which the page's worker passes them on. */
 fun LogFindings.toJson(): String = jsonObject(
@@ -60,7 +61,7 @@ internal fun findingJson(finding: Finding): String = jsonObject(
     "next" to finding.next.takeIf { it.isNotEmpty() }?.let(::quotedJson),
     "caveats" to finding.caveats.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
     "isForEach" to "true".takeIf { finding.isForEach },
-    "isOnTrial" to "true".takeIf { finding.isOnTrial },
+    "trust" to finding.trust.takeIf { it < PROVEN_TRUST }?.toString(),
     "texts" to finding.texts.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
     "meanwhile" to finding.meanwhile.takeIf { it.isNotEmpty() }?.let { array(it, ::quotedJson) },
 )
@@ -85,7 +86,7 @@ internal fun findingOf(value: JsonValue): Finding {
         next = json.find("next")?.string.orEmpty(),
         caveats = if (json.find("caveats") == null) emptyList() else json.list("caveats") { it.string },
         isForEach = json.find("isForEach")?.boolean == true,
-        isOnTrial = json.find("isOnTrial")?.boolean == true,
+        trust = json.find("trust")?.number ?: PROVEN_TRUST,
         texts = if (json.find("texts") == null) emptyList() else json.list("texts") { it.string },
         meanwhile = if (json.find("meanwhile") == null) emptyList() else json.list("meanwhile") { it.string },
     )

@@ -57,7 +57,7 @@ private val FINDINGS = arbitrary {
         meanwhile = Arb.list(TEXTS, 0..3).bind(),
         caveats = Arb.list(TEXTS, 0..2).bind(),
         isForEach = Arb.boolean().bind(),
-        isOnTrial = Arb.boolean().bind(),
+        trust = Arb.double(0.0..1.0).bind(),
     )
 }
 
@@ -87,7 +87,7 @@ private val RULES = arbitrary {
 class ProtocolSpec : FunSpec({
     fun partsOf(finding: Finding) = finding.run {
         val at = if (time.isNaN()) null else time
-        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next, texts, meanwhile, caveats, isForEach, isOnTrial)
+        listOf(rule, severity, topic, text, at, spans.map { it.from to it.to }, spanCount, timeUnit, isOfHook, evidence, next, texts, meanwhile, caveats, isForEach, trust)
     }
 
     fun bitsOf(series: PageSeries) = listOf(series.data.x, series.data.y).map { numbers -> numbers.map { it.toBits() } }

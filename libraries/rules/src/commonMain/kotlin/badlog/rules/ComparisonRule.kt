@@ -1,6 +1,7 @@
 package badlog.rules
 
 import badlog.core.recording.Severity
+import badlog.rules.standing.PROVEN_TRUST
 
 /**
  * A rule that compares the numbers of a log with the team's other logs, instead of evaluating a condition. `docs/rules.md` explains each part.
@@ -14,7 +15,7 @@ import badlog.core.recording.Severity
  * @property percent the minimum distance from the median, in percent of it.
  * @property findings the maximum number of numbers of a log that become findings, the farthest first.
  * @property others the minimum number of other logs with the number.
- * @property isOnTrial whether it is a built-in one that has not been proven: a note.
+ * @property trust how far its findings can be relied on, from 0 to [PROVEN_TRUST].
  */
 class ComparisonRule internal constructor(
     val name: String,
@@ -27,7 +28,7 @@ class ComparisonRule internal constructor(
     internal val percent: Double,
     internal val findings: Int,
     internal val others: Int,
-    val isOnTrial: Boolean = false,
+    val trust: Double = PROVEN_TRUST,
 ) {
     internal companion object {
         /** The limits that each comparison has. */

@@ -16,7 +16,7 @@ internal fun comparisonJson(comparison: ComparisonRule): String = with(compariso
         "text" to quotedJson(text.source),
         "of" to jsonList(signals, ::quotedJson),
         "limits" to "[$deviations,$percent,$findings,$others]",
-        "onTrial" to "true".takeIf { isOnTrial },
+        "trust" to trustJson(trust),
     )
 }
 
@@ -37,7 +37,7 @@ internal fun comparisonOf(value: JsonValue): ComparisonRule {
         percent = percent,
         findings = findings.toInt(),
         others = others.toInt().coerceAtLeast(ComparisonRule.MIN_OTHERS),
-        isOnTrial = json.isTrue("onTrial"),
+        trust = json.trust(),
     )
 }
 

@@ -3,6 +3,7 @@ package badlog.rules
 import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import badlog.expression.Quantity
+import badlog.rules.standing.PROVEN_TRUST
 
 /**
  * What a rule or a hook found in a log.
@@ -22,7 +23,7 @@ import badlog.expression.Quantity
  * @property caveats what would make it wrong, each as a sentence: how rarely a topic is sampled, what was left out.
  * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
  *   another fault.
- * @property isOnTrial whether its rule has not been proven.
+ * @property trust how far its rule can be relied on, from 0 to [PROVEN_TRUST].
  * @property meanwhile the signals that were unusual nearly each time, by their names.
  * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
  */
@@ -41,7 +42,7 @@ class Finding(
     val texts: List<String> = emptyList(),
     val caveats: List<String> = emptyList(),
     val isForEach: Boolean = false,
-    val isOnTrial: Boolean = false,
+    val trust: Double = PROVEN_TRUST,
     val meanwhile: List<String> = emptyList(),
 ) {
     /** Returns what was found at [place], one of [places]. */
@@ -64,11 +65,11 @@ class Finding(
 }
 
 /**
- * Returns the findings, the worst first, and within a severity those of proven rules before those on trial, in the order of time; those about
- * the whole log come before those with a place.
+ * Returns the findings, the worst first, and within a severity those of the most trusted rules, in the order of time; those about the whole log come
+ * before those with a place.
  */
 fun List<Finding>.worstFirst(): List<Finding> =
-    sortedWith(compareBy({ -it.severity.ordinal }, { it.isOnTrial }, { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }))
+    sortedWith(compareBy({ -it.severity.ordinal }, { -it.trust }, { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }))
 
 /** Returns [time] for people, such as `93.7 s`; empty if it is NaN. */
 fun timeText(time: Double, unit: String): String = if (time.isNaN()) "" else Quantity("", time, unit, Double.NaN).text

@@ -1,6 +1,9 @@
 package badlog.rules
 
 import badlog.core.recording.Severity
+import badlog.rules.standing.PROVEN_TRUST
+import badlog.rules.standing.Standing
+import badlog.rules.standing.trustOf
 
 /**
  * A condition to look for in every log; `docs/rules.md` explains each part.
@@ -14,7 +17,7 @@ import badlog.core.recording.Severity
  * @property next what to look at next if it holds, as a sentence; empty if not given.
  * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
  * @param isAboutProgram whether it is about messages of the program and inputs of the drivers, which a simulated robot has, too.
- * @property isOnTrial whether it is a built-in rule that has not been proven: a note that begins no incident.
+ * @property trust how far its findings can be relied on, from 0 to [PROVEN_TRUST]; see [trustOf].
  * @property isOncePerEvent whether findings of several topics at the same times are one.
  */
 class Rule internal constructor(
@@ -35,8 +38,11 @@ class Rule internal constructor(
     val checklist: String = "",
     private val isAboutProgram: Boolean = false,
     internal val isOncePerEvent: Boolean = false,
-    val isOnTrial: Boolean = false,
+    val trust: Double = PROVEN_TRUST,
 ) {
+    /** Whether it may accuse a robot; a rule that a team wrote may. */
+    val standing: Standing get() = Standing.of(trust)
+
     /** Whether it is a built-in rule: users need not look for a mistake in it. */
     val isBuiltIn: Boolean get() = place == null
 

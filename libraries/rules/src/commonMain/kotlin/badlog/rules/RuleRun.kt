@@ -7,6 +7,7 @@ import badlog.expression.LogViewSignals
 import badlog.expression.Quantity
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Signals
+import badlog.rules.standing.Standing
 import badlog.signals.NamedSamples
 import badlog.signals.NamedSignals
 import badlog.signals.derived.busDeviceIn
@@ -40,7 +41,8 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val all = asked.filter { known.isEmpty() || subjectOf(rule, it.topic) !in known }.flatMap { find(rule, it) }
         if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(rule, it.topic) }
         val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
-        return RuleResult(rule, findings, step.refusal)
+        // What a silent rule finds still keeps rules that follow from it quiet.
+        return RuleResult(rule, findings.filter { rule.standing != Standing.SILENT }, step.refusal)
     }
 
     // A finding about a log's start or end is about the log.
@@ -107,7 +109,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
             next = rule.next,
             caveats = caveatsOf(question),
             isForEach = question.isForEach,
-            isOnTrial = rule.isOnTrial,
+            trust = rule.trust,
             meanwhile = meanwhile.map { it.signal },
             texts = if (isEverywhere && found.size > 1) textsOf(found.take(Finding.MAX_PLACES), answer, textAt, texted) else emptyList(),
         )

@@ -6,6 +6,7 @@ import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 import badlog.core.recording.Severity
 import badlog.rules.cause.CauseGraph
+import badlog.rules.standing.PROVEN_TRUST
 import badlog.signals.json.JsonFields
 import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonArray
@@ -72,7 +73,7 @@ private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
     "needs" to textsJson(rule.needs.map { it.name }),
     "aboutProgram" to "true".takeIf { rule.isBuiltIn && rule.isForSimulations },
     "once" to "true".takeIf { rule.isOncePerEvent },
-    "onTrial" to "true".takeIf { rule.isOnTrial },
+    "trust" to trustJson(rule.trust),
     "checklist" to if (hasChecklist) textJson(rule.checklist) else null,
     "place" to rule.place?.let { placeJson(it, rule.condition) },
 )
@@ -96,7 +97,7 @@ private fun ruleOf(value: JsonValue): Rule {
         checklist = json.optional("checklist").orEmpty(),
         isAboutProgram = json.isTrue("aboutProgram"),
         isOncePerEvent = json.isTrue("once"),
-        isOnTrial = json.isTrue("onTrial"),
+        trust = json.trust(),
     )
 }
 
@@ -110,6 +111,12 @@ internal fun textOf(source: String, places: List<String> = RuleText.PLACES): Rul
 } catch (_: RuleText.Mistake) {
     throw UnreadableJsonException()
 }
+
+/** Returns [trust] as JSON; null for the usual one. */
+internal fun trustJson(trust: Double): String? = trust.takeIf { it < PROVEN_TRUST }?.toString()
+
+/** Returns what [trustJson] wrote. */
+internal fun JsonFields.trust(): Double = find("trust")?.json?.let { it.toDoubleOrNull() ?: throw UnreadableJsonException() } ?: PROVEN_TRUST
 
 private fun choiceJson(choice: TopicChoice): String = when (choice) {
     is TopicsByName -> jsonObject(

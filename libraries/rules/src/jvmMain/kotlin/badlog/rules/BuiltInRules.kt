@@ -1,6 +1,6 @@
 package badlog.rules
 
-import badlog.rules.standing.Standing
+import badlog.rules.standing.PROVEN_TRUST
 import java.io.File
 
 private const val RULES_JSON = "badlog-rules.json"
@@ -11,16 +11,16 @@ val RuleSet.Companion.BUILT_IN: RuleSet get() = BUILT_IN_RULES
 /** The built-in rules as if all of them were proven, to measure their findings and causes. */
 val RuleSet.Companion.BUILT_IN_PROVEN: RuleSet get() = PROVEN_RULES
 
-private val PROVEN_RULES by lazy { builtInRulesFromToml { _, _ -> Standing.PROVEN } }
+private val PROVEN_RULES by lazy { builtInRulesFromToml { _, _ -> PROVEN_TRUST } }
 private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource(RULES_JSON))) }
 
 /**
  * Returns the built-in rules from their file; reading that takes longer than exporting a small page.
  *
- * @param standing returns the standing of a rule from its name and the hash of its text.
+ * @param trust returns the trust in a rule from its name and the hash of its text.
  */
-internal fun builtInRulesFromToml(standing: (name: String, hash: String) -> Standing = ::countedStanding): RuleSet =
-    RulesReader(resource(RulesFile.NAME), SignalsFile.parse(SignalsFile.builtInSource), isBuiltIn = true, standing).read().rules
+internal fun builtInRulesFromToml(trust: (name: String, hash: String) -> Double = ::countedTrust): RuleSet =
+    RulesReader(resource(RulesFile.NAME), SignalsFile.parse(SignalsFile.builtInSource), isBuiltIn = true, trust).read().rules
 
 /** Returns the hash of the text of each built-in rule, by its name. */
 internal fun hashesOfBuiltInRules(): Map<String, String> {

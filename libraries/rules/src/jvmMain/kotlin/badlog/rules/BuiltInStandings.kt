@@ -1,17 +1,16 @@
 package badlog.rules
 
 import badlog.rules.standing.RuleCounts
-import badlog.rules.standing.Standing
 import badlog.rules.standing.ruleCountsIn
-import badlog.rules.standing.standingOf
+import badlog.rules.standing.trustOf
 import org.tomlj.TomlTable
 import java.security.MessageDigest
 
 /** The counts of built-in rules, from their table. */
 internal val COUNTS: List<RuleCounts> by lazy { ruleCountsIn(resource(COUNTS_FILE)) }
 
-/** Returns the standing of the built-in rule called [name] with the hash [hash] of its text. Counts of another text are not used. */
-internal fun countedStanding(name: String, hash: String): Standing = standingOf(COUNTS.filter { it.rule == name && it.hash == hash })
+/** Returns the trust in the built-in rule called [name] with the hash [hash] of its text. Counts of another text are not used. */
+internal fun countedTrust(name: String, hash: String): Double = trustOf(COUNTS.filter { it.rule == name && it.hash == hash })
 
 /** Returns the beginning of the hash of the [rule]'s text, regardless of its lines and remarks. */
 internal fun hashOf(rule: TomlTable): String = hashOfJson(rule.toJson())

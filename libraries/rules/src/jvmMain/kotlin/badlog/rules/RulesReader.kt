@@ -6,7 +6,8 @@ import badlog.expression.signals.Signal
 import badlog.expression.signals.SignalKind
 import badlog.expression.signals.Vocabulary
 import badlog.rules.number.ComparedSignal
-import badlog.rules.standing.Standing
+import badlog.rules.standing.PROVEN_TRUST
+import badlog.rules.standing.UNCOUNTED_TRUST
 import badlog.signals.DERIVED_NAMES
 import badlog.signals.vocabulary.SignalVocabulary
 import org.tomlj.TomlTable
@@ -17,13 +18,13 @@ import kotlin.time.Duration.Companion.seconds
  * Reads a file of rules that refer to topics by [signals]. Throws [RulesException] at the first mistake.
  *
  * @param isBuiltIn whether the file is badlog's own: users need not look for a mistake in it.
- * @param standing returns the standing of a built-in rule from its name and the hash of its text.
+ * @param trust returns the trust in a built-in rule from its name and the hash of its text.
  */
 internal class RulesReader(
     private val source: String,
     private val signals: SignalVocabulary,
     private val isBuiltIn: Boolean = false,
-    private val standing: (name: String, hash: String) -> Standing = ::countedStanding,
+    private val trust: (name: String, hash: String) -> Double = ::countedTrust,
 ) {
     private val toml = TomlText(source)
 
@@ -154,9 +155,10 @@ internal class RulesReader(
         toml.requireKeys(table, place, listOf("name", "severity", "when", "text"), "rule")
         val name = toml.string(table, "name").orEmpty()
         val limits = Limits(table, others[name].orEmpty(), RuleText.PLACES)
+        val trust = trustIn(table, hasOwnLimits = name in others)
         return Rule(
             name = name,
-            severity = severity(table),
+            severity = severity(table, trust),
             condition = limits.filled(toml.string(table, "when").orEmpty()),
             text = text(table, limits, RuleText.PLACES),
             only = toml.optionalStrings(table, "only"),
@@ -172,12 +174,16 @@ internal class RulesReader(
             checklist = toml.string(table, "checklist").orEmpty(),
             isAboutProgram = toml.isTrue(table, "about_program"),
             isOncePerEvent = toml.isTrue(table, "once"),
-            isOnTrial = isOnTrial(table),
+            trust = trust,
         )
     }
 
-    private fun isOnTrial(table: TomlTable) =
-        isBuiltIn && standing(toml.string(table, "name").orEmpty(), hashOf(table)) == Standing.ON_TRIAL
+    /** Returns the trust in the rule of [table]. Whoever sets one of its limits wants to hear it, also if it is silent. */
+    private fun trustIn(table: TomlTable, hasOwnLimits: Boolean): Double {
+        if (!isBuiltIn) return PROVEN_TRUST
+        val counted = trust(toml.string(table, "name").orEmpty(), hashOf(table))
+        return if (hasOwnLimits) maxOf(counted, UNCOUNTED_TRUST) else counted
+    }
 
     private fun needs(table: TomlTable): List<LogEdge> {
         val value = table.get(listOf("whole"))
@@ -188,11 +194,11 @@ internal class RulesReader(
     }
 
     /** Returns the severity in [table]; a built-in rule has it once it is proven. */
-    private fun severity(table: TomlTable): Severity {
+    private fun severity(table: TomlTable, trust: Double): Severity {
         val severity = toml.string(table, "severity").orEmpty()
         val own = Severity.entries.find { it.name.lowercase() == severity }
             ?: toml.fail(toml.placeOf(table, "severity"), "A severity is “error”, “warning” or “note”, not “$severity”.")
-        return if (isOnTrial(table)) Severity.NOTE else own
+        return if (trust < PROVEN_TRUST) Severity.NOTE else own
     }
 
     private fun comparison(table: TomlTable, place: RulePlace, others: Map<String, Map<String, Double>>): ComparisonRule {
@@ -205,13 +211,14 @@ internal class RulesReader(
         }
         val name = toml.string(table, "name").orEmpty()
         val limits = Limits(table, others[name].orEmpty(), ComparisonRule.PLACES - ComparisonRule.LIMITS.toSet())
+        val trust = trustIn(table, hasOwnLimits = name in others)
         val (deviations, percent, findings, fewest) = ComparisonRule.LIMITS.map { limit ->
             limits.numbers[limit]?.takeIf { it >= 0 }
                 ?: toml.fail(toml.placeOf(table, "limits"), "A comparison has these limits: ${ComparisonRule.LIMITS.joinToString()}.")
         }
         return ComparisonRule(
             name = name,
-            severity = severity(table),
+            severity = severity(table, trust),
             group = toml.string(table, "group").orEmpty(),
             next = toml.string(table, "next").orEmpty(),
             text = text(table, null, ComparisonRule.PLACES),
@@ -220,7 +227,7 @@ internal class RulesReader(
             percent = percent,
             findings = findings.toInt(),
             others = maxOf(fewest.toInt(), ComparisonRule.MIN_OTHERS),
-            isOnTrial = isOnTrial(table),
+            trust = trust,
         )
     }
 

@@ -26,7 +26,7 @@ private val OF_WHOLE_LOGS = listOf("Restarted in the match", "Ended in the match
 
 @Tags("InCheck")
 class BuiltInRulesSpec : FunSpec({
-    val rules = RuleSet.BUILT_IN.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(LINKS)))
+    val rules = HEARD_RULES.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(LINKS)))
 
     test("a healthy match has no finding") {
         TestMatch().findings(rules).map { "${it.rule}: ${it.text}" }.shouldBeEmpty()

@@ -5,6 +5,7 @@ import badlog.rules.standing.EvidenceSet
 import badlog.rules.standing.RuleCounts
 import badlog.rules.standing.Standing
 import badlog.rules.standing.lackingIn
+import badlog.rules.standing.trustOf
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import org.tomlj.Toml
@@ -33,7 +34,7 @@ class RulesGuideSpec : FunSpec({
         val text = tables.groupBy { it.getString("group").orEmpty() }.entries.joinToString("\n\n") { (group, rules) ->
             val rows = rules.joinToString("\n") { rule ->
                 val limits = rule.getTable("limits")?.run { keySet().map { "*$it* ${get(listOf(it))}" } }.orEmpty()
-                val standing = if (countedStanding(rule.getString("name").orEmpty(), hashOf(rule)) == Standing.PROVEN) "proven" else "on trial"
+                val standing = Standing.of(countedTrust(rule.getString("name").orEmpty(), hashOf(rule))).name.lowercase().replace('_', ' ')
                 "| ${rule.getString("name")} | ${rule.getString("severity")} | $standing | ${limits.joinToString("<br>")} | ${rule.getString("why")} |"
             }
             "**$group**\n\n| rule | severity | standing | limits | why |\n|---|---|---|---|---|\n$rows"
@@ -49,10 +50,16 @@ class RulesGuideSpec : FunSpec({
             val cells = listOf("${real?.couldRun ?: 0} (${real?.teams ?: 0})", real?.right ?: 0, real?.wrong ?: 0, real?.unknown ?: 0) +
                 EvidenceSet.entries.filter { !it.isReal }.map { set -> counts.find { it.set == set }?.let(::rightText).orEmpty() }
             val lacking = lackingIn(counts)
-            "| ${if (lacking.isEmpty()) "**$rule**" else rule} | ${cells.joinToString(" | ")} | ${lacking.joinToString("; ")} |"
+            val name = when (Standing.of(trustOf(counts))) {
+                Standing.PROVEN -> "**$rule**"
+                Standing.ON_TRIAL -> rule
+                Standing.SILENT -> "*$rule*"
+            }
+            "| $name | ${cells.joinToString(" | ")} | ${lacking.joinToString("; ")} |"
         }
         val proven = rows.count { "**" in it }
-        checkGuide("findings.md", "standing", "$proven of ${rows.size} rules are proven, in bold type.\n\n$head\n${"|---".repeat(EvidenceSet.entries.size + 5)}|\n${rows.joinToString("\n")}")
+        val silent = rows.count { it.startsWith("| *") } - proven
+        checkGuide("findings.md", "standing", "$proven of ${rows.size} rules are proven, in bold type; $silent are silent, in italics.\n\n$head\n${"|---".repeat(EvidenceSet.entries.size + 5)}|\n${rows.joinToString("\n")}")
     }
 
     test("the guide has the built-in signals") {

@@ -146,7 +146,7 @@ class ResultCache<R : Any>(
 
     private companion object {
         /** Increase it if the same file and question may have a different result than before. */
-        const val VERSION = 21
+        const val VERSION = 22
         val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"
         const val SUFFIX = ".cache"

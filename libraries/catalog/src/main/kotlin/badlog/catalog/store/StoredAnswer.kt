@@ -4,6 +4,7 @@ import badlog.core.analysis.Span
 import badlog.core.recording.Severity
 import badlog.expression.Quantity
 import badlog.rules.Finding
+import badlog.rules.standing.PROVEN_TRUST
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.descriptors.SerialDescriptor
@@ -55,7 +56,7 @@ object FindingSerializer : KSerializer<Finding> {
         val next: String,
         val caveats: List<String>,
         val isForEach: Boolean,
-        val isOnTrial: Boolean = false,
+        val trust: Double = PROVEN_TRUST,
         val meanwhile: List<String> = emptyList(),
     )
 
@@ -65,7 +66,7 @@ object FindingSerializer : KSerializer<Finding> {
         StoredFinding.serializer(),
         value.run {
             StoredFinding(
-                rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach, isOnTrial,
+                rule, severity, topic, text, time, spans, spanCount, timeUnit, isOfHook, evidence, next, caveats, isForEach, trust,
                 meanwhile,
             )
         },
@@ -86,7 +87,7 @@ object FindingSerializer : KSerializer<Finding> {
             next,
             caveats = caveats,
             isForEach = isForEach,
-            isOnTrial = isOnTrial,
+            trust = trust,
             meanwhile = meanwhile,
         )
     }

@@ -149,7 +149,7 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
             evidence = evidence,
             next = rule.next,
             isForEach = true,
-            isOnTrial = rule.isOnTrial,
+            trust = rule.trust,
         )
     }
 

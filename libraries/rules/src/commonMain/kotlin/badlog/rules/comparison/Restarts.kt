@@ -23,7 +23,7 @@ fun RuleSet.restartsIn(logs: List<LogOfFolder>): List<Finding?> {
         if (rule == null || before == null || !log.numbers.beginsEnabled || log.found.any { it.rule == RESTARTED }) return@mapIndexed null
         val text = "The log begins while the robot was enabled, and “${before.file}”, of the same match, ended so: " +
             "the robot code had restarted."
-        Finding(rule.name, rule.severity, null, text, Double.NaN, emptyList(), 1, "", next = rule.next, isOnTrial = rule.isOnTrial)
+        Finding(rule.name, rule.severity, null, text, Double.NaN, emptyList(), 1, "", next = rule.next, trust = rule.trust)
     }
 }
 

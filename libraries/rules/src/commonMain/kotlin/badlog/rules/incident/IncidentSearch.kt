@@ -4,26 +4,27 @@ import badlog.core.analysis.Span
 import badlog.rules.Finding
 import badlog.rules.RuleSet
 import badlog.rules.cause.Cause
+import badlog.rules.standing.Standing
 
 /**
  * Returns the incidents in a log in which these rules have found [findings], the worst first: one for each cause that findings
- * show. A rule on trial shows no cause. A finding that shows a cause but follows from another one does not begin a separate incident.
+ * show. Only a proven rule shows one. A finding that shows a cause but follows from another one does not begin a separate incident.
  *
  * @param differences how the log differs from the team's other matches, greatest difference first; an incident mentions the first
  *   one about its own topics.
  */
 fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = emptyList()): List<Incident> {
     val ofRules = findings.filter { !it.isOfHook }
-    val onTrial = rules.filter { it.isOnTrial }.mapTo(HashSet()) { it.name }
+    val unproven = rules.filter { it.standing != Standing.PROVEN }.mapTo(HashSet()) { it.name }
     val explained = HashSet<Finding>()
     val found = ArrayList<Incident>()
     for (cause in causes.causes) {
-        val shown = ofRules.filter { it !in explained && it.rule !in onTrial && cause.isShownBy(it.rule, it.topic) }
+        val shown = ofRules.filter { it !in explained && it.rule !in unproven && cause.isShownBy(it.rule, it.topic) }
         val showing = togetherIn(shown, cause)
         if (showing.isEmpty()) continue
         val reached = causes.reachedFrom(showing.map { it.rule })
         val effects = ofRules.filter { it.rule in reached && it !in showing && it !in explained && follows(it, showing) }
-        if (cause.onlyWith.isNotEmpty() && effects.none { it.rule in cause.onlyWith && it.rule !in onTrial }) continue
+        if (cause.onlyWith.isNotEmpty() && effects.none { it.rule in cause.onlyWith && it.rule !in unproven }) continue
         explained += showing
         explained += effects
         val evidence = showing.flatMapTo(HashSet()) { it.evidence } + effects.mapNotNull { it.topic }

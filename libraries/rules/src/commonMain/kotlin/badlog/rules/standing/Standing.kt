@@ -7,10 +7,42 @@ enum class Standing {
 
     /** It is a note, begins no incident, and comes after proven rules. */
     ON_TRIAL,
+
+    /** It says nothing, because more than one in three of its findings were wrong; a team that sets one of its limits hears it as on trial. */
+    SILENT,
+    ;
+
+    companion object {
+        /** Returns the standing of a rule with this [trust]. */
+        fun of(trust: Double): Standing = when {
+            trust >= PROVEN_TRUST -> PROVEN
+            trust >= UNCOUNTED_TRUST -> ON_TRIAL
+            else -> SILENT
+        }
+    }
 }
 
-/** Returns the standing that [counts] of one rule give it. */
-fun standingOf(counts: List<RuleCounts>): Standing = if (lackingIn(counts).isEmpty()) Standing.PROVEN else Standing.ON_TRIAL
+/** The trust in a rule that is proven, or that a team wrote for itself. */
+const val PROVEN_TRUST: Double = 1.0
+
+/** The trust in a rule that was never counted. */
+const val UNCOUNTED_TRUST: Double = 2.0 / 3
+
+/**
+ * Returns the trust that [counts] of one rule give it, from 0 to [PROVEN_TRUST]: about the share of its findings that were right.
+ *
+ * It is as if two right findings and a wrong one had been counted before: a rule with few findings stays near [UNCOUNTED_TRUST], and falls below it
+ * exactly when more than one in three was wrong.
+ */
+fun trustOf(counts: List<RuleCounts>): Double {
+    if (lackingIn(counts).isEmpty()) return PROVEN_TRUST
+    val right = counts.sumOf { it.right }
+    val judged = right + counts.sumOf { it.wrong }
+    return (right + RIGHT_BEFORE) / (judged + JUDGED_BEFORE)
+}
+
+private const val RIGHT_BEFORE = 2.0
+private const val JUDGED_BEFORE = 3
 
 /**
  * Returns the evidence that [counts] of one rule lack to prove it, each as a few words; empty if they prove it.

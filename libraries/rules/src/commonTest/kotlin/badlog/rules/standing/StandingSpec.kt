@@ -13,12 +13,29 @@ class StandingSpec : FunSpec({
 
     test("thirty logs of three teams without a false finding, and three right ones in simulators, are just enough") {
         lacking(REAL, GENERATED) shouldBe emptyList()
-        standingOf(listOf(REAL, GENERATED)) shouldBe Standing.PROVEN
+        trustOf(listOf(REAL, GENERATED)) shouldBe PROVEN_TRUST
     }
 
     test("a rule that was never counted is on trial") {
         lacking() shouldBe listOf("its text was never counted")
-        standingOf(emptyList()) shouldBe Standing.ON_TRIAL
+        trustOf(emptyList()) shouldBe UNCOUNTED_TRUST
+        Standing.of(UNCOUNTED_TRUST) shouldBe Standing.ON_TRIAL
+    }
+
+    test("a rule is silent once more than one in three of its judged findings were wrong, in whatever set") {
+        fun standing(right: Int, wrong: Int) =
+            Standing.of(trustOf(listOf(REAL.copy(fired = right, right = right), GENERATED.copy(fired = wrong, right = 0, wrong = wrong))))
+        standing(right = 4, wrong = 2) shouldBe Standing.ON_TRIAL
+        standing(right = 3, wrong = 2) shouldBe Standing.SILENT
+        standing(right = 200, wrong = 100) shouldBe Standing.ON_TRIAL
+        standing(right = 200, wrong = 101) shouldBe Standing.SILENT
+        standing(right = 0, wrong = 1) shouldBe Standing.SILENT
+    }
+
+    test("of two unproven rules, the one that was right more often is trusted more") {
+        val often = trustOf(listOf(REAL.copy(fired = 9, right = 9, wrong = 0), GENERATED.copy(fired = 1, right = 0, wrong = 1)))
+        val seldom = trustOf(listOf(REAL.copy(fired = 1, right = 1, wrong = 0), GENERATED.copy(fired = 1, right = 0, wrong = 1)))
+        (often > seldom && often < PROVEN_TRUST) shouldBe true
     }
 
     test("one log or one team less is too few") {

@@ -5,9 +5,8 @@ import badlog.core.bag.RecordingParser
 import badlog.core.recording.Severity
 import badlog.expression.LogViewSignals
 import badlog.formats.LOG_FORMATS
-import badlog.rules.BUILT_IN
 import badlog.rules.Finding
-import badlog.rules.RuleSet
+import badlog.rules.HEARD_RULES
 import badlog.rules.over
 import badlog.signals.withSignals
 import java.io.File
@@ -43,7 +42,7 @@ internal fun rulesOver(bytes: ByteArray, name: String): RulesOverLog? {
     parser.accept(bytes)
     val recording = parser.finish()
     if (!recording.isReadable) return null
-    val rules = RuleSet.BUILT_IN
+    val rules = HEARD_RULES
     val view = LogView.of(recording).withSignals(rules.signals, name)
     val result = rules.over(view, name)
     val skipped = result.skipped.mapTo(HashSet()) { it.rule }

@@ -6,9 +6,10 @@ import badlog.rules.COUNTS
 import badlog.rules.LOOP_TIME
 import badlog.rules.PLANTED
 import badlog.rules.RuleSet
+import badlog.rules.RulesFile
 import badlog.rules.TestMatch
 import badlog.rules.builtInRulesFromToml
-import badlog.rules.countedStanding
+import badlog.rules.countedTrust
 import badlog.rules.field.Judgement
 import badlog.rules.hashOfJson
 import badlog.rules.hashesOfBuiltInRules
@@ -32,9 +33,9 @@ class CountsSpec : FunSpec({
     }
 
     test("counts of another text of a rule do not count for it") {
-        val proven = RuleSet.BUILT_IN.rules.first { !it.isOnTrial }.name
-        countedStanding(proven, hashes.getValue(proven)) shouldBe Standing.PROVEN
-        countedStanding(proven, "00000000") shouldBe Standing.ON_TRIAL
+        val proven = RuleSet.BUILT_IN.rules.first { it.standing == Standing.PROVEN }.name
+        countedTrust(proven, hashes.getValue(proven)) shouldBe PROVEN_TRUST
+        countedTrust(proven, "00000000") shouldBe UNCOUNTED_TRUST
     }
 
     test("each rule's hash is its own, and the same with another system's line ends") {
@@ -43,17 +44,16 @@ class CountsSpec : FunSpec({
     }
 
     test("a built-in rule on trial is a note, whatever its severity once proven") {
-        val proven = builtInRulesFromToml { _, _ -> Standing.PROVEN }
-        val trial = builtInRulesFromToml { _, _ -> Standing.ON_TRIAL }
-        trial.rules.forAll { it.severity to it.isOnTrial shouldBe (Severity.NOTE to true) }
-        proven.rules.first { it.name == "Low battery" }.run { severity to isOnTrial } shouldBe (Severity.ERROR to false)
-        checkNotNull(RuleSet.BUILT_IN.rules.find { it.name == "Low battery" }).isOnTrial shouldBe
-            (countedStanding("Low battery", hashes.getValue("Low battery")) == Standing.ON_TRIAL)
+        val proven = builtInRulesFromToml { _, _ -> PROVEN_TRUST }
+        val trial = builtInRulesFromToml { _, _ -> UNCOUNTED_TRUST }
+        trial.rules.forAll { it.severity to it.standing shouldBe (Severity.NOTE to Standing.ON_TRIAL) }
+        proven.rules.first { it.name == "Low battery" }.run { severity to standing } shouldBe (Severity.ERROR to Standing.PROVEN)
+        RuleSet.BUILT_IN.rules.first { it.name == "Low battery" }.trust shouldBe countedTrust("Low battery", hashes.getValue("Low battery"))
     }
 
     test("a rule on trial begins no incident") {
         fun incidents(onTrial: String): List<String> {
-            val rules = builtInRulesFromToml { name, _ -> if (name == onTrial) Standing.ON_TRIAL else Standing.PROVEN }
+            val rules = builtInRulesFromToml { name, _ -> if (name == onTrial) UNCOUNTED_TRUST else PROVEN_TRUST }
             val findings = rules.over(TestMatch().apply { within(20.0..21.0, LOOP_TIME) { "250" } }.view(), "test.bag").findings
             findings.map { it.rule } shouldContain "Loop blocked"
             return rules.incidentsIn(findings).map { it.name }
@@ -62,11 +62,25 @@ class CountsSpec : FunSpec({
         incidents(onTrial = "Loop blocked") shouldNotContain "The loop stood still"
     }
 
-    test("of findings of the same severity, those of rules on trial come last") {
-        val rules = builtInRulesFromToml { name, _ -> if (name == "Weak battery") Standing.PROVEN else Standing.ON_TRIAL }
+    test("of findings of the same severity, those of the most trusted rules come first") {
+        val rules = builtInRulesFromToml { name, _ -> if (name == "Weak battery") 0.9 else 0.8 }
         val findings = rules.over(TestMatch().apply(PLANTED.getValue("Weak battery")).apply(PLANTED.getValue("Button held while disabled")).view(), "test.bag").findings
-        findings.map { it.isOnTrial }.toSet() shouldBe setOf(true, false)
-        findings.worstFirst().map { it.isOnTrial }.let { it shouldBe it.sorted() }
+        findings.map { it.trust }.toSet() shouldBe setOf(0.9, 0.8)
+        findings.worstFirst().map { it.trust }.let { it shouldBe it.sortedDescending() }
+    }
+
+    test("a silent rule says nothing, until a team sets one of its limits") {
+        val view = TestMatch().apply(PLANTED.getValue("Weak battery")).view()
+        fun found(rules: RuleSet) = rules.over(view, "test.bag").findings.filter { it.rule == "Weak battery" }.map { it.severity }
+        RuleSet.BUILT_IN.rules.first { it.name == "Weak battery" }.standing shouldBe Standing.SILENT
+        found(RuleSet.BUILT_IN) shouldBe emptyList()
+        found(RulesFile.parse("extends = \"default\"\n[limits]\n\"Weak battery\" = { volts = 9 }").rules) shouldBe listOf(Severity.NOTE)
+    }
+
+    test("what a silent rule finds still keeps the rules quiet that follow from it") {
+        fun found(trust: Double) = builtInRulesFromToml { name, _ -> if (name == "Values frozen") trust else PROVEN_TRUST }
+            .over(TestMatch().apply(PLANTED.getValue("Values frozen")).view(), "test.bag").findings.map { it.rule }
+        found(trust = 0.0) shouldBe found(PROVEN_TRUST) - "Values frozen"
     }
 
     test("findings are counted for each rule, with logs and teams where it could run") {
