@@ -22,7 +22,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     // It pulled less than most breakers stand.
     "Channel rests alone" to { from(25.0, CHANNEL) { if (it < 25.5) "45" else "0" } },
     "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 0.0 else 16.0 } },
-    "Too much at once" to { from(20.0, CHANNEL) { if (it < 22) "250" else "3" } },
+    "Too much at once" to {
+        from(20.0, CHANNEL) { if (it < 22) "250" else "3" }
+        within(20.0..22.0, BATTERY) { "7.2" }
+    },
     "Main breaker" to { from(20.0, CHANNEL) { if (it < 22.5) "250" else "3" } },
     "High total current" to { from(20.0, CHANNEL) { if (it < 25.5) "190" else "3" } },
     "Rail fault" to { number("/SystemStats/3v3Rail/CurrentFaults") { if (it < 20) 2.0 else 3.0 } },
@@ -145,7 +148,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Disabled on the field" to {
         flag("/DriverStation/FMSAttached") { true }
-        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 25.0..25.1 }
+        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 25.0..26.2 }
     },
     "Packets very late" to { from(20.0, "/DSLog/TripTimeMS") { "150" } },
     "Packets late" to { from(20.0, "/DSLog/TripTimeMS") { "60" } },
