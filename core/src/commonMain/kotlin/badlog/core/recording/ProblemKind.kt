@@ -24,7 +24,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The header is damaged, and a column's name may belong to another column. */
     NAME_IN_DOUBT(Severity.WARNING),
 
-    /** There is a header but no sample. */
+    /** There is a header, but there are no samples. */
     NO_ROWS(Severity.WARNING),
 
     /** A row was cut off, by a loss of power or by damage, and dropped. */

@@ -311,7 +311,7 @@ internal class Viewer(
         findings.showWorst(entry.file)
     }
 
-    /** Shows the log that arrived last, and the worst in it. */
+    /** Shows the newest log, at its worst finding. */
     fun showNewLog() {
         newLogs.takeLatest()?.let(::openFindings)
     }

@@ -72,7 +72,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Returns the title of [graph], which no other graph has. */
     fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
 
-    /** Returns whether what is shown is what the open log can draw of [board]. */
+    /** Returns whether the shown graphs are those of [board] that the open log can draw. */
     fun shows(board: Board): Boolean = state.showsSame(drawn(board))
 
     /** Scrolls to what has changed, and to the graph that a key has moved, if it is out of sight. */

@@ -25,7 +25,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         return if (size in total..total * MAX_INFLATION) size else 0
     }
 
-    /** Returns the start of the line after the last line end; 0 if there is none. */
+    /** Returns the position after the last line end; 0 if there is none. */
     fun lastLineEnd(): Long {
         var until = total
         while (until > 0) {

@@ -43,8 +43,7 @@ class RuleResult internal constructor(val rule: Rule, val findings: List<Finding
  * Why a rule is skipped for a log.
  *
  * @property message the reason, such as "no topic is called “Arm”".
- * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
- * otherwise null.
+ * @property mistake the place in the file of rules if the rule itself seems to be wrong; null if it is only not made for this log.
  * @property lacking the signal that the log has no topic for; null for another reason.
  * @property simulated why the log is of a simulated robot, if that is the reason; otherwise null.
  */

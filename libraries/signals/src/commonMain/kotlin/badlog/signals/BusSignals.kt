@@ -278,7 +278,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     private companion object {
         const val MIN_MOTORS = 4
 
-        /** The correlation of current and voltage if the current is most of what the battery gives. */
+        /** The highest correlation of current and voltage at which the current is most of the battery's. */
         const val EXPLAINED = -0.5
         const val SWING_PERCENT = 3.0
         const val SWING_SECONDS = 4.0

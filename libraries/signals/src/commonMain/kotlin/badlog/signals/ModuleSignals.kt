@@ -99,7 +99,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     }
 
     private companion object {
-        /** How many times as far behind as the others a module is that does not follow. */
+        /** The lag above which a module does not follow, as a multiple of the others' lag. */
         const val BEHIND = 1.15
 
         /** The same where angles come seldom. */

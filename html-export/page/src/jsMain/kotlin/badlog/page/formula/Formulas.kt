@@ -101,7 +101,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     /** Returns the name of the topic that [definition] defines; null if it defines none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
-    /** The results of all definitions, in the order in which they may use each other. */
+    /** The results of all definitions, each after those that it uses. */
     val all: List<Formula> get() = formulas
 
     /** Returns the mistake in [text] as a definition, which replaces [replaced] unless that is null; null if [text] is valid. */

@@ -244,7 +244,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
         const val RATIO = 200L
 
-        /** Small logs may hold nearly nothing. Many small ones fill a disk, too, so that their sizes add up. */
+        /** The total size above which logs may not exceed [RATIO]. Small logs may be nearly empty, but many of them fill a disk, too. */
         const val RATIO_COUNTS_FROM = 64L shl 20
 
         /** Whether something of [compressed] bytes that has [size] bytes unpacked is smaller than any usual log. */

@@ -50,7 +50,7 @@ class Distribution internal constructor(
 /**
  * A signal with a distribution that is worth keeping.
  *
- * @property above smaller values are not values: before the first measurement, libraries log 0.
+ * @property above values below this one are ignored: libraries log 0 before the first measurement.
  * @property binWidth the width of a bin, in the unit of the signal; 0 for no bins.
  * @property bins the number of bins.
  */

@@ -36,7 +36,7 @@ fun dateInText(text: String): Long? {
     return if (isWrittenDate(text)) null else dateInName(text)?.second
 }
 
-/** Returns the time of a clock on the wall here at [second] since 1970 in UTC. It is in s since 1970 on that clock. */
+/** Returns the local time at [second], in s since 1970 in UTC. The result is in s since 1970 on the local clock. */
 expect fun localSecondOf(second: Long): Long
 
 private fun secondOf(year: Int, month: String, day: String, hour: String, minute: String, second: String): Long? {

@@ -8,7 +8,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The layout that a team has put beside its logs; windows and pages begin with it.
+ * The layout that a team has put beside its logs; windows and pages open with it.
  *
  * @property file the file; null if there is none.
  * @property text the content of the file, which is embedded in pages; null if there is none, or if it has a mistake.
