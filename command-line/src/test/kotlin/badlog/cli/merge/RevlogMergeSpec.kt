@@ -23,7 +23,7 @@ private fun revlog(from: Double, driven: List<ClosedRange<Double>>): ByteArray {
     val frames = ((from * 50).toInt() until 1500).map { it * 20 }
     val bytes = ByteBuffer.allocate(frames.size * 20).order(ByteOrder.LITTLE_ENDIAN)
     for (millis in frames) {
-        // A record of 16 bytes of status, whose kind has one byte and whose size has two.
+        // A record of 16 bytes of status: its kind is one byte, its size two bytes.
         bytes.put(0b0100).put(2).putShort(16)
         bytes.putInt(millis).putInt((2 shl 24) or (5 shl 16) or (46 shl 10) or 3)
         bytes.putLong(if (driven.any { millis / 1000.0 in it }) 16221L else 0L)

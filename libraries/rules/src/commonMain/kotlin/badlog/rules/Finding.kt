@@ -5,12 +5,12 @@ import badlog.core.recording.Severity
 import badlog.expression.Quantity
 
 /**
- * What a rule or a hook found in a log.
+ * A finding of a rule or a hook in a log.
  *
  * @property rule the name of the rule or the hook.
  * @property severity how serious it is.
  * @property topic the topic it is about; null if there is none.
- * @property text what was found, as a sentence: the rule's text with values filled in.
+ * @property text the finding as a sentence: the rule's text with values filled in.
  * @property time where to look first, in the unit of x; NaN if it is about the whole log.
  * @property spans when it was found, at most the first [MAX_SPANS], or [MAX_PLACES] if all were requested; a moment has a span
  *   without width. Empty if it is about the whole log.
@@ -19,12 +19,12 @@ import badlog.expression.Quantity
  * @property isOfHook whether a hook found it, rather than a rule.
  * @property evidence the full names of the topics that show it, those of the rule's condition first.
  * @property next what to look at next, as a sentence; empty if not given.
- * @property caveats what would make it wrong, each as a sentence: how rarely a topic is sampled, what was left out.
+ * @property caveats reasons to doubt it, each as a sentence: a rarely sampled topic, samples that were left out.
  * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
  *   another fault.
  * @property isOnTrial whether its rule has not been proven.
  * @property meanwhile the signals that were unusual nearly each time, by their names.
- * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
+ * @property texts the sentence for each of [spans], with its own values; empty if [text] applies to all of them.
  */
 class Finding(
     val rule: String,
@@ -44,7 +44,7 @@ class Finding(
     val isOnTrial: Boolean = false,
     val meanwhile: List<String> = emptyList(),
 ) {
-    /** Returns what was found at [place], one of [places]. */
+    /** Returns the sentence about [place], one of [places]. */
     fun textAt(place: Span): String = texts.getOrNull(spans.indexOf(place)) ?: text
 
     /** Returns the one of [places] that lasts over [x] or is nearest to it; null if there are none. */

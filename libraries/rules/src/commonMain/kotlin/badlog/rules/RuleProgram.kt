@@ -142,7 +142,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
-    /** The names of the topics whose samples the rules need, besides those of time and of when the robot was enabled. */
+    /** The names of the topics with samples that the rules need, besides the time and the topics that show when the robot was enabled. */
     val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf) +
         namesOfKind(vocabulary.signals.map { it.name }) + signals.of("battery").map { it.topic }
 

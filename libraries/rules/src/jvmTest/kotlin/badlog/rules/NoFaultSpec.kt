@@ -8,7 +8,7 @@ import io.kotest.matchers.string.shouldContain
 
 private const val POSE_X = "Odometry/Robot/translation/x"
 
-/** What real logs have and what is none of the robot's faults; each was taken for one once. */
+/** Harmless things in real logs, each of which was once taken for a fault. */
 class NoFaultSpec : FunSpec({
     fun TestMatch.rules() = findings().map { it.rule }
 

@@ -21,7 +21,7 @@ import badlog.viewer.choices.formula.usersOf
 import badlog.viewer.choices.mergedWith
 
 /**
- * The calculated topics of the page: its own, and those of its reader, which the browser remembers for the file. Each calculation is done
+ * The calculated topics of the page: its own, and its reader's, which the browser remembers for the file. Each calculation is done
  * in slices. Before a second one begins, the first is finished at once.
  *
  * @property logged the recording as it was logged.

@@ -65,7 +65,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private fun isOfSame(match: MatchOfLog): Boolean = robot.match.isSameAs(match) == true
 
-    /** Returns those of [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
+    /** Returns the [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
     private fun withEdges(candidates: List<Candidate<F>>): List<Candidate<F>> {
         val needed = maxOf(MIN_EDGES, robot.edges.size * 9 / 10)
         if (robot.edges.size < MIN_EDGES) return emptyList()
