@@ -49,7 +49,7 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("what motor controllers logged before the robot's 0 is left out, rather than put where it does not belong") {
+    test("samples of motor controllers from before the robot's 0 are left out, rather than moved") {
         inFolder { folder ->
             val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
             val late = arm.map { it.start + 2..it.endInclusive + 2 }
@@ -104,7 +104,7 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("it is called a REV log everywhere, and what is written of it is a WPILOG by name, too") {
+    test("every command calls it a REV log, and names its output like a WPILOG") {
         inFolder { folder ->
             val log = folder.with("REV_1.revlog", revlog(1.0, arm))
             said("info", log) shouldContain "format REV log,"

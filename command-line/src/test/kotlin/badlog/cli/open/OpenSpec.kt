@@ -76,7 +76,7 @@ class OpenSpec : FunSpec({
         }
     }
 
-    test("--page opens the page all the same, and a window that cannot be started is replaced by it") {
+    test("--page opens the page instead of the window, and so does a window that cannot be started") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val desk = Desk(folder, hasWindow = true, broken = setOf("badlog"))
