@@ -35,8 +35,8 @@ internal data class Panels(
     fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
 
     /**
-     * Whether the topics are visible beside the graphs: while a panel is open on the right, they are folded in a window that is not [isRoomy],
-     * unless a person has opened them there.
+     * Returns whether the topics are visible beside the graphs. While a panel is open on the right, they are folded in a window that is not
+     * [isRoomy], unless a person has opened them there.
      */
     fun showsTopics(isRoomy: Boolean): Boolean = topics && (isRoomy || inspector == null || keepsTopics)
 

@@ -58,8 +58,8 @@ internal class SignalStatistics(
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
 
 /**
- * Returns the statistics of [names] over [part] in each of [drawn], how the lines of each of [graphs] differ, and the channels of the first,
- * by [order]; calculates them all, so do not use it on the window's thread.
+ * Returns the statistics of [names] over [part] in each of [drawn]. Also returns how the lines of each of [graphs] differ, and the channels
+ * of the first recording, by [order]. Calculates all of that, so do not use it on the window's thread.
  *
  * @param opened the name of the signal with the open histogram; null for none.
  */

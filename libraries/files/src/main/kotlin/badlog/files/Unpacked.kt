@@ -26,7 +26,7 @@ public class Unpacked internal constructor(
 )
 
 /**
- * Runs [work] with the log [file], or with a temporary WPILOG made from it: a `.wpilogxz` is one compressed with xz, a `.revlog` of
+ * Runs [work] with the log [file], or with a temporary WPILOG made from it. A `.wpilogxz` is one compressed with xz, a `.revlog` of
  * REV's devices can be converted to one, and CTRE's own program converts a `.hoot` of CTRE's devices. All but the last are
  * recognized by their content.
  *

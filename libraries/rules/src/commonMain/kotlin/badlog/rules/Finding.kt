@@ -64,8 +64,8 @@ class Finding(
 }
 
 /**
- * Returns the findings, the worst first, and within a severity those of proven rules before those on trial, in the order of time; those about
- * the whole log come before those with a place.
+ * Returns the findings, the worst first. Within a severity, findings of proven rules come before those on trial, then in the order of time;
+ * findings about the whole log come before findings with a place.
  */
 fun List<Finding>.worstFirst(): List<Finding> =
     sortedWith(compareBy({ -it.severity.ordinal }, { it.isOnTrial }, { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }))

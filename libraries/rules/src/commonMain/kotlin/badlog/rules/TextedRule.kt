@@ -19,8 +19,8 @@ internal class TextedRule(
     private val once: RuleText by lazy { ONCE.fold(rule.text) { text, (counted, single) -> text.replacing(counted, single) } }
 
     /**
-     * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
-     * its current, and which saw the events [meanwhile].
+     * Returns the text for [value] at [time], found [count] times, over a total [length] of time. In that time, [channels] drew most, each
+     * with its current, and the events [meanwhile] occurred.
      */
     fun text(
         value: String,

@@ -26,8 +26,8 @@ internal fun effort(missed: Series, output: Series, full: Double): Series {
 }
 
 /**
- * Returns whether a part stands [away] from its target by more than [AWAY_PERCENT], at least [least] A and half as much [current] as it
- * ever takes driving it: 1 or 0. What only holds its place is near its target.
+ * Returns whether a part stands [away] from its target although it is driven: 1 or 0. Its error is above [AWAY_PERCENT], and its [current]
+ * at least [least] A and half of its maximum. A part that only holds its place is near its target.
  */
 internal fun heldBack(away: Series, current: Series, least: Double): Series {
     val held = current.heldAt(away.x)

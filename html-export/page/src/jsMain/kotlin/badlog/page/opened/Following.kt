@@ -18,8 +18,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Follows [log], which is being written on the page's server, until a person goes elsewhere in it, see [EndFollowing], or begins something
- * that the page of the grown log would not have: it is another page.
+ * Follows [log], which is being written on the page's server. It pauses when a person goes elsewhere in it, see [EndFollowing], or begins
+ * something that the page of the grown log would not have: it is another page.
  *
  * @param onGrown called with the log and its new content, once the page has finished with the content before.
  * @param onEnd called when it has ended; with a sentence if it ended by itself.

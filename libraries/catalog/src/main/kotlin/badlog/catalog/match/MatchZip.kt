@@ -21,9 +21,9 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 
 /**
- * The logs in the ZIP [file], which may have come from anywhere: a name from the ZIP leads nowhere but into a folder of badlog, links are
- * files like others, and whatever grows without end is refused. Anything but a `match.json`, the files that it names, and files that are
- * named like logs is passed over.
+ * The logs in the ZIP [file], which may have come from anywhere. A name from the ZIP leads nowhere but into a folder of badlog, links are
+ * files like others, and entries that grow without end are refused. It passes over anything but a `match.json`, the files that this names,
+ * and files that are named like logs.
  *
  * @throws NotReadException if it is not a ZIP, or not one that people make of logs.
  */

@@ -11,8 +11,8 @@ import badlog.signals.match.isSameAs
 class FoundStation<out F>(val log: F, val station: ClockedLog, val fit: ClockFit)
 
 /**
- * Finds the Driver Station log of the same match as the log [robot]: by the match, or else by when the robot was enabled, or else by the
- * time of day. Clocks are often wrong, so any of these may be the only clue.
+ * Finds the Driver Station log of the same match as the log [robot]. It compares the matches, otherwise the times of enabling, otherwise the
+ * times of day. Clocks are often wrong, so any of these may be the only clue.
  *
  * @param startOf returns when a log began, in s since 1970, if that is known before it is read; otherwise null.
  * @param read reads a log; returns null if it is not one.

@@ -68,8 +68,8 @@ class Following(
     }
 
     /**
-     * Returns by how much it stays away from its target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN while
-     * it comes nearer, and just after the robot was enabled.
+     * Returns the least error of the last [STAYED_SECONDS], in percent of the range. NaN while it comes nearer to its target, and just after
+     * the robot was enabled.
      */
     fun missed(): Series = unlessUnrelated(NEAR * range, ::away)
 

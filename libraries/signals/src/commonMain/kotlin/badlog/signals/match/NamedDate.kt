@@ -23,8 +23,8 @@ fun dateInName(name: String): NamedDate? {
 }
 
 /**
- * Returns the date in [text] on a clock on the wall here, in s since 1970 on that clock: as in ISO 8601, in RFC 1123, as Java's `Date`
- * is printed, month first with slashes, or seconds or milliseconds since 1970; otherwise null.
+ * Returns the local date in [text], in s since 1970 on the local clock; null if it has none. The text may be in ISO 8601, in RFC 1123, as
+ * Java's `Date` prints it, month first with slashes, or in seconds or milliseconds since 1970.
  */
 fun dateInText(text: String): Long? {
     val number = text.toDoubleOrNull()

@@ -51,7 +51,7 @@ class MatchManifest(val files: List<StatedFile>) {
         fun of(text: String): MatchManifest = try {
             val fields = JsonFields(JsonReader.readObject(text.removePrefix(BYTE_ORDER_MARK)))
             if (fields.number(VERSION_KEY) != VERSION) {
-                throw MatchManifestException("$NAME is of a newer badlog; update badlog.")
+                throw MatchManifestException("$NAME is from a newer badlog; update badlog.")
             }
             val files = fields.list(FILES_KEY) { item -> statedFile(JsonFields(item.members)) }
             files.groupBy { it.name.lowercase() }.values.find { it.size > 1 }?.let { twice ->
