@@ -29,7 +29,7 @@ import kotlin.io.path.readText
 
 private const val HEADER = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Speed"}],"values":[]}"""
 
-/** A bag of 60 s whose speed is 1, but 9 at 30 s. */
+/** A bag of 60 s with speed 1, but 9 at 30 s. */
 private val SLOW = HEADER + "\nTime,Speed\n" + (0..600).joinToString("") { "${it / 10.0},${if (it in 298..302) 9 else 1}\n" }
 
 private const val RULE = "[[rule]]\nname='Fast'\nseverity='warning'\nwhen='Speed > 5'\ntext='It was fast at {time}.'\n"

@@ -28,7 +28,7 @@ import kotlin.io.path.readText
 class TodoSpec : FunSpec({
     fun Path.withMatch() = apply { Files.copy(SAMPLES.resolve("qualification-42.bag"), resolve("qualification-42.bag")) }
 
-    // The log is years old, and so what was seen before it is not known.
+    // The log is years old, so earlier sightings are unknown.
     fun Path.write(subject: TodoSubject, deed: TodoDeed) = TodoFolder(this, "pit").append(newChange(subject, deed, "Ada", last = null).copy(seen = null))
 
     test("an error of the last matches is on the list until it is done; the checklist has the lines of rules and of the team") {

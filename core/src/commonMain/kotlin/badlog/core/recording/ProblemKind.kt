@@ -159,6 +159,6 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Whole numbers beyond 2^53 lost their last digits. */
     NUMBERS_ROUNDED(Severity.NOTE),
 
-    /** A log of a match is missing, cannot be read, or has no sure place in the match; it was left out. */
+    /** A log of a match is missing, cannot be read, or has no sure place in the match. It was left out. */
     LOG_LEFT_OUT(Severity.ERROR),
 }

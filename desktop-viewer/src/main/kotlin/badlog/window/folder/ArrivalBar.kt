@@ -26,7 +26,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** Names the log that has arrived and its result, until a person shows or postpones it; empty if none has arrived. */
+/** Names the log that has arrived and its result, until a person shows or postpones it. Empty if none has arrived. */
 @Composable
 internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
     val match = logs.state.latest ?: return

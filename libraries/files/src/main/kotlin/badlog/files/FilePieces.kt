@@ -12,7 +12,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     /** The file's size when it was opened. */
     val total: Long = reading(file) { channel.size() }
 
-    /** Returns the result of [look] for the first [size] bytes, or fewer if the file is shorter; the array is reused after the call. */
+    /** Returns the result of [look] for the first [size] bytes, or fewer if the file is shorter. The array is reused after the call. */
     fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
 
     /**

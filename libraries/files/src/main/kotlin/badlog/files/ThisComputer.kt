@@ -26,7 +26,7 @@ private fun nameInNetwork(): String = try {
     ""
 }.ifBlank { System.getenv("COMPUTERNAME").orEmpty() }.ifBlank { "laptop" }
 
-/** Returns the id of this computer, which the folder [settings] keeps; null if it can neither be read nor written there. */
+/** Returns the id of this computer, which the folder [settings] keeps. Null if it can neither be read nor written there. */
 internal fun computerId(settings: Path): String? {
     val file = settings.resolve("computer-id")
     return try {

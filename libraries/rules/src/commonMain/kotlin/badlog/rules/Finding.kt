@@ -50,7 +50,7 @@ class Finding(
     /** Returns the one of [places] that lasts over [x] or is nearest to it; null if there are none. */
     fun placeNear(x: Double): Span? = places.minByOrNull { maxOf(it.from - x, x - it.to, 0.0) }
 
-    /** All places where it was found, the one to look at first before the others; empty if it is about the whole log. */
+    /** All places where it was found, the one to look at first before the others. Empty if it is about the whole log. */
     val places: List<Span>
         get() = if (time.isFinite()) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
 

@@ -179,7 +179,7 @@ internal class RevlogHead private constructor(val headSize: Int, val size: Int, 
         /** The result if more bytes are needed to decide. */
         val MORE = RevlogHead(0, 0, false)
 
-        /** Returns the head at [at] in [bytes], which end at [until]; null for none, [MORE] if that is not clear yet. */
+        /** Returns the head at [at] in [bytes], which end at [until]. Null for none, [MORE] if that is not clear yet. */
         fun at(bytes: ByteArray, at: Int, until: Int): RevlogHead? {
             if (at >= until) return MORE
             val widths = bytes[at].toInt()

@@ -56,7 +56,7 @@ class Distribution internal constructor(
  */
 internal class DistributedSignal(val signal: String, val above: Double, val binWidth: Double = 0.0, val bins: Int = 0) {
     /**
-     * Returns the distribution of [series] with these weights, times in the unit of x; null for less than [least] in total. [second] is one second in
+     * Returns the distribution of [series] with these weights, times in the unit of x. Null for less than [least] in total. [second] is one second in
      * that unit.
      */
     fun of(series: Series, weights: DoubleArray, unit: String, second: Double, least: Double): Distribution? {

@@ -96,7 +96,7 @@ class Following(
         }
     }
 
-    /** Returns by how much it falls short of a constant target that is not 0, in percent of the target; NaN while either changes. */
+    /** Returns by how much it falls short of a constant target that is not 0, in percent of the target. NaN while either changes. */
     fun shortfall(): Series = unlessUnrelated(ROUGHLY * largest) {
         samples { i ->
             val wanted = abs(target[i])
@@ -129,10 +129,10 @@ class Following(
         Series(times, beyond)
     }
 
-    /** Returns by how much it swings around a constant target, from peak to peak in percent of the target; NaN if it does not swing. */
+    /** Returns by how much it swings around a constant target, from peak to peak in percent of the target. NaN if it does not swing. */
     fun swing(): Series = swings { abs(target[it]) }
 
-    /** Returns by how much a place swings around a constant target, from peak to peak in percent of the range; NaN if it does not swing. */
+    /** Returns by how much a place swings around a constant target, from peak to peak in percent of the range. NaN if it does not swing. */
     fun placeSwing(): Series {
         // Where there is hardly more than one target, noise is large beside their range.
         val whole = max(range, spreadOf(measured))

@@ -5,7 +5,7 @@ import badlog.viewer.state.Action
 
 /** A part of a panel's content, as data: each shell draws each kind once. */
 sealed interface Part {
-    /** Identifies the part among those beside it, so that focus and scrolling stay; its first word is the kind of the part. */
+    /** Identifies the part among those beside it, so that focus and scrolling stay. Its first word is the kind of the part. */
     val key: String
 }
 

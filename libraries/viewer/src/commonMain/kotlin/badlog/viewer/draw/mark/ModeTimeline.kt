@@ -34,7 +34,7 @@ enum class RobotMode(val title: String) {
     ENABLED("Enabled"),
 }
 
-/** A part of x over which the robot was in [mode], and ran the op mode named [opMode]; null if there is none. */
+/** A part of x over which the robot was in [mode], and ran the op mode [opMode], null for none. */
 class ModeSpan(val span: Span, val mode: RobotMode, private val opMode: String? = null) {
     /** The name of the phase: `Teleop`, or with an op mode `Auto (Two pieces)`. */
     internal val title: String get() = if (opMode == null) mode.title else "${mode.title} ($opMode)"

@@ -26,7 +26,7 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
         }
     }
 
-    /** The highest speed of a wheel, actual or target, in m/s, except for the few highest samples; 0 if no wheel turned. */
+    /** The highest speed of a wheel, actual or target, in m/s, except for the few highest samples. 0 if no wheel turned. */
     val fastest: Double by lazy { modules.maxOf { maxOf(it.actual.fastest, it.target?.fastest ?: 0.0) } }
 
     /** The errors of the modules relative to their targets; null if unknown, see [errorsLack]. The first use reads all samples. */

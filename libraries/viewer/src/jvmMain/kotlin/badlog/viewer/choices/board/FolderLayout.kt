@@ -54,7 +54,7 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             throw unreadable(folder, e)
         }
 
-        /** Returns the name of the kept layout in [file]; null if it is not a layout, or is a default one. */
+        /** Returns the name of the kept layout in [file]. Null if it is not a layout, or is a default one. */
         fun nameOf(file: Path): String? {
             val name = file.fileName.toString()
             return name.removeSuffix(BoardLayout.ENDING).takeIf { it != name && it !in TYPES && name != NAME }
