@@ -83,8 +83,8 @@ internal class TableCommand :
 }
 
 /**
- * Makes the table that [tableWith] returns for the signals of the logs' folder, with a row for every log below [paths], and columns for the
- * topics of [only].
+ * Makes the table that [tableWith] returns for the signals of the logs' folder. It has a row for every log below [paths], and columns for
+ * the topics of [only].
  */
 internal class TableTask(
     private val paths: List<Path>,

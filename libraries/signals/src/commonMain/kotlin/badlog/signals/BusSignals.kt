@@ -30,8 +30,8 @@ import badlog.signals.swerve.ModuleTopics
 import kotlin.math.abs
 
 /**
- * Signals of [devices] on the CAN bus that are named by their ids alone. Their mechanism is inferred from their behavior, so a signal may turn
- * out to have no samples; findings name the device.
+ * Signals of [devices] on the CAN bus that are named by their ids alone. Their mechanism is inferred from their behavior, so a signal may
+ * turn out to have no samples; findings name the device.
  */
 internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<ModuleTopics>) {
     private val motors = devices.filter { it.isMotor }

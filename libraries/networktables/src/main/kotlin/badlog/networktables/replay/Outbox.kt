@@ -1,8 +1,7 @@
 package badlog.networktables.replay
 
 /**
- * Values still to be sent to one client, in limited memory: if it is too slow for all of them, it only gets the latest of each
- * topic.
+ * Values still to be sent to one client, in limited memory. A client that is too slow for all of them only gets the latest of each topic.
  */
 internal class Outbox(signalCount: Int, private val limit: Int) {
     private val waiting = ArrayDeque<Update>()

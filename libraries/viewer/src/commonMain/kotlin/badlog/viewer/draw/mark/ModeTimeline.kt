@@ -67,7 +67,7 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     private fun spanAt(x: Double) = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }
 
     /**
-     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and `Disabled 0:16`
+     * Returns the phase and the time since the robot was enabled at [x]. Examples: `Teleop 1:23`, `Auto (Two pieces) 0:12`; `Disabled 0:16`
      * while it is disabled within a match. Null if the log does not say when it was enabled, or if x is not a time.
      */
     fun clockAt(x: Double): String? {
