@@ -44,8 +44,8 @@ internal class TodoMark(private val number: Int, private val isDone: Boolean, pr
         val title = "“${list.numbered[number - 1].title}”"
         return when {
             change != null -> "$title is ${if (isDone) "done" else "to be done"} now."
-            isDone -> "$title was done already; nothing was written. Say with --what what was done."
-            else -> "$title is already to be done; nothing was written."
+            isDone -> "$title was done already; nothing was written. Describe with --what what was done."
+            else -> "$title is already open; nothing was written."
         }
     }
 }

@@ -404,7 +404,7 @@ class MatchSpec : FunSpec({
             val json = badlogJson("merge", folder / "match.zip", folder / "leg.wpilog", "--align", "enabled", "-o", folder / "all.wpilog").json.single()
             json.getValue("moved").jsonArray.size shouldBe 1
             badlogJson("info", folder / "all.wpilog").json.single().topics() shouldContain "/Leg/Angle"
-            badlog("merge", folder / "match.zip", folder / "leg.wpilog", "-o", folder / "more.zip").oneLine() shouldContain "name these, to make one ZIP"
+            badlog("merge", folder / "match.zip", folder / "leg.wpilog", "-o", folder / "more.zip").oneLine() shouldContain "name them to make one ZIP"
             badlog("info", folder / "match.zip", "--with-ds").oneLine() shouldContain "--with-ds has no effect on a ZIP"
         }
     }

@@ -79,7 +79,7 @@ class RulesCommandSpec : FunSpec({
                 shouldContain("ok fires/Fast/a.bag: It was fast at 29.8 s.")
                 shouldContain("failed silent/Fast/b.bag: It was fast at 29.8 s.")
                 shouldContain("failed silent/Warm/c.bag: The rule could not run: ")
-                shouldContain("failed silent/Cold/d.bag: There is no rule “Cold”; name the folder as the rule is called.")
+                shouldContain("failed silent/Cold/d.bag: There is no rule “Cold”; give the folder the name of a rule.")
                 shouldContain("2 rules, 5 slices: 1 passes, 4 fail.")
                 shouldContain("“Warm” has no slice in which it must find something; add one with badlog rules new.")
                 shouldContain("“run.sh” is not part of a pack, and is ignored.")

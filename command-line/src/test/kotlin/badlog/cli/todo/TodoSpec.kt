@@ -67,7 +67,7 @@ class TodoSpec : FunSpec({
             again shouldContain "[x] Browned out"
             val place = again.lines().first { "Browned out" in it }.trim().substringBefore(' ')
             badlog("todo", folder, "--no-cache", "--done", place, "--by", "Ben").err shouldContain
-                "“Browned out” was done already; nothing was written. Say with --what what was done."
+                "“Browned out” was done already; nothing was written. Describe with --what what was done."
             TodoFolder(folder).read().changes.size shouldBe 1
             val more = badlog("todo", folder, "--no-cache", "--done", place, "--what", "new breaker", "--by", "Ben")
             more.err shouldContain "“Browned out” is done now."
@@ -78,7 +78,7 @@ class TodoSpec : FunSpec({
             opened.out shouldContain "[ ] Browned out"
             val openPlace = opened.out.lines().first { "Browned out" in it }.trim().substringBefore(' ')
             badlog("todo", folder, "--no-cache", "--open", openPlace).err shouldContain
-                "“Browned out” is already to be done; nothing was written."
+                "“Browned out” is already open; nothing was written."
             TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction, TodoDeed.Open)
         }
     }

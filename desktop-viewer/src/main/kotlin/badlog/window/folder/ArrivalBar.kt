@@ -50,7 +50,7 @@ internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
             maxLines = 2,
             overflow = TextOverflow.Ellipsis,
         )
-        ToolButton("Show the new log and the worst in it ($SHOW_KEY)", text = "Show", color = palette.accent, onClick = onShow)
+        ToolButton("Show the new log, at its worst finding ($SHOW_KEY)", text = "Show", color = palette.accent, onClick = onShow)
         ToolButton("Hide this; the log stays in the list", text = "Later") { logs.leave() }
     }
 }

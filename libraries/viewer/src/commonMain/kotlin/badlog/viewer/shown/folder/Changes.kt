@@ -18,7 +18,7 @@ data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList
         const val TITLE: String = "Unlike the matches before"
 
         /** Returns the hint for a click on [difference]: its effect, and what to look at next. */
-        fun hintOf(difference: Finding): String = "Draw it over the match before. ${difference.next}".trim()
+        fun hintOf(difference: Finding): String = "Draw it over the previous match. ${difference.next}".trim()
     }
 }
 

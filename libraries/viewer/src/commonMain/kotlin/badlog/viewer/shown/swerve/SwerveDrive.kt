@@ -39,7 +39,7 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
     companion object {
         /** The sentence for a log without modules. */
         const val NONE: String =
-            "This log has no swerve modules that badlog knows; log SwerveModuleState, or speed and angle of each module."
+            "This log has no swerve modules that badlog recognizes; log SwerveModuleState, or speed and angle of each module."
 
         /** The displayed meaning of the arrows. */
         const val ARROWS: String = "Solid: actual. Outline: target."
