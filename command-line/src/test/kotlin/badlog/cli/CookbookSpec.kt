@@ -41,7 +41,7 @@ class CookbookSpec : FunSpec({
             for ((question, value) in wanted) {
                 val number = value.jsonPrimitive.double
                 withClue("$question of rows") { numberOf(question, bag) shouldBe (number plusOrMinus 1e-9 + 1e-7 * abs(number)) }
-                // Counts of samples are those of what was logged; times of a WPILOG are whole microseconds.
+                // Samples are counted as logged; times of a WPILOG are whole microseconds.
                 if ("sample_" in question) continue
                 withClue("$question of changes") { numberOf(question, changes) shouldBe (number plusOrMinus 2e-5 + 2e-4 * abs(number)) }
             }

@@ -16,7 +16,7 @@ private const val LOG = "Größe über alles.bag"
 private const val OLD_LIMIT = 260
 private val DEEP = List(12) { "ein Ordner mit langem Namen $it" }.joinToString("/")
 
-/** What is asked of both machines, one after the other: a later command also sees the files of earlier ones. */
+/** The commands for both machines, one after the other: a later command also sees the files of earlier ones. */
 private val COMMANDS = listOf(
     listOf("info", LOG),
     listOf("info", "--json", LOG),
@@ -34,7 +34,7 @@ private val COMMANDS = listOf(
     listOf("mcp", "."),
 )
 
-/** What an assistant says: it lists the logs. */
+/** The messages of an assistant that lists the logs. */
 private val CONVERSATION = listOf(
     """{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"protocolVersion":"2025-06-18","capabilities":{},"clientInfo":{"name":"t","version":"1"}}}""",
     """{"jsonrpc":"2.0","method":"notifications/initialized"}""",
@@ -61,7 +61,7 @@ private fun folderIn(root: File) = File(root, "Prüfung der Größe").apply {
 /** What Wine itself says now and then, on a busy machine, of faults that Java handles. */
 private val SAID_BY_WINE = Regex("(?m)^wine: .*\n")
 
-/** What is said, with the exit code; a machine's ways of writing line ends and paths are made one. */
+/** The output, with the exit code; line ends and paths are written alike for both machines. */
 private fun saidBy(run: LimitedRun) = run.text.replace("\r\n", "\n").replace(SAID_BY_WINE, "").replace(WRITTEN, "").replace('\\', '/') + "-> ${run.code}"
 
 /** The names of the files that commands have made in [folder], and their bytes; but not of the tables, which hold paths and times. */

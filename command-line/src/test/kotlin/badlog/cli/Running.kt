@@ -46,7 +46,7 @@ internal val BAG: String = """
 /** The same bag after a loss of power in its last row. */
 internal val CUT_BAG: String = BAG.dropLast(9)
 
-/** What the program said and returned. */
+/** The output and exit code of the program. */
 internal class Ended(val code: ExitCode, val out: String, val err: String) {
     /** Each line of the output as a JSON object. */
     val json: List<JsonObject> get() = out.lines().filter { it.isNotEmpty() }.map { Json.parseToJsonElement(it).jsonObject }

@@ -18,7 +18,7 @@ internal class LogFile(path: File, val output: BagOutput) {
     @Volatile
     var isMissing: Boolean = false
 
-    /** Renames it, while others append to it holding [lock]. Returns false, with its name unchanged, if that fails. */
+    /** Renames the file. Others may append to it, holding [lock]. Returns false, with its name unchanged, if that fails. */
     fun rename(to: File, lock: Any): Boolean = output.rename(to, lock).also { if (it) path = to }
 
     /** Closes it. Reports a failure, since the disk may be gone by then. */
@@ -32,7 +32,7 @@ internal class LogFile(path: File, val output: BagOutput) {
         }
     }
 
-    /** Closes and deletes it, because its log was closed before it began. */
+    /** Closes and deletes the file of a log that was closed before it began. */
     fun discard(faults: Faults) {
         close(faults)
         // Not a device or a pipe.

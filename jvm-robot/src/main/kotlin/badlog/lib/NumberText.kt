@@ -4,8 +4,8 @@ import badlog.core.bag.RowWriter
 import java.util.function.Function
 
 /**
- * Converts a log's numbers to text: by core's formatter, or by the program's own [function] once it is set. The function that was set when
- * a number was supplied or published converts it.
+ * Converts a log's numbers to text: by core's formatter, or by the program's own [function] once it is set. A number is converted by the
+ * function that was set when it was supplied or published.
  */
 internal class NumberText(private val faults: Faults) {
     /** The program's own function, if any, for numbers from now on. */

@@ -44,7 +44,7 @@ class Qualification42Spec : FunSpec({
         view.samples("Pneumatics/Compressor On", PUSH_BEGINS, 93.0).min() shouldBe 1.0
     }
 
-    test("the old battery has a higher resistance than that of the practice run") {
+    test("the old battery has a higher resistance than the battery of the practice run") {
         resistance(view, until = 90.0) shouldBeGreaterThan 1.4 * resistance(viewOf("practice.bag"), until = 40.0)
     }
 

@@ -44,13 +44,13 @@ internal class AssignTask(
         }
         val above = generateSequence(folder.parent) { it.parent }.map { it.resolve(SignalsFile.NAME) }.firstOrNull(Files::isRegularFile)
         if (isNew && above != null) {
-            console.warn("$above names signals, too. The window uses the nearest file only: copy the names in it that you need.")
+            console.warn("$above also names signals. The window uses only the nearest file; copy the names that you need into it.")
         }
         console.say(
             if (isJson) {
                 Spelling.ascii("${jsonOf(AssignedJson("assign", "$log", "whole", "$written", signal, topic))}")
             } else {
-                "“$signal” is “$topic” in all logs of $folder now; $written says so."
+                "“$signal” is “$topic” in all logs of $folder, as $written now says."
             },
         )
         return ExitCode.WHOLE

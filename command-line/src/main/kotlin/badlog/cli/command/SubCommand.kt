@@ -76,7 +76,7 @@ internal abstract class SubCommand(
         examplesText(context.parent?.command?.commandName.orEmpty(), examples) + paragraph(EXIT_CODES)
 }
 
-/** Returns the part of a help text with [examples], command lines of [program] without its name; empty if there are none. */
+/** Returns the part of a help text with [examples], command lines of [program] without its name. Empty if there are none. */
 internal fun examplesText(program: String, examples: List<String>): String =
     if (examples.isEmpty()) "" else examples.joinToString("\n", "Examples:\n", "\n\n") { "  $program $it" }
 

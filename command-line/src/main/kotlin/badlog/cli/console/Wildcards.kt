@@ -60,7 +60,7 @@ internal fun unreachable(arguments: List<String>, message: String, system: Strin
     val argument = arguments.filter { it.any(WILD::contains) && path.startsWith(oneLine(it)) }.maxByOrNull { it.length } ?: return null
     // Elsewhere, a pattern that matches no file is looked for as a file of that name.
     if ('?' !in argument) return missingSentence(argument)
-    return "“$argument” has letters that Windows did not pass on, or means several files; name the folder above it."
+    return "“$argument” has characters that Windows did not pass on, or stands for several files; name the folder above it."
 }
 
 // The help may break long lines.

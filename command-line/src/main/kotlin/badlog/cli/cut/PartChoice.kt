@@ -53,10 +53,10 @@ internal class EventChoice(private val text: String, private val before: Double,
 
     private fun rowsOf(topic: Topic): List<Int> {
         val texts = topic.texts
-        val isMeant = BooleanArray(texts.dictionary.size) { texts.dictionary[it].contains(text, ignoreCase = true) }
+        val hasText = BooleanArray(texts.dictionary.size) { texts.dictionary[it].contains(text, ignoreCase = true) }
         // A state is in every row; only its start counts.
         val isState = topic.kind == TopicKind.STATE && "log" !in topic.attributes
-        return (0 until texts.size).filter { isMeant[texts.ids[it]] && (!isState || begins(topic, it)) }
+        return (0 until texts.size).filter { hasText[texts.ids[it]] && (!isState || begins(topic, it)) }
             .map { texts.rows[it] }
     }
 

@@ -78,7 +78,7 @@ internal class ExportTask(
             return ExitCode.USAGE
         }
         if (video != null && (paths.size > 1 || Files.isDirectory(paths[0]))) {
-            console.warn("--video shows one match; name its log only.")
+            console.warn("--video shows one match; name only its log.")
             return ExitCode.USAGE
         }
         val named = try {

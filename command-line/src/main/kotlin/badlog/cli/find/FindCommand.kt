@@ -30,8 +30,8 @@ internal class FindCommand :
     LogCommand(
         "find",
         "Answers a question for every log.",
-        "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached, so " +
-            "that a log that has not changed is not read again.",
+        "The question is an expression, such as 'min(System/Battery Voltage) < 7'. Answers are cached: " +
+            "a log that has not changed is not read again.",
     ) {
     private val question by argument("QUESTION").help("An expression over the topics of a log.")
     private val virtual by VirtualTopicOption()

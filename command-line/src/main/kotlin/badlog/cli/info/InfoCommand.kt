@@ -43,7 +43,7 @@ internal class InfoCommand :
     ) {
     private val showsTopics by option("--topics").flag().help("Show the topics, of several logs too.")
     private val showsAttributes by option("--attributes").flag().help("Show the topics with their attributes.")
-    private val showsSignals by option("--signals").flag().help("Show which topic is the battery, and so on.")
+    private val showsSignals by option("--signals").flag().help("Show which topic is which signal, such as the battery.")
     private val showsValues by option("--values").flag().help("Show the values, of several logs too.")
     private val showsProblems by option("--problems").flag().help("Show the problems, of several logs too.")
     private val xTopic by option("--x", metavar = "TOPIC").help("Use this topic as x axis; CSV does not name one.")

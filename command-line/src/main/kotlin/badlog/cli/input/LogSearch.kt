@@ -39,7 +39,7 @@ internal class LogSearch(private val opensMatches: Boolean = false, private val 
     /**
      * The result of a search.
      *
-     * @property inputs each log once, as the first of its files, in the order of the arguments, and within a folder in that of their names.
+     * @property inputs each log once, as the first of its files: in the order of the arguments, and within a folder by name.
      * @property failures the folders that could not be read.
      */
     class SearchResult(val inputs: List<LogInput>, val failures: List<UnreadableFileException>)

@@ -37,7 +37,7 @@ internal fun readLog(
     return if (xTopic == null) recording else recording.withX(xTopic, file)
 }
 
-/** Any bytes with line ends count as a damaged table; nobody would recognize a WPILOG in that form. */
+/** Any bytes with line ends count as a damaged table, in which a WPILOG could not be recognized. */
 private fun isFormerWpilog(file: Path, recording: Recording) =
     recording.format == RecordingFormat.CSV && recording.isSalvaged && recording.rowCount > 0 &&
         FileName.of(file).ending.lowercase() in WpilogFormat.endings

@@ -13,7 +13,7 @@ internal class LakeCommand(private val parts: PluginLoader) :
         "lake",
         "Makes Parquet files of logs, for DuckDB, Spark, pandas and others.",
         "Writes a file per log, and tables of all logs (matches, topics, statistics, events, findings), to the folder --out. Run " +
-            "again, it reads only logs that changed, and removes those whose files are gone. docs/season.md describes the files.",
+            "again, it reads only logs that changed, and removes the tables of logs that are gone. docs/season.md describes the files.",
     ) {
     private val out by option(
         "-o",

@@ -84,7 +84,7 @@ internal class MovedLogs(
  */
 internal class ClockChoice(private val offsets: List<Offset>, private val alignsEnabled: Boolean) {
     /**
-     * Returns [parts], moved.
+     * Returns [parts] with their times moved to one clock.
      *
      * @param station the one of them that is a Driver Station log, to be put beside a robot's.
      * @throws Failure if one cannot be moved.

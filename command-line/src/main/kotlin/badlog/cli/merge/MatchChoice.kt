@@ -50,7 +50,7 @@ internal sealed interface MatchChoice {
     }
 }
 
-/** Returns the result of [work] on what [match] makes of [paths]; if that fails, reports it as a failure of [command]. */
+/** Returns the result of [work] on what [match] makes of [paths]. If that fails, reports it as a failure of [command]. */
 internal fun matched(
     command: String,
     paths: List<Path>,

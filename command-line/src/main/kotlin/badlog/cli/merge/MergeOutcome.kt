@@ -75,7 +75,7 @@ private fun textLines(merge: Merged, leftOut: Omissions): List<String> = buildLi
     addAll(renamedLines(merge))
 }
 
-/** Returns the topics and values with another name than in their logs. */
+/** Returns a line for each topic and value that was renamed. */
 internal fun renamedLines(merge: Merged): List<String> = buildList {
     for (renaming in merge.renamed.take(LISTED)) {
         val why = if (renaming.reason.isEmpty()) "" else "; ${renaming.reason}"

@@ -20,7 +20,7 @@ internal class MergeTask(
     override fun run(console: Console): ExitCode {
         val outcomes = Outcomes("merge", console, isJson)
         try {
-            // Checked before any work, so that nobody waits in vain.
+            // Checked before any work, to save a useless wait.
             val target = plan.checked(out)
             val logs = PartReader(console, outcomes, xTopic).partsOf(paths)
             outcomes.done(target, console.progress(target.fileName.toString()).use { merging.write(logs, target, it) }.outcome)

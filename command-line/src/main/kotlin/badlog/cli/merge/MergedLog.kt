@@ -73,7 +73,7 @@ internal class LogBesideStation(private val merging: Merging, private val isJson
     override fun make(file: Path, made: Path, checkpoint: () -> Unit): List<Problem> {
         val place = placeOf(file)
         if (place == null) {
-            say("$file: --with-ds has no effect on a ZIP or match.json; put the Driver Station's log into that.")
+            say("$file: --with-ds has no effect on a ZIP or match.json; put the Driver Station's log into it.")
             return MatchMaker.make(file, made, checkpoint)
         }
         val part = readPart(file) ?: throw UnreadableFileException(file, "$file has changed while it was read; try again.")

@@ -58,7 +58,7 @@ internal class Merging(
         val robots = logs.filter { it.role == FileRole.ROBOT && !it.isMatch }
         // A camera's log, for example, does not show when the robot was enabled.
         val robot = robots.find { clocked(it).edges.isNotEmpty() } ?: robots.firstOrNull()
-            ?: throw Failure("--with-ds needs the log of a robot; name one.")
+            ?: throw Failure("--with-ds needs a robot's log; name one.")
         return finder.of(robot, folderBeside(robot.file, folder), acceptsOnly)
     }
 
@@ -79,7 +79,7 @@ internal class Merging(
 
     /** The files of [parts] stay as they are, with the known clocks beside them. */
     private fun zipped(parts: List<LogPart>, moved: MovedLogs, target: Path): MergeResult {
-        moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} is of several logs; name these, to make one ZIP of all.") }
+        moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} consists of several logs; name them to make one ZIP of all.") }
         val known = (moved.placed + leadIn(moved)).toMutableSet()
         do {
             val more = moved.besides.filter { (part, beside) -> part !in known && beside in known }.keys
@@ -107,7 +107,7 @@ internal class Merging(
             parts.zip(files) { part, file -> MatchFile("${part.file}", part.role, clocked(part), file.seconds, file.error) },
         )
         val (other, why) = found.left.firstOrNull()
-            ?: found.matches.getOrNull(1)?.robot?.let { it to "Nothing shows for sure how the clock of ${it.name} fits the other logs." }
+            ?: found.matches.getOrNull(1)?.robot?.let { it to "It is not certain how the clock of ${it.name} fits the other logs." }
             ?: return
         val remedy = " For a ZIP that opens as one match, use --align enabled, or --offset ${other.name}=SECONDS."
         throw Failure(why + if (other.log.hasClock) remedy else "")
@@ -118,7 +118,7 @@ internal class Merging(
         val robots = moved.parts.filter { it.role == FileRole.ROBOT }
         val kept = robots.filter { it.offset == 0.0 }.ifEmpty { robots }
         return kept.find { clocked(it).edges.isNotEmpty() } ?: kept.firstOrNull()
-            ?: throw Failure("A ZIP of a match needs the log of a robot, whose clock is that of the match; name one.")
+            ?: throw Failure("A ZIP of a match needs a robot's log, because the match has its clock; name one.")
     }
 }
 

@@ -14,7 +14,7 @@ import badlog.report.withX
 import java.nio.file.Path
 
 /**
- * Reads logs that become one; those that cannot be read are reported to [outcomes], and left out.
+ * Reads the logs to merge. Those that cannot be read are reported to [outcomes], and left out.
  *
  * @param xTopic the topic to use as x axis in each log that has rows; null for the log's own.
  */

@@ -32,10 +32,10 @@ internal class OpenCommand(private val computer: Computer) :
         listOf("open match.bag", "open logs", "open match.bag --page", "open --browser", "open logs --pit")
 
     override fun makeTask(): Task {
-        if (isPit && isBrowser) throw UsageError("name --browser or --pit: the pit view is a part of the window")
+        if (isPit && isBrowser) throw UsageError("--browser and --pit cannot be used together, since the pit view is a part of the window")
         if (isBrowser && paths.size < 2) return OpenBrowserTask(paths.singleOrNull(), computer, isJson)
         val path = paths.singleOrNull() ?: throw UsageError("name one log or one folder to open")
-        if (isPit && isPage) throw UsageError("name --page or --pit: the pit view is a part of the window")
+        if (isPit && isPage) throw UsageError("--page and --pit cannot be used together, since the pit view is a part of the window")
         return OpenTask(path, isPage, isPit, computer, isJson)
     }
 }

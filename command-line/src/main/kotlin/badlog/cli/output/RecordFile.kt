@@ -20,7 +20,7 @@ internal fun recordsOf(log: Path): RecordLog = RecordLog.Reader().run {
     finish()
 }
 
-/** Returns the records of [recording] as a WPILOG, and what that cannot express. */
+/** Returns the records of [recording] as a WPILOG, and the data that a WPILOG cannot hold. */
 internal fun recordsOf(recording: Recording, changesOnly: Boolean = false): Pair<RecordLog, Omissions> = RecordLog.Reader().run {
     val omissions = WpilogWriter(recording, changesOnly).write { bytes, size -> accept(bytes, 0, size) }
     finish() to Omissions(omissions = omissions)

@@ -12,7 +12,7 @@ import kotlin.math.max
 import kotlin.math.roundToInt
 
 /**
- * Returns a condition that is true at [moment] of [view] and nowhere outside [around]; if there is none, one that is true nowhere else in
+ * Returns a condition that is true at [moment] of [view] and nowhere outside [around]. If there is none, one that is true nowhere else in
  * [around]. It is about the topic that differs most from its other samples, with a limit halfway between both. It is only a beginning, which a
  * person may change. Null if no topic has an unusual value at the moment.
  *

@@ -43,7 +43,7 @@ internal class SliceCheck(private val pack: RulePack) {
             ?: return SliceVerdict(
                 slice,
                 null,
-                "There is no rule “${slice.folder}”; name the folder as the rule is called.",
+                "There is no rule “${slice.folder}”; give the folder the name of a rule.",
                 passes = false,
             )
         return try {
@@ -74,7 +74,7 @@ internal class SliceCheck(private val pack: RulePack) {
             val recording = readLog(file, { _, _ -> })
             return rules.over(LogView.of(recording.overItsTime()), name)
         } catch (e: NotReadException) {
-            if (e.why.isLasting) throw Failure("“${slice.name}” is not a log; cut a slice anew from one.")
+            if (e.why.isLasting) throw Failure("“${slice.name}” is not a log; cut a new slice from one.")
             throw Failure(e.why.sentence.replace("$file", slice.name))
         } catch (e: PackException) {
             throw Failure(e.message)

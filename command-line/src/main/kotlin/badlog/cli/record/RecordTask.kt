@@ -97,7 +97,7 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
     /** Returns the reason why there is none, as a sentence. */
     @Synchronized
     fun nothing(places: String): String = if (isConnected) {
-        "Nothing was recorded, because the robot was not enabled; without --each-enable, the whole session is."
+        "Nothing was recorded, because the robot was not enabled; leave out --each-enable to record the whole session."
     } else {
         "No NetworkTables server answered at $places, so nothing was recorded; check the network, or name the robot's address."
     }

@@ -55,7 +55,7 @@ internal class ReportPages(private val folder: ReportFolder) {
             throw e
         } catch (e: Throwable) {
             // Also an error of loading a class or of finding fonts: without charts, the index of the pages is still useful.
-            outcomes.leaveOut("Charts cannot be drawn, so that the index has none: ${e.message ?: e.javaClass.simpleName}")
+            outcomes.leaveOut("Charts cannot be drawn, so the index has none: ${e.message ?: e.javaClass.simpleName}")
             PageCharts.NONE
         }
         try {

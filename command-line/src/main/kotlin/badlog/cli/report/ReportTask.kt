@@ -43,10 +43,10 @@ import kotlin.io.path.name
  * Runs rules and hooks over every log below [paths].
  *
  * @param search what to look for.
- * @param pagesPlan what is asked of the pages and their index; null for none.
+ * @param pagesPlan the requested pages and their index; null for none.
  * @param cache the folder for cached findings; null for none.
  * @param xTopic the topic to use as x axis, or null.
- * @param station the folder to search for Driver Station logs of the same matches, which provide what the robot's logs lack; empty for
+ * @param station the folder to search for Driver Station logs of the same matches, which add to the robot's logs; empty for
  *   the folder of each log, null for none.
  * @param parts finds what draws charts.
  * @param match which logs are read as one.

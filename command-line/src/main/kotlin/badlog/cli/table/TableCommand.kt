@@ -45,7 +45,7 @@ internal class TableCommand :
     private val condition by option(
         "--where",
         metavar = "CONDITION",
-    ).help("Only logs that meet it: \"Match Type = 'Playoff'\".")
+    ).help("Only logs with this header value: \"Match Type = 'Playoff'\".")
     private val isCsv by option("--csv").flag().help("Print CSV.")
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()
@@ -83,8 +83,8 @@ internal class TableCommand :
 }
 
 /**
- * Makes the table that [tableWith] returns for the signals of the logs' folder, with a row for every log below [paths], and columns for the
- * topics of [only].
+ * Makes the table that [tableWith] returns for the signals of the logs' folder. It has a row for every log below [paths], and columns for
+ * the topics of [only].
  */
 internal class TableTask(
     private val paths: List<Path>,

@@ -8,8 +8,8 @@ import badlog.files.terminal.startOf
 internal const val LINE_WIDTH = 80
 
 /**
- * Returns [first], then [text] in lines of [width] that are broken between words, or inside a word longer than a line; further
- * lines are indented by [indent].
+ * Returns [first], then [text], in lines of [width]. Lines are broken between words, or inside a word longer than a line; further lines are
+ * indented by [indent].
  */
 internal fun wrapped(first: String, text: String, indent: Int = displayWidth(first), width: Int = LINE_WIDTH): String {
     val lines = WrappedLines(first, indent, width)

@@ -24,7 +24,7 @@ internal class TodoCommand :
     private val page by option("-o", "--out", metavar = "FILE").path().help("Also write the list as a page there: list.html.")
     private val isForced by option("--force").flag().help("Replace a file that is not such a page.")
     private val done by option("--done", metavar = "N").int().help("Mark the item with this number as done.")
-    private val open by option("--open", metavar = "N").int().help("Mark it as to be done, once more.")
+    private val open by option("--open", metavar = "N").int().help("Mark it as open again.")
     private val what by option("--what", metavar = "TEXT").help("What was done.")
     private val author by option("--by", metavar = "NAME").help("Who did it; default: the name of your account.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")

@@ -23,7 +23,7 @@ internal val TodoList.numbered: List<TodoItem> get() = open + done
  */
 internal class TodoMark(private val number: Int, private val isDone: Boolean, private val what: String, private val author: String) {
     /**
-     * Returns the change of [list], which was made of [known] changes and [logs]; null if the item already has that state, and there is no
+     * Returns the change of [list], which was made of [known] changes and [logs]. Null if the item already has that state, and there is no
      * new text.
      *
      * @throws Failure if there is no such item.
@@ -44,8 +44,8 @@ internal class TodoMark(private val number: Int, private val isDone: Boolean, pr
         val title = "“${list.numbered[number - 1].title}”"
         return when {
             change != null -> "$title is ${if (isDone) "done" else "to be done"} now."
-            isDone -> "$title was done already; nothing was written. Say with --what what was done."
-            else -> "$title is already to be done; nothing was written."
+            isDone -> "$title was done already; nothing was written. Describe with --what what was done."
+            else -> "$title is already open; nothing was written."
         }
     }
 }

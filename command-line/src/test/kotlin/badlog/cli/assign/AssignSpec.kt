@@ -44,7 +44,7 @@ class AssignSpec : FunSpec({
         inFolder { folder ->
             val above = folder.with("badlog-signals.toml", "[[signal]]\nname = \"hood\"\ntopics = \"Arm\"\n")
             val log = folder.with("event/a.bag", LOG)
-            badlog("assign", log, "battery", "Power/My Volts").err shouldContain "$above names signals, too."
+            badlog("assign", log, "battery", "Power/My Volts").err shouldContain "$above also names signals."
             badlog("assign", log, "battery", "Power/My Volts").err shouldBe ""
         }
     }

@@ -11,7 +11,7 @@ import kotlin.io.path.writeText
 
 private const val WINDOWS = "Windows 11"
 
-/** What the help says when Java says on Windows that [path] is none. */
+/** The error that follows if Java on Windows rejects [path]. */
 private fun noPath(path: String): String {
     val at = path.indexOfAny(charArrayOf('*', '?'))
     return "Usage: badlog info [OPTIONS] [FILE]\n\nError: invalid value for FILE: Illegal char <${path[at]}> at index $at: $path"

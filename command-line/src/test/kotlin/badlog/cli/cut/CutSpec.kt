@@ -53,7 +53,7 @@ class CutSpec : FunSpec({
         times(BAG, "--enabled", "--margin", "0.025") shouldContainExactly listOf(0.0, 0.02, 0.04, 0.06, 0.08)
     }
 
-    test("around an event, in any case of letters, and what lies between two is left out") {
+    test("the time around each event is kept, regardless of case, and the time between two events is left out") {
         times(BAG, "--around", "GO", "--before", "0", "--after", "0.02") shouldContainExactly listOf(0.02, 0.04)
         inFolder { folder ->
             val ended = badlogJson("cut", folder.with("a.bag", BAG), "--around", "o", "--before", "0.001", "--after", "0")

@@ -77,7 +77,7 @@ class KilledLakeSpec : FunSpec({
         drafts(folder) shouldBe 0
     }
 
-    /** Does [stop] until that ended a program in the middle: on a busy machine, one may have finished before anybody looks. */
+    /** Repeats [stop] until it ended a program in the middle: on a busy machine, a program may finish before that. */
     suspend fun untilInTheMiddle(folder: Path, stop: suspend () -> Boolean) {
         for (attempt in 1..20) {
             if (stop()) return
@@ -108,7 +108,7 @@ class KilledLakeSpec : FunSpec({
                 }
                 drafts(folder) shouldBe 0
                 (folder / "temporary").toFile().list().orEmpty().filter { it.startsWith("badlog-duckdb") } shouldBe emptyList()
-                // What was written is in the tables.
+                // The written logs are in the tables.
                 readable(folder / "lake") shouldBe filesIn(folder / "lake/samples")
                 isUndisturbed(folder)
             }

@@ -58,7 +58,7 @@ class ManualSpec : FunSpec({
     }
 })
 
-/** What groff has to say about [page]; null where there is no groff. */
+/** The messages of groff about [page]; null without groff. */
 private fun warningsOf(page: String): String? = try {
     val file = File.createTempFile("page", ".1").apply { writeText(page) }
     val process = ProcessBuilder("groff", "-man", "-Tutf8", "-ww", "$file").redirectOutput(ProcessBuilder.Redirect.DISCARD).start()

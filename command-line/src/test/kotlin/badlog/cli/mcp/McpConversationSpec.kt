@@ -36,7 +36,7 @@ class McpConversationSpec : FunSpec({
         found.getValue("timeUnit").jsonPrimitive.content shouldBe "s"
         found.getValue("evidence").jsonArray.map { it.jsonPrimitive.content } shouldContain "System/Battery Voltage"
         found.getValue("sentences").jsonArray.joinToString("\n") { it.jsonPrimitive.content } shouldContain "rown"
-        // What was planted, see samples/README.md.
+        // The planted faults, see samples/README.md.
         found.getValue("lowest").jsonPrimitive.double shouldBe 6.73
         found.getValue("lowestAt").jsonPrimitive.double shouldBe (93.7 plusOrMinus 0.2)
         found.getValue("current").jsonObject.getValue("value").jsonPrimitive.double shouldBeGreaterThan 230.0

@@ -203,7 +203,7 @@ class ClockChoiceSpec : FunSpec({
         }
     }
 
-    test("what cannot be moved or aligned says why, and what to do") {
+    test("a log that cannot be moved or aligned is refused with the reason and the next step") {
         inFolder { folder ->
             val one = folder.match("one", "a", 0.0)
             val two = folder.wpilog("two.wpilog", listOf(Logged("b", "int64", "", samples(5.0))))

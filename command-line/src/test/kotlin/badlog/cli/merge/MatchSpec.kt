@@ -147,7 +147,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("a ZIP of a log shows what the log itself shows: types of structs, poses, and sizes that are no values") {
+    test("a ZIP of a log shows the same as the log: types of structs, poses, and sizes instead of values") {
         inFolder { folder ->
             fun bytes(vararg numbers: Double) = ByteBuffer.allocate(numbers.size * 8).order(ByteOrder.LITTLE_ENDIAN).also { all -> numbers.forEach { all.putDouble(it) } }.array()
             val log = folder.wpilog(
@@ -203,7 +203,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("what a ZIP must not hold is refused in a sentence, and writes nothing outside") {
+    test("a ZIP with forbidden content is refused in a sentence, and writes nothing outside") {
         inFolder { folder ->
             val log = folder.robot("arm.wpilog", "Arm", 0.0).readBytes()
             fun said(vararg entries: Pair<String, ByteArray>): String {
@@ -267,7 +267,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("what another program calls match.json is nothing to badlog, in a folder or a ZIP") {
+    test("a match.json of another program is ignored, in a folder or a ZIP") {
         inFolder { folder ->
             val day = (folder / "day").createDirectory()
             val log = day.robot("arm.wpilog", "Arm", 0.0)
@@ -283,7 +283,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("a log that a match lacks makes it incomplete, and is said by every command") {
+    test("a match without one of its logs is incomplete, and every command says so") {
         inFolder { folder ->
             val log = folder.robot("arm.wpilog", "Arm", 0.0).readBytes()
             val match = zip(folder / "m.zip", "arm.wpilog" to log, "list.csv" to "Name,Team\nA,B\n".encodeToByteArray())
@@ -354,7 +354,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("the clock of a ZIP is that of the robot's log that began first, so that no sample of the others is before 0") {
+    test("a ZIP has the clock of the robot's log that began first, so that no sample is before 0") {
         inFolder { folder ->
             val (arm, eye) = folder.robot("arm.wpilog", "Arm", 0.0) to folder.robot("eye.wpilog", "Eye", 0.0)
             val zip = folder / "m.zip"
@@ -383,7 +383,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("a log whose name is not that of a log is opened in the ZIP that merge writes") {
+    test("a log without the name of a log is opened in the ZIP that merge writes") {
         inFolder { folder ->
             val arm = folder.robot("arm.wpilog", "Arm", 0.0)
             val ended = badlog("merge", arm, folder.robot("robot", "Leg", 0.0), "--align", "enabled", "-o", folder / "m.zip")
@@ -404,7 +404,7 @@ class MatchSpec : FunSpec({
             val json = badlogJson("merge", folder / "match.zip", folder / "leg.wpilog", "--align", "enabled", "-o", folder / "all.wpilog").json.single()
             json.getValue("moved").jsonArray.size shouldBe 1
             badlogJson("info", folder / "all.wpilog").json.single().topics() shouldContain "/Leg/Angle"
-            badlog("merge", folder / "match.zip", folder / "leg.wpilog", "-o", folder / "more.zip").oneLine() shouldContain "name these, to make one ZIP"
+            badlog("merge", folder / "match.zip", folder / "leg.wpilog", "-o", folder / "more.zip").oneLine() shouldContain "name them to make one ZIP"
             badlog("info", folder / "match.zip", "--with-ds").oneLine() shouldContain "--with-ds has no effect on a ZIP"
         }
     }
@@ -484,7 +484,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("what is doubtful or damaged in a merged log is said, also in JSON: a single edge, and what the Driver Station's log lost") {
+    test("a merge reports doubt and damage, also in JSON: a single matching edge, and data lost in the Driver Station's log") {
         inFolder { folder ->
             fun enabled(name: String, late: Double) = folder.wpilog(name, listOf(Logged("$name/Robot Enabled", "boolean", "", listOf(late to false, late + 4 to true, late + 5 to true)), Logged("$name/a", "double", "", listOf(late to 1.0))))
             val (one, two) = enabled("one.wpilog", 0.0) to enabled("two.wpilog", 7.0)

@@ -86,7 +86,7 @@ class MergeSpec : FunSpec({
         }
     }
 
-    test("what has no common clock is refused, in one sentence") {
+    test("logs without a common clock are refused, in one sentence") {
         inFolder { folder ->
             val one = folder.with("one.bag", bag("a", "0,1"))
             val millis = folder.with("ms.bag", bag("b", "0,1", unit = "ms"))

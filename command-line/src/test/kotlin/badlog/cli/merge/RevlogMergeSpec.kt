@@ -23,7 +23,7 @@ private fun revlog(from: Double, driven: List<ClosedRange<Double>>): ByteArray {
     val frames = ((from * 50).toInt() until 1500).map { it * 20 }
     val bytes = ByteBuffer.allocate(frames.size * 20).order(ByteOrder.LITTLE_ENDIAN)
     for (millis in frames) {
-        // A record of 16 bytes of status, whose kind has one byte and whose size has two.
+        // A record of 16 bytes of status: its kind is one byte, its size two bytes.
         bytes.put(0b0100).put(2).putShort(16)
         bytes.putInt(millis).putInt((2 shl 24) or (5 shl 16) or (46 shl 10) or 3)
         bytes.putLong(if (driven.any { millis / 1000.0 in it }) 16221L else 0L)
@@ -49,7 +49,7 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("what motor controllers logged before the robot's 0 is left out, rather than put where it does not belong") {
+    test("samples of motor controllers from before the robot's 0 are left out, rather than moved") {
         inFolder { folder ->
             val robot = folder.wpilog("robot.wpilog", listOf(Logged("Arm/Applied Output", "double", "", outputs(arm))))
             val late = arm.map { it.start + 2..it.endInclusive + 2 }
@@ -104,7 +104,7 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("it is called a REV log everywhere, and what is written of it is a WPILOG by name, too") {
+    test("every command calls it a REV log, and names its output like a WPILOG") {
         inFolder { folder ->
             val log = folder.with("REV_1.revlog", revlog(1.0, arm))
             said("info", log) shouldContain "format REV log,"

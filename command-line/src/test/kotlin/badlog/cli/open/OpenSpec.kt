@@ -22,7 +22,7 @@ import java.nio.file.attribute.FileTime
 import kotlin.io.path.div
 import kotlin.io.path.readText
 
-/** A computer on which programs are only written down; those whose name is among [broken] fail. */
+/** A computer that only records the programs it should start; those named in [broken] fail. */
 private class Desk(private val folder: Path, hasWindow: Boolean, private val broken: Set<String> = emptySet()) {
     val started = ArrayList<List<String>>()
     val window: Path = folder.with("window/badlog", "").also { it.toFile().setExecutable(true) }
@@ -76,7 +76,7 @@ class OpenSpec : FunSpec({
         }
     }
 
-    test("--page opens the page all the same, and a window that cannot be started is replaced by it") {
+    test("--page opens the page instead of the window, and so does a window that cannot be started") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val desk = Desk(folder, hasWindow = true, broken = setOf("badlog"))

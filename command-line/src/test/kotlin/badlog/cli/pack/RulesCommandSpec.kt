@@ -29,7 +29,7 @@ import kotlin.io.path.readText
 
 private const val HEADER = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Speed"}],"values":[]}"""
 
-/** A bag of 60 s whose speed is 1, but 9 at 30 s. */
+/** A bag of 60 s with speed 1, but 9 at 30 s. */
 private val SLOW = HEADER + "\nTime,Speed\n" + (0..600).joinToString("") { "${it / 10.0},${if (it in 298..302) 9 else 1}\n" }
 
 private const val RULE = "[[rule]]\nname='Fast'\nseverity='warning'\nwhen='Speed > 5'\ntext='It was fast at {time}.'\n"
@@ -79,7 +79,7 @@ class RulesCommandSpec : FunSpec({
                 shouldContain("ok fires/Fast/a.bag: It was fast at 29.8 s.")
                 shouldContain("failed silent/Fast/b.bag: It was fast at 29.8 s.")
                 shouldContain("failed silent/Warm/c.bag: The rule could not run: ")
-                shouldContain("failed silent/Cold/d.bag: There is no rule “Cold”; name the folder as the rule is called.")
+                shouldContain("failed silent/Cold/d.bag: There is no rule “Cold”; give the folder the name of a rule.")
                 shouldContain("2 rules, 5 slices: 1 passes, 4 fail.")
                 shouldContain("“Warm” has no slice in which it must find something; add one with badlog rules new.")
                 shouldContain("“run.sh” is not part of a pack, and is ignored.")

@@ -11,7 +11,7 @@ internal val LIBRARIES: Path = Path.of("../libraries").toAbsolutePath().normaliz
 
 internal fun jarsIn(folder: Path): List<Path> = folder.listDirectoryEntries().filter { it.extension == "jar" }.sorted()
 
-/** What the jars of [folder] are called, without their versions. */
+/** The names of the jars in [folder], without their versions. */
 internal fun namesIn(folder: Path): List<String> = jarsIn(folder).map { it.name.replace(Regex("(-\\d[^-]*.*)?\\.jar$"), "") }.sorted()
 
 /** The command line that starts the installed program with [arguments]. */

@@ -64,7 +64,7 @@ class PluginLoaderSpec : FunSpec({
                 )
                 Json.parseToJsonElement(hello).jsonObject.getValue("result").jsonObject.getValue("serverInfo").jsonObject.getValue("name").jsonPrimitive.content shouldBe "badlog"
                 toServer.write("""{"jsonrpc":"2.0","method":"notifications/initialized"}""" + "\n")
-                // What is not a message costs nothing but itself.
+                // A line that is not a message is lost alone.
                 ask("hello?") shouldContain "-32700"
                 val answer = ask("""{"jsonrpc":"2.0","id":2,"method":"tools/call","params":{"name":"list_logs","arguments":{}}}""")
                 Json.parseToJsonElement(answer).jsonObject.getValue("id").jsonPrimitive.content shouldBe "2"

@@ -68,7 +68,7 @@ class ReportBesideStationSpec : FunSpec({
             // A folder without Driver Station logs.
             val none = folder.with("none/notes.txt", "no log").parent
             badlog(*arguments, "--with-ds=$none").out shouldNotContain "trip time > 50"
-            // Without a folder, that of the log and those below it.
+            // Without a folder: the log's folder, and those below it.
             badlog(*arguments, "--with-ds").out shouldContain "trip time > 50"
         }
     }

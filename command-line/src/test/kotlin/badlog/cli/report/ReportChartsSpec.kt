@@ -90,7 +90,7 @@ class ReportChartsSpec : FunSpec({
                 val (logs, outcomes) = LogFiles(listOf(folder / "logs"), console) to Outcomes("report", console, isJson = false)
                 val pages = ReportPages(ReportFolder(folder / failure.javaClass.simpleName, logs.files, RuleSet.NONE))
                 pages.finish(Report(RuleSet.NONE).over(logs.files), outcomes) { throw failure }
-                err.toString(Charsets.UTF_8) shouldContain "Charts cannot be drawn, so that the index has none: ${failure.message}"
+                err.toString(Charsets.UTF_8) shouldContain "Charts cannot be drawn, so the index has none: ${failure.message}"
                 pages.index!!.readText() shouldNotContain "charts/"
             }
         }

@@ -47,7 +47,7 @@ class SqlCommandSpec : FunSpec({
         }
     }
 
-    test("a lake is asked as it is, and an answer can be a Parquet file") {
+    test("a lake is queried without being remade, and an answer can be a Parquet file") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("lake", log, "--out", folder / "lake").code shouldBe ExitCode.WHOLE

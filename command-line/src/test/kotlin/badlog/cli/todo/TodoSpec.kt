@@ -28,7 +28,7 @@ import kotlin.io.path.readText
 class TodoSpec : FunSpec({
     fun Path.withMatch() = apply { Files.copy(SAMPLES.resolve("qualification-42.bag"), resolve("qualification-42.bag")) }
 
-    // The log is years old, and so what was seen before it is not known.
+    // The log is years old, so earlier sightings are unknown.
     fun Path.write(subject: TodoSubject, deed: TodoDeed) = TodoFolder(this, "pit").append(newChange(subject, deed, "Ada", last = null).copy(seen = null))
 
     test("an error of the last matches is on the list until it is done; the checklist has the lines of rules and of the team") {
@@ -67,7 +67,7 @@ class TodoSpec : FunSpec({
             again shouldContain "[x] Browned out"
             val place = again.lines().first { "Browned out" in it }.trim().substringBefore(' ')
             badlog("todo", folder, "--no-cache", "--done", place, "--by", "Ben").err shouldContain
-                "“Browned out” was done already; nothing was written. Say with --what what was done."
+                "“Browned out” was done already; nothing was written. Describe with --what what was done."
             TodoFolder(folder).read().changes.size shouldBe 1
             val more = badlog("todo", folder, "--no-cache", "--done", place, "--what", "new breaker", "--by", "Ben")
             more.err shouldContain "“Browned out” is done now."
@@ -78,7 +78,7 @@ class TodoSpec : FunSpec({
             opened.out shouldContain "[ ] Browned out"
             val openPlace = opened.out.lines().first { "Browned out" in it }.trim().substringBefore(' ')
             badlog("todo", folder, "--no-cache", "--open", openPlace).err shouldContain
-                "“Browned out” is already to be done; nothing was written."
+                "“Browned out” is already open; nothing was written."
             TodoFolder(folder).read().changes.map { it.deed } shouldBe listOf(change.deed, correction, TodoDeed.Open)
         }
     }

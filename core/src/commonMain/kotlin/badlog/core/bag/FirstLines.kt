@@ -21,7 +21,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
 
     private val splitter = RowSplitter()
 
-    /** The titles, and the lines after them that are examined. */
+    /** The line of titles, followed by the examined lines. */
     val lines = ArrayList<Line>()
 
     /** The number of cells in most of the lines after the titles; 0 if that is not clear. */

@@ -23,7 +23,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     var line: String? = null
         private set
 
-    /** The content of that line; null if there is none, or it cannot be read. */
+    /** The content of the line of JSON; null if there is none, or it cannot be read. */
     var header: BagHeader? = null
         private set
 

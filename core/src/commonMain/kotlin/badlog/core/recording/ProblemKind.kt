@@ -24,7 +24,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The header is damaged, and a column's name may belong to another column. */
     NAME_IN_DOUBT(Severity.WARNING),
 
-    /** There is a header but no sample. */
+    /** There is a header, but there are no samples. */
     NO_ROWS(Severity.WARNING),
 
     /** A row was cut off, by a loss of power or by damage, and dropped. */
@@ -159,6 +159,6 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Whole numbers beyond 2^53 lost their last digits. */
     NUMBERS_ROUNDED(Severity.NOTE),
 
-    /** A log of a match is missing, cannot be read, or has no sure place in the match; it was left out. */
+    /** A log of a match is missing, cannot be read, or has no sure place in the match. It was left out. */
     LOG_LEFT_OUT(Severity.ERROR),
 }

@@ -246,7 +246,7 @@ class LogViewSpec : FunSpec({
         view.problems.shouldBeEmpty()
     }
 
-    test("event and match values make the title; without them there is none") {
+    test("event and match values make the title; a log without them has no title") {
         view(
             topic("A"),
             values = listOf(

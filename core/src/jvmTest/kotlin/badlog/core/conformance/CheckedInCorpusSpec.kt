@@ -15,7 +15,7 @@ class CheckedInCorpusSpec : FunSpec({
         corpusFileNames().filter(::isConformanceFile) shouldContainExactlyInAnyOrder conformanceFiles().keys
     }
 
-    test("each file is what ./gradlew :core:writeConformance writes") {
+    test("each file equals the output of ./gradlew :core:writeConformance") {
         val stale = conformanceFiles().filterNot { (name, bytes) -> readCorpusFile(name).contentEquals(bytes) }
         stale.keys.shouldBeEmpty()
         // Not compared with a matcher, which would print thousands of lines.

@@ -46,7 +46,7 @@ private fun reportOf(
     appendLine()
     appendLine("## A frame, with ten graphs of a million samples each")
     appendLine()
-    appendLine("From the change to the picture with the new data, what is computed beside the window's thread included.")
+    appendLine("The time from the change to the picture with the new data, including the work on other threads than the window's.")
     appendLine()
     appendTimes(frames)
     appendLine()

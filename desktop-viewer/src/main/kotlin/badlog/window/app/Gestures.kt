@@ -14,7 +14,7 @@ internal val GESTURES = GRAPH_GESTURES + listOf(
     HelpLine("Topics", "Click", "Draws the topic in its own graph; click again to remove it."),
     HelpLine("Topics", "Ctrl+click, Shift+click", "Selects one more topic, or all topics up to this one."),
     HelpLine("Topics", "Drag", "Adds the topic, or all selected ones, to a graph."),
-    HelpLine("Topics", "Right click, Shift+F10", "Opens a menu with more actions, for a folder as well."),
+    HelpLine("Topics", "Right click, Shift+F10", "Opens a menu with more actions, also for a folder."),
     HelpLine("Events", "Click", "Moves the cursor to the event."),
     HelpLine("Findings", "Point at a mark, click", "Shows the finding, and moves the cursor there."),
     HelpLine("Statistics table", "Click a heading", "Sorts by it; again, in reverse."),

@@ -6,7 +6,7 @@ import java.nio.file.Path
 
 /**
  * Makes Skia unpack its native library into a temporary folder if [home] cannot be written. Without the library, no window opens. Call it
- * before anything is drawn. Windows deletes no loaded library: there, the folder stays until temporary files are removed.
+ * before anything is drawn. Windows does not delete a loaded library, so the folder stays there until temporary files are removed.
  */
 internal fun placeSkia(home: Path = Path.of(System.getProperty("user.home"))) {
     if (System.getProperty(PLACE) != null || obstacleTo(home.resolve(".skiko")) == null) return

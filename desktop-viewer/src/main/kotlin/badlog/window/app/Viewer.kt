@@ -275,7 +275,7 @@ internal class Viewer(
         askForTopics(topics, panels)
     }
 
-    /** Opens what was dropped onto the window: a layout, a video, or else folders and logs. */
+    /** Opens the files dropped onto the window: a layout, a video, or else folders and logs. */
     fun openDropped(paths: List<Path>) {
         val (videos, rest) = paths.partition(::isVideo)
         if (videos.isNotEmpty()) openVideo(videos.first())
@@ -294,7 +294,7 @@ internal class Viewer(
         if (video.state.file != null) panels.change { inspecting(InspectorTab.VIDEO).copy(main = MainView.GRAPHS) }
     }
 
-    /** Returns what is chosen of what is shown of the log in [file]; on any thread. */
+    /** Returns the person's choices for the log in [file]. Thread-safe. */
     private fun choicesFor(file: Path) =
         RecordingChoices(formulas.definitions, axis.state == true, stations.shownWith(file), fields.selectedFor(file), fields.selections)
 
@@ -311,7 +311,7 @@ internal class Viewer(
         findings.showWorst(entry.file)
     }
 
-    /** Shows the log that arrived last, and the worst in it. */
+    /** Shows the newest log, at its worst finding. */
     fun showNewLog() {
         newLogs.takeLatest()?.let(::openFindings)
     }

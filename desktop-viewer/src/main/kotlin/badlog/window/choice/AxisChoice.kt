@@ -8,7 +8,7 @@ import badlog.window.state.StateHolder
  * [badlog.window.log.RecordingChoices.overTime]. Use it only on the window's thread.
  */
 internal class AxisChoice(private val current: CurrentRecording) : StateHolder<Boolean?>(null) {
-    /** The name of the column that the open log could be drawn over; null after the choice, or without such a column. */
+    /** The name of the column that the open log could be drawn over. Null after the choice, or without such a column. */
     val offered: String? get() = if (state == null) current.recording?.timeColumn?.name else null
 
     /**

@@ -70,7 +70,7 @@ private const val MAX_CELLS = 40e6
 private const val ROUNDING = 1e-9
 
 /**
- * Returns the rows of [recording] from the first to the last with an x in [span]; empty if there is none. If x is missing or goes
+ * Returns the rows of [recording] from the first to the last with an x in [span]. Empty if there is none. If x is missing or goes
  * backwards, the rows in between are included: a cut keeps the file's order and all of its rows.
  */
 internal fun rowsWithin(recording: OpenRecording, span: Span): IntRange {

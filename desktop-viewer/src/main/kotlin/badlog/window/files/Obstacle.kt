@@ -4,7 +4,7 @@ import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Returns the file or folder that prevents files from being written in [folder], which need not exist; null if none is known. */
+/** Returns the file or folder that prevents files from being written in [folder], which need not exist. Null if none is known. */
 internal fun obstacleTo(folder: Path): Path? {
     val nearest = generateSequence(folder.toAbsolutePath()) { it.parent }.firstOrNull { Files.exists(it) }
     return nearest?.takeUnless { Files.isDirectory(it) && (Files.isWritable(it) || takesFile(it)) }

@@ -26,7 +26,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
-/** Names the log that has arrived and its result, until a person shows or postpones it; empty if none has arrived. */
+/** Names the log that has arrived and its result, until a person shows or postpones it. Empty if none has arrived. */
 @Composable
 internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
     val match = logs.state.latest ?: return
@@ -50,7 +50,7 @@ internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
             maxLines = 2,
             overflow = TextOverflow.Ellipsis,
         )
-        ToolButton("Show the new log and the worst in it ($SHOW_KEY)", text = "Show", color = palette.accent, onClick = onShow)
+        ToolButton("Show the new log, at its worst finding ($SHOW_KEY)", text = "Show", color = palette.accent, onClick = onShow)
         ToolButton("Hide this; the log stays in the list", text = "Later") { logs.leave() }
     }
 }

@@ -65,7 +65,7 @@ internal class Indexing(
     var queue = IndexQueue()
         private set
 
-    /** The reason why the folder, or a part of it, cannot be read, as a sentence; null if there is none. */
+    /** The reason why the folder, or a part of it, cannot be read, as a sentence. Null if there is none. */
     @Volatile
     var trouble: String? = null
         private set

@@ -75,7 +75,7 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     }
 
     /**
-     * A function that returns the rules' stored results for a log of the open folder; null if they have not been run. Call it off the
+     * A function that returns the rules' stored results for a log of the open folder. Null if they have not been run. Call it off the
      * window's thread.
      */
     val examined: (LogEntry) -> ExaminedLog?

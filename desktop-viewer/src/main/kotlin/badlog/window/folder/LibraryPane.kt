@@ -165,7 +165,7 @@ internal fun HideEmptyButton(library: Library) {
 @Composable
 internal fun OnlyErrorsButton(library: Library) {
     val isOn = library.state.listing.onlyErrors
-    ToolButton("Only logs with an error that rules found", Icons.Diamond, isOn = isOn) {
+    ToolButton("Only logs in which rules found an error", Icons.Diamond, isOn = isOn) {
         library.change { onlyErrors(!isOn) }
     }
 }

@@ -41,7 +41,7 @@ internal data class LibraryState(
     /** The readable logs of robots, in no particular order. */
     val ofRobots: List<LogEntry> get() = logsOfRobots(entries) { LogName.of(it).isOnlyOfLogs }
 
-    /** The latest log of a robot by its date, if possible one that is not idle; null if there are none. */
+    /** The latest log of a robot by its date, if possible one that is not idle. Null if there are none. */
     val newest: LogEntry? get() = ofRobots.filter { !it.isGray }.maxWithOrNull(AGE) ?: ofRobots.maxWithOrNull(AGE)
 
     /** Whether there is certainly no log to show. Either no folder is open, or the open one has been read and has no logs. */

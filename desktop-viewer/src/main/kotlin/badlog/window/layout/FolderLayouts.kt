@@ -26,7 +26,7 @@ internal class FolderLayouts(private val place: Path) {
         changed != null
     }
 
-    /** Returns the time of the last change to the layout of [folder], in milliseconds since 1970; 0 if there is none. */
+    /** Returns the time of the last change to the layout of [folder], in milliseconds since 1970. 0 if there is none. */
     fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()
 
     private fun fileOf(folder: Path): Path = place.resolve("${keyOf(folder)}.json")

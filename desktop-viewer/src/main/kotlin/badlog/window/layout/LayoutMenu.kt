@@ -38,9 +38,9 @@ internal fun LayoutMenu(
             MenuEntry(name, "A layout in the folder; ${KeyAction.NEXT_LAYOUT.shortcut} shows the next one", why) { kept.show(name) }
         }
         ofFolder + listOfNotNull(
-            MenuEntry("Start board", "The graphs that this log begins with", why) { layouts.showStartBoard() },
-            MenuEntry("Save the layout as…", "Beside the logs, one of those that G goes through", why, SAVE_LAYOUT.text) { files.save() },
-            MenuEntry("Save as the folder’s default…", "${FolderLayout.NAME}: windows and pages begin with it", why) {
+            MenuEntry("Start board", "The default graphs of this log", why) { layouts.showStartBoard() },
+            MenuEntry("Save the layout as…", "Beside the logs; G steps through these layouts", why, SAVE_LAYOUT.text) { files.save() },
+            MenuEntry("Save as the folder’s default…", "${FolderLayout.NAME}: windows and pages open with it", why) {
                 files.saveDefault()
             },
             MenuEntry("Open a layout…", "Topics that this log lacks are hidden", why) { files.open() },
@@ -96,7 +96,7 @@ internal class LayoutFiles(
         val file = askToWrite(files, notices, "Save the folder’s default layout", folder, name, Layout.ENDING) ?: return
         val text = layouts.shared.toJson()
         tasks.run("Saving the layout", { writeAtomically(file) { it.write(text.encodeToByteArray()) } }) {
-            notices.say("Saved the layout to $file. Windows without an arrangement of their own and pages made from now on begin with it.")
+            notices.say("Saved the layout to $file. Windows without an arrangement of their own, and pages made from now on, open with it.")
         }
     }
 

@@ -180,7 +180,7 @@ internal class LayoutStore(
         val after = board.history.now
         if (before.showsSame(after)) return
         val undo = NoticeAction("Undo") { board.send(BoardAction.Revert(before, after)) }
-        notices.say("The graphs that this log begins with are shown.", undo)
+        notices.say("The default graphs are shown.", undo)
     }
 
     /** Restores the layout of each opened folder, and saves each change after a moment, until cancelled. */

@@ -27,7 +27,7 @@ internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
     return both.copy(graphs = both.graphs?.let { removed.fold(it, Board::withoutSignal) })
 }
 
-/** Returns the names of the formulas that one of [layouts] has, and [merged] has not. */
+/** Returns the names of the formulas in [layouts] that [merged] lacks. */
 internal fun removedFormulas(merged: Layout, vararg layouts: Layout): Set<String> =
     layouts.flatMapTo(HashSet()) { it.formulas.map(::keyOf) } - merged.formulas.map(::keyOf).toSet()
 

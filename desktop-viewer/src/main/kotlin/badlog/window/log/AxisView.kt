@@ -24,7 +24,7 @@ internal class AxisView(private val store: Store) {
     // Each is read separately, so that moving the cursor redraws only the cursor. Combinations of them for a snapshotFlow
     // need their own equals, as data classes have; otherwise each move of the cursor emits a new value.
 
-    /** All of it: for what happens, not for what is drawn, see above. */
+    /** The whole state, for actions rather than for drawing, see above. */
     val place: Place get() = store.state.place
 
     /** The visible range of x. */

@@ -14,7 +14,7 @@ internal data class EventFilter(val text: String = "", val topics: Set<String> =
     /** Returns the accepted [events]; they are the events of [logs]. */
     fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
 
-    /** Returns the [topics] that are among [logs]: the filter stays when another recording is opened, which may have none of them. */
+    /** Returns the [topics] that [logs] contain. The filter stays when another recording is opened, which may lack some. */
     fun topicsOf(logs: List<EventLog>): Set<String> = logs.mapNotNullTo(HashSet()) { log -> log.name.takeIf { it in topics } }
 
     /** Adds [topic] to [topics], or removes it. */

@@ -54,7 +54,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     var wanted: Int? by mutableStateOf(null)
         private set
 
-    /** The ids of the graphs of which at least half is visible; null while none is shown at all. */
+    /** The ids of the graphs that are at least half visible; null while no graphs are shown. */
     var inSight: Set<Int>? = null
 
     /** The id of the graph that the pointer was last over; keys apply to that. */
@@ -72,10 +72,10 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Returns the title of [graph], which no other graph has. */
     fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
 
-    /** Returns whether what is shown is what the open log can draw of [board]. */
+    /** Returns whether the shown graphs are those of [board] that the open log can draw. */
     fun shows(board: Board): Boolean = state.showsSame(drawn(board))
 
-    /** Scrolls to what has changed, and to the graph that a key has moved, if it is out of sight. */
+    /** Scrolls to the changed graphs, and to the graph that a key has moved, if they are out of sight. */
     fun follow(change: Request.Graphs) {
         val seen = inSight
         change.moved?.let { moved = it }
@@ -95,7 +95,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Shows [board] instead, as for another log, without a history. */
     fun replace(board: Board) = send(BoardAction.Begin(board))
 
-    /** Shows what is drawn of [board] instead, unless a person has changed something. New graphs in it show a finding. */
+    /** Shows the drawable graphs of [board] instead, unless a person has changed something. New graphs in it show a finding. */
     fun beginWith(board: Board) = send(BoardAction.BeginWithEvidence(drawn(board)))
 
     /** Undoes the last change. */

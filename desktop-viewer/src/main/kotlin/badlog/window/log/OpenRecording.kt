@@ -169,7 +169,7 @@ internal class OpenRecording(
     /** Whether it is drawn over its [timeColumn], because a person has chosen that. */
     val isOverTime: Boolean get() = rows != null
 
-    /** The time column of a recording that names no x axis; null without such a column, or if an x axis is named. */
+    /** The time column of a recording that names no x axis. Null without such a column, or if an x axis is named. */
     val timeColumn: Topic? by lazy { (rows ?: read).recording.timeColumn() }
 
     /**

@@ -28,7 +28,7 @@ import badlog.viewer.state.Action
 /**
  * Shows a panel that consists of [parts]: heading, paragraphs and fields at its beginning stay above the others, which scroll.
  *
- * @param goal what a person went to; the current row is scrolled to when it changes.
+ * @param goal the row that a person went to; the panel scrolls to the current row when it changes.
  */
 @Composable
 internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, modifier: Modifier) {
@@ -40,7 +40,7 @@ internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, mo
     val current = below.mapIndexedNotNull { i, cell -> i.takeIf { (cell.part as? Row)?.isCurrent == true } }
     LaunchedEffect(goal) {
         if (current.isEmpty()) return@LaunchedEffect
-        // The height of what is below a row is known only after layout.
+        // The height of the rows below is known only after layout.
         withFrameNanos { }
         // Somebody who goes to a finding of an incident reads the incident, unless it was chosen among the findings below.
         val isRead = state.layoutInfo.visibleItemsInfo.any { it.index == current.last() }

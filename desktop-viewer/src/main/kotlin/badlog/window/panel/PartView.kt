@@ -47,7 +47,7 @@ import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import badlog.viewer.panel.Row as PanelRow
 
-/** Shows [part]; of a fold only its title, since what it contains are further parts. */
+/** Shows [part]; of a fold only its title, since its content is further parts. */
 @Composable
 internal fun PartView(part: Part, send: (Action) -> Unit) {
     when (part) {

@@ -26,8 +26,8 @@ internal class OwnFiles(val folders: UserFolders, private val notices: Notices) 
         val lost = when {
             obstacles.isEmpty() -> return
             answers == null -> "Settings and layouts"
-            settings == null -> "What badlog knows of logs"
-            else -> "Settings, layouts and what badlog knows of logs"
+            settings == null -> "Stored results for logs"
+            else -> "Settings, layouts and stored results for logs"
         }
         notices.complain("$lost cannot be kept for the next start; ${obstacles.joinToString(" and ", transform = ::remedyFor)}.")
     }
@@ -44,5 +44,5 @@ internal class OwnFiles(val folders: UserFolders, private val notices: Notices) 
 private fun remedyFor(obstacle: Path) = if (Files.isDirectory(obstacle)) {
     "change the permissions of $obstacle, so that you may write there"
 } else {
-    "rename the file $obstacle, which is in the place of a folder"
+    "rename the file $obstacle, because a folder must be there"
 }

@@ -23,7 +23,7 @@ import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
-/** The heading above the channels of the power distribution, or [what] stands in for them, and by what they are ranked. */
+/** The heading above the channels of the power distribution, or above [what] replaces them, with the criterion of their order. */
 @Composable
 internal fun ChannelsHead(what: String, panels: WindowPanels) =
     Row(Modifier.padding(start = 12.dp, top = 14.dp), Arrangement.spacedBy(4.dp), Alignment.CenterVertically) {

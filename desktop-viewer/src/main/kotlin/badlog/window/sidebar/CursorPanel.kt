@@ -108,7 +108,7 @@ private data class CursorQuestion(val query: String, val graphs: Board, val foun
 internal data class CursorRow(val name: String, val text: String, val exact: String, val hasChanged: Boolean)
 
 /**
- * Returns the topics whose name or unit [query] finds; without a search, those of the graphs of [board].
+ * Returns the topics with a name or unit that [query] finds; without a search, the topics in the graphs of [board].
  *
  * @param found the names of the topics that a finding is about.
  */

@@ -91,7 +91,7 @@ internal fun InspectorPane(
         if (open == null) {
             PanelHint("Open a log to see its ${tab.title.lowercase()}.")
         } else {
-            // A narrow window shows one part at a time; somebody who goes to a place wants to see it.
+            // A narrow window shows one part at a time; a person who goes to a place wants to see it.
             val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())

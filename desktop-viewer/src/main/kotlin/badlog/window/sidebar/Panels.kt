@@ -17,7 +17,7 @@ import badlog.window.theme.Icons
  * @property statistics the range of the statistics panel.
  * @property channels how it ranks the channels of the power distribution.
  * @property help whether the help is open above everything.
- * @property hidden what was open beside the graphs before a key hid it all; null if that was not so.
+ * @property hidden the panels that were open beside the graphs before a key hid them; null if none are hidden.
  */
 internal data class Panels(
     val library: Boolean = true,
@@ -35,15 +35,15 @@ internal data class Panels(
     fun toggled(view: MainView): Panels = copy(main = if (main == view) MainView.GRAPHS else view)
 
     /**
-     * Whether the topics are visible beside the graphs: while a panel is open on the right, they are folded in a window that is not [isRoomy],
-     * unless a person has opened them there.
+     * Returns whether the topics are visible beside the graphs. While a panel is open on the right, they are folded in a window that is not
+     * [isRoomy], unless a person has opened them there.
      */
     fun showsTopics(isRoomy: Boolean): Boolean = topics && (isRoomy || inspector == null || keepsTopics)
 
     /** Shows the topics, also beside the panel on the right. */
     fun withTopics(): Panels = copy(topics = true, keepsTopics = inspector != null)
 
-    /** Hides everything beside the graphs, or shows again what was hidden so. */
+    /** Hides everything beside the graphs, or restores the hidden panels. */
     fun graphsAlone(): Panels = if (library || topics || inspector != null) {
         copy(
             library = false,
@@ -104,7 +104,7 @@ internal enum class StatisticsRange {
     ALL,
 }
 
-/** The parts of the window, of which a narrow one shows one at a time. */
+/** The parts of the window; a narrow window shows one at a time. */
 internal enum class FrontPart { LOGS, TOPICS, GRAPHS, DETAILS }
 
 /** The content of the middle of the window. */
@@ -127,7 +127,7 @@ internal enum class MainView {
     /** The team's batteries over the folder's logs. */
     BATTERIES,
 
-    /** What the team has to do. */
+    /** The team's to-do list. */
     TODO,
 }
 

@@ -24,8 +24,8 @@ import badlog.window.log.OpenRecording
  *
  * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
- * @property channels what the channels of the power distribution gave, by [order]; [what] they are.
- * @property opened the name of the signal whose histogram is open; null for none.
+ * @property channels the currents of the power distribution's channels, by [order]; [what] says what they are.
+ * @property opened the name of the signal with the open histogram; null for none.
  */
 internal class RangeStatistics(
     val part: NamedSpan,
@@ -41,7 +41,7 @@ internal class RangeStatistics(
  * Statistics of one signal.
  *
  * @property recording the label of its recording; empty while only one is drawn.
- * @property place the index of that recording among those drawn, which is that of its color.
+ * @property place the index of that recording among those drawn, also the index of its color.
  * @property cells its displayed values, in order: a name, and a number or a state with its unit.
  * @property histogram how long it had which values; null unless it is open.
  */
@@ -58,10 +58,10 @@ internal class SignalStatistics(
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
 
 /**
- * Returns the statistics of [names] over [part] in each of [drawn], how the lines of each of [graphs] differ, and the channels of the first,
- * by [order]; calculates them all, so do not use it on the window's thread.
+ * Returns the statistics of [names] over [part] in each of [drawn]. Also returns how the lines of each of [graphs] differ, and the channels
+ * of the first recording, by [order]. Calculates all of that, so do not use it on the window's thread.
  *
- * @param opened the name of the signal whose histogram is open; null for none.
+ * @param opened the name of the signal with the open histogram; null for none.
  */
 internal fun rangeStatistics(
     drawn: List<DrawnRecording>,

@@ -31,7 +31,7 @@ internal fun PitTodo(todo: FolderTodo, onOpen: () -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(palette.raised, RoundedCornerShape(12.dp))
-            .clickable(role = Role.Button, onClickLabel = "Show what is to do", onClick = onOpen)
+            .clickable(role = Role.Button, onClickLabel = "Show the to-do list", onClick = onOpen)
             .padding(horizontal = 24.dp, vertical = 16.dp),
         Arrangement.spacedBy(6.dp),
     ) {

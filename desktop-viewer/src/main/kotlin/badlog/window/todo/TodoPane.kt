@@ -98,7 +98,7 @@ private fun LazyListScope.checklist(todo: FolderTodo) {
     items(todo.state.checklist) { CheckRow(todo, it) }
     if (todo.state.files.checklist.isEmpty()) {
         item {
-            Hint("Lines of your own are those of a file $CHECKLIST_FILE in the folder of the logs.")
+            Hint("To add lines of your own, write them into $CHECKLIST_FILE in the folder of the logs.")
         }
     }
 }

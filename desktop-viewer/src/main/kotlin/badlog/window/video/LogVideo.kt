@@ -64,7 +64,7 @@ internal class LogVideo(
     /** The cursor at the last step or move of the video. If the cursor has moved since then, the video does not move it. */
     private var cursorBefore: Double? = null
 
-    /** The number of seconds per unit of x; null if x is not a time, so that a video cannot be aligned. */
+    /** The number of seconds per unit of x. Null if x is not a time, so that a video cannot be aligned. */
     val secondsOfX: Double? get() = current.recording?.let { Units.secondsIn(it.view.xAxis.unit) }
 
     /** Follows the cursor, and shows the last video of each opened log, until cancelled. */

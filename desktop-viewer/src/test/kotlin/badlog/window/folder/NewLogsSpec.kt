@@ -81,7 +81,7 @@ class NewLogsSpec : FunSpec({
             arrives()
             awaitBar(viewer)
             viewer.current.recording shouldBe before
-            onNodeWithContentDescription("Show the new log and the worst in it (A)").performClick()
+            onNodeWithContentDescription("Show the new log, at its worst finding (A)").performClick()
             waitFor { viewer.current.recording?.file?.fileName == Path.of("qualification-42.bag") }
             viewer.panels.state.inspector shouldBe InspectorTab.FINDINGS
             onAllNodesWithContentDescription("New log").assertCountEquals(0)

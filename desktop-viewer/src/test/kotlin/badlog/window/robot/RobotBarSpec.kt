@@ -170,7 +170,7 @@ class RobotBarSpec : FunSpec({
         viewer.robot.state.status shouldBe "First open the folder for the robot’s logs."
         beside(RobotAddress::of, tempdir().toPath()) {
             it.robot.connect("a b")
-            it.robot.state.status shouldBe "“a b” is neither a team's number nor an address; type 1014, 10.10.14.2 or user@robot.local."
+            it.robot.state.status shouldBe "“a b” is neither a team number nor an address; type 1014, 10.10.14.2 or user@robot.local."
             it.robot.state.isOn shouldBe false
         }
     }

@@ -76,7 +76,7 @@ class GraphWindowSpec : FunSpec({
         }
     }
 
-    test("the keyboard does what the sheet lists, but not while a person types").config(enabledOrReasonIf = { needsDisplay }) {
+    test("each key has the effect that the sheet lists, except while a person types").config(enabledOrReasonIf = { needsDisplay }) {
         open().use { window ->
             val all = window.look { it.view.viewport.full }
             window.press(KeyEvent.VK_RIGHT)

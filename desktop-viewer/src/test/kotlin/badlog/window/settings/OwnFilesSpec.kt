@@ -57,8 +57,8 @@ class OwnFilesSpec : FunSpec({
             viewer.welcome.openSample()
             waitFor { viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag.gz" }
         } shouldContainExactly listOf(
-            "Settings, layouts and what badlog knows of logs cannot be kept for the next start; " +
-                "rename the file $home, which is in the place of a folder.",
+            "Settings, layouts and stored results for logs cannot be kept for the next start; " +
+                "rename the file $home, because a folder must be there.",
         )
     }
 
@@ -67,7 +67,7 @@ class OwnFilesSpec : FunSpec({
         val cache = Files.createFile(folder.resolve("cache"))
         val settings = SettingsFile(folder.resolve("config/badlog").resolve(SettingsFile.NAME))
         saidWith(UserFolders(folder.resolve("config/badlog"), cache)) { waitFor { settings.read().theme == Theme.DARK } } shouldContainExactly
-            listOf("What badlog knows of logs cannot be kept for the next start; rename the file $cache, which is in the place of a folder.")
+            listOf("Stored results for logs cannot be kept for the next start; rename the file $cache, because a folder must be there.")
     }
 
     test("a file that cannot be replaced in a writable folder is reported once, too") {

@@ -33,7 +33,7 @@ class InspectorTextsSpec : FunSpec({
         recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))).times.sinceEnabled(0.0) shouldBe null
     }
 
-    test("values at the cursor are those of the graphs, or of a search, and what just changed comes first") {
+    test("the cursor's values are the topics of the graphs, or of a search, and those that just changed come first") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "B", "Mode"), listOf("0,1,5,off", "1,1,5,off", "2,1,9,off", "3,1,9,on")))
         val board = Board().withGraph(listOf("A", "B"))
         cursorSignals(open, board, "").map { it.name } shouldContainExactly listOf("A", "B")
@@ -46,7 +46,7 @@ class InspectorTextsSpec : FunSpec({
         cursorRows(shown, values, null).map { it.text } shouldContainExactly listOf("", "")
     }
 
-    test("statistics are those of the range in each recording where it stands, and go to a spreadsheet") {
+    test("statistics cover the range in each recording where it lies, and can be copied to a spreadsheet") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "A", "Mode"), listOf("0,1,off", "1,3,o\tn", "2,5,o\tn", "3,9,o\tn")))
         val other = recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("10,1", "11,4", "12,6")), "other.bag")
         val statistics = rangeStatistics(

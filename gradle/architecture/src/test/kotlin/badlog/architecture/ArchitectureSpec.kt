@@ -81,7 +81,7 @@ class ArchitectureSpec : FunSpec({
         }.shouldBeEmpty()
     }
 
-    test("packages form no cycle, in code or in what tests share") {
+    test("packages form no cycle, in code or in shared test fixtures") {
         val code = packageArrows(SOURCES.filter { !it.isTest }) { packageOf(it, MODULES_OF_PACKAGES.keys) }
         val tests = SOURCES.filter { it.isTest }.groupBy { it.module }.values.map { files ->
             val shared = files.flatMapTo(HashSet()) { it.declared }

@@ -28,7 +28,7 @@ class ModuleReadmeSpec : FunSpec({
         readmes.filterValues { it == null || it.readLines().size > MAX_LINES }.keys.map { it.module }.shouldBeEmpty()
     }
 
-    test("what READMEs of modules name exists there, or in a module that it may use") {
+    test("the types that a module's README names exist there, or in a module that it may use") {
         val named = readmes.flatMap { (row, file) ->
             val known = sources.filter { it.module == row.module || it.module in row.mayUse }
                 .flatMapTo(HashSet()) { source -> source.declared.map { it.substringAfterLast('.') } + File(source.path).nameWithoutExtension }

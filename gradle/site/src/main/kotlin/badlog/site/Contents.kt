@@ -13,8 +13,8 @@ internal class Contents(val sections: List<Section>) {
 
     internal companion object {
         /**
-         * Returns the contents listed in [guide]: a section for each heading of the second level, and an entry for the first link of each
-         * of its list items.
+         * Returns the contents listed in [guide]. Each heading of the second level is a section, and the first link of each of its list
+         * items an entry.
          */
         fun of(guide: Guide): Contents = Contents(
             guide.lists.map { (heading, links) -> Section(heading, links.map { (text, address) -> Entry(text, address) }) },

@@ -72,7 +72,7 @@ class NotesFileSpec : FunSpec({
             read.problems shouldContainExactlyInAnyOrder listOf(
                 "The notes in q42.bag.notes.json are damaged: “notes” is not a list. Repair the file, or delete it.",
                 "$unreadable cannot be read (it is larger than 16 MB); copy it to this computer's disk first.",
-                "Line 1 of q42.bag.notes-x.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.",
+                "Line 1 of q42.bag.notes-x.jsonl is skipped: it is damaged, or from a newer badlog. It stays in the file.",
             )
         }
         Files.write(NotesFile.beginningOf(log), byteArrayOf(-1, -2, 7))

@@ -122,7 +122,7 @@ internal class Startup {
     private fun awaitFromWeb(start: StartScreen) {
         LinkedFile.inAddress()?.let { linked ->
             val question = "A link wants to open “${linked.name}” from ${linked.host}. " +
-                "That site is asked for it, without cookies, and any that it forwards to."
+                "It is requested from that site, and from any site to which that one redirects, without cookies."
             start.offer(question, "Fetch it from ${linked.host}") { opening.open(linked) }
         }
         HandedFile.await { handed ->

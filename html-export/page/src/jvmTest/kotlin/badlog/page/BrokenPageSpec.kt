@@ -105,7 +105,7 @@ internal class BrokenPageSpec : PageSpec({
                 graphNames.isEmpty() shouldBe false
                 texts(".problem-text").first { "Damaged" in it } shouldContain "No rules ran."
                 texts(".finding").shouldBeEmpty()
-                elements("#download").single().getDomAttribute("title") shouldContain "as far as this damaged page still has it"
+                elements("#download").single().getDomAttribute("title") shouldContain "as much as this damaged page still has"
             }
         }
     }

@@ -145,7 +145,7 @@ internal class EmptyPageSpec : PageSpec({
             saved(name) { click("#download") } shouldBe bag
             for ((what, bytes, sentence) in listOf(
                 Triple("damaged.html", damaged, "damaged in copying"),
-                Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a page of badlog"),
+                Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a badlog page"),
                 Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
             )) {
                 click("#go-back")
@@ -211,7 +211,7 @@ internal class EmptyPageSpec : PageSpec({
             }
             drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
             awaitState("failed")
-            text shouldContain "There is nothing to show of pit.jpg"
+            text shouldContain "There is nothing to show in pit.jpg"
             click("#go-back")
             awaitState("empty")
         }

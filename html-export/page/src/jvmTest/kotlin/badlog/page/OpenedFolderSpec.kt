@@ -172,7 +172,7 @@ internal class OpenedFolderSpec : PageSpec({
             drop("pit.zip" to byteArrayOf(1, 2, 3))
             awaitState("failed")
             drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
-            await("the other sentence") { "nothing to show of pit.jpg" in text }
+            await("the other sentence") { "nothing to show in pit.jpg" in text }
             click("#go-back")
             await("the list") { elements(".log-table").isNotEmpty() }
             awaitAll()

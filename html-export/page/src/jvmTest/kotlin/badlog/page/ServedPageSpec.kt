@@ -233,7 +233,7 @@ internal class ServedPageSpec : PageSpec({
                 script("window.fetch = () => Promise.reject(new TypeError('Failed to fetch'))")
                 openRow(0)
                 awaitState("failed")
-                text shouldContain "The robot does not answer: stay in its Wi-Fi, and try again."
+                text shouldContain "The robot does not answer: stay on its Wi-Fi, and try again."
             }
         }
     }

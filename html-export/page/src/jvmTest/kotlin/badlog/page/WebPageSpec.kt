@@ -63,7 +63,7 @@ internal class WebPageSpec : PageSpec({
             logs().use { host ->
                 onWeb(site, linkTo("https://${host.host}/day 1/match.bag?key=1")) {
                     offers() shouldContainExactly listOf(
-                        "A link wants to open “match.bag” from ${host.host}. That site is asked for it, without cookies, and any that it forwards to.",
+                        "A link wants to open “match.bag” from ${host.host}. It is requested from that site, and from any site to which that one redirects, without cookies.",
                     )
                     keepScreenshot("web-offer")
                     seriousForReaders().shouldBeEmpty()

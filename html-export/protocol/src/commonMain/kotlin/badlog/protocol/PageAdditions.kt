@@ -61,7 +61,7 @@ class PageAdditions(
         )
     }
 
-    /** Returns the additions that are not about one log, so that a page also shows them for other logs. */
+    /** Returns the additions that apply to any log: rules and field. A page also shows them for other logs. */
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
     /** Reads what [toJson] wrote. */

@@ -55,14 +55,14 @@ class RobotAddress(
             val team = robot.toIntOrNull()
             if (team != null) {
                 require(team in 1..MAX_TEAM) {
-                    "“$robot” is not the number of a team, which is 1 to $MAX_TEAM; type it, or the robot's address."
+                    "“$robot” is not a team number, 1 to $MAX_TEAM; type one, or the robot's address."
                 }
                 return ofTeam(team, user)
             }
             val parts = ADDRESS.matchEntire(robot)
             val port = parts?.groups?.get("port")?.value?.toIntOrNull() ?: SFTP_PORT
             require(parts != null && port in 1..MAX_PORT) {
-                "“$robot” is neither a team's number nor an address; type 1014, 10.10.14.2 or user@robot.local."
+                "“$robot” is neither a team number nor an address; type 1014, 10.10.14.2 or user@robot.local."
             }
             val named = parts.groups["user"]?.value ?: user
             return listOf(RobotAddress(parts.groups["host"]!!.value, logins(named, ROBORIO, SYSTEMCORE), port))

@@ -60,7 +60,7 @@ internal class Transfer(
     /** Does the remaining work over [connection]. */
     fun run(connection: RobotConnection) {
         val listing = listed(connection)
-        if (!hasReported) for (name in listing.refused) skip(name, "“${safeName(name)}” is not the name of a file in a folder.")
+        if (!hasReported) for (name in listing.refused) skip(name, "“${safeName(name)}” is not a plain file name.")
         val wanted = listing.logs.filter { it.path !in done && isNew(connection, it) }.sortedByDescending { it.modified }
         if (!hasReported) {
             known = listing.logs.size - wanted.size

@@ -230,7 +230,7 @@ class FetchTroubleSpec : FunSpec({
             pit.fetch(robot, reports)
             pit.logs() shouldContainExactly
                 listOf("_._.._up/bag Qualification 1.bag", "_CON.csv", "a".repeat(176) + ".csv", "two_lines.csv")
-            reports.said shouldContain "“_._up.csv” is not the name of a file in a folder."
+            reports.said shouldContain "“_._up.csv” is not a plain file name."
             reports.said.none { '\n' in it } shouldBe true
         }
     }

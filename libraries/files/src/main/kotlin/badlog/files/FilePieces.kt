@@ -12,7 +12,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     /** The file's size when it was opened. */
     val total: Long = reading(file) { channel.size() }
 
-    /** Returns the result of [look] for the first [size] bytes, or fewer if the file is shorter; the array is reused after the call. */
+    /** Returns the result of [look] for the first [size] bytes, or fewer if the file is shorter. The array is reused after the call. */
     fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
 
     /**
@@ -25,7 +25,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         return if (size in total..total * MAX_INFLATION) size else 0
     }
 
-    /** Returns the start of the line after the last line end; 0 if there is none. */
+    /** Returns the position after the last line end; 0 if there is none. */
     fun lastLineEnd(): Long {
         var until = total
         while (until > 0) {

@@ -18,7 +18,7 @@ internal class HootHeader private constructor(val bus: String, val compliancy: I
         private const val COMPLIANCY = 70
         private const val OLDEST = 6
 
-        /** Returns the header of [hoot]; null if the file is too short to have one, or the name of its bus is not text. */
+        /** Returns the header of [hoot]. Null if the file is too short to have one, or the name of its bus is not text. */
         fun of(hoot: Path): HootHeader? {
             val bytes = reading(hoot) { Files.newInputStream(hoot).use { it.readNBytes(COMPLIANCY + 1) } }
             if (bytes.size <= COMPLIANCY) return null

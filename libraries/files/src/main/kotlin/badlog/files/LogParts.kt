@@ -31,7 +31,9 @@ public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFil
         ending in DriverStationFormat.endings || (ending in WpilogFormat.endings && name.stem.startsWith(STATION_STEM, ignoreCase = true))
     }
 
-/** Whether it is a log of the Driver Station: until 2026 in a format of its own, from 2027 on a WPILOG with nothing else in it. */
+/**
+ * Whether it is a log of the Driver Station. Until 2026 it has a format of its own; from 2027 on it is a WPILOG with nothing else in it.
+ */
 public val Recording.isOfDriverStation: Boolean
     get() = format == DriverStationFormat ||
         (format == WpilogFormat && topics.any { it.name.startsWith(STATION_TOPIC) } && topics.all(::isOfStation))

@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicBoolean
 import kotlin.random.Random
 
 /**
- * Creates an empty temporary file in [folder], for use while a log is read; its name identifies the program that made it. The first call
+ * Creates an empty temporary file in [folder], for use while a log is read. Its name identifies the program that made it. The first call
  * removes files left there by killed programs.
  *
  * @param ending the end of its name, such as `.wpilog`.

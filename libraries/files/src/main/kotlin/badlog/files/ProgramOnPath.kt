@@ -6,7 +6,7 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Returns the path of the program [name] in the folders of [path], the system's PATH; null if it is in none. On Windows it may end in
+ * Returns the path of the program [name] in the folders of [path], the system's PATH. Null if it is in none. On Windows it may end in
  * `.exe`.
  */
 public fun programOnPath(name: String, path: String? = System.getenv("PATH")): Path? =

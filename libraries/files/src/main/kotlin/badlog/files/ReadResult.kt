@@ -36,7 +36,7 @@ public sealed interface ReadResult {
         public val message: String,
         private val failure: Throwable?,
     ) : ReadResult {
-        /** Whether that stays so until the file changes. */
+        /** Whether the log stays unreadable until the file changes. */
         public val isLasting: Boolean get() = cause == Cause.NO_LOG
 
         /** The [message], with the path of [file] in it. */
@@ -120,7 +120,7 @@ public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R
     otherwise(ReadResult.NotRead.of(file, e))
 }
 
-/** Returns [message], a sentence about [file], with the path of the file in it. */
+/** Returns [message], a sentence about [file], after the file's path unless the sentence contains it. */
 public fun naming(file: Path, message: String): String = if ("$file" in message) message else "$file: $message"
 
 /** Returns the sentence that [what] needs too much memory, with a remedy. */

@@ -10,8 +10,8 @@ import java.nio.file.StandardOpenOption
 import java.util.UUID
 
 /**
- * The name of this computer as a part of file names, such as `pit-3f2a`: its name in the network, and an id that distinguishes it from others of the
- * same name. The system is asked once, which takes a moment.
+ * The name of this computer as a part of file names, such as `pit-3f2a`. It consists of the name in the network, and an id that
+ * distinguishes it from other computers of that name. The system is asked once, which takes a moment.
  */
 public val computerName: String by lazy {
     listOfNotNull(fileNamePart(nameInNetwork()), computerId(UserFolders.ofSystem().settings)).joinToString("-")
@@ -26,7 +26,7 @@ private fun nameInNetwork(): String = try {
     ""
 }.ifBlank { System.getenv("COMPUTERNAME").orEmpty() }.ifBlank { "laptop" }
 
-/** Returns the id of this computer, which the folder [settings] keeps; null if it can neither be read nor written there. */
+/** Returns the id of this computer, which the folder [settings] keeps. Null if it can neither be read nor written there. */
 internal fun computerId(settings: Path): String? {
     val file = settings.resolve("computer-id")
     return try {

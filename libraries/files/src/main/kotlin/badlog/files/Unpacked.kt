@@ -16,7 +16,7 @@ import java.nio.file.Path
  * @property path the log itself, or a WPILOG made from it.
  * @property name its name: for a converted WPILOG, the name of the log with the ending of a WPILOG.
  * @property format the format from which the WPILOG was made; null for the log itself, and for a format that badlog cannot read alone.
- * @property problems what was wrong in the log and does not show in the converted WPILOG.
+ * @property problems the problems of the log that the converted WPILOG does not show.
  */
 public class Unpacked internal constructor(
     public val path: Path,
@@ -26,7 +26,7 @@ public class Unpacked internal constructor(
 )
 
 /**
- * Runs [work] with the log [file], or with a temporary WPILOG made from it: a `.wpilogxz` is one compressed with xz, a `.revlog` of
+ * Runs [work] with the log [file], or with a temporary WPILOG made from it. A `.wpilogxz` is one compressed with xz, a `.revlog` of
  * REV's devices can be converted to one, and CTRE's own program converts a `.hoot` of CTRE's devices. All but the last are
  * recognized by their content.
  *

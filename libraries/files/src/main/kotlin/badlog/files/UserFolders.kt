@@ -13,7 +13,7 @@ public class UserFolders(public val settings: Path, public val cache: Path) {
     public val answers: Path get() = cache.resolve("answers")
 
     public companion object {
-        /** Returns the folders that the system intends for this: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
+        /** Returns the system's usual folders: XDG's on Linux, `Library` on macOS, `AppData` on Windows. */
         public fun ofSystem(
             system: String = System.getProperty("os.name"),
             user: Path = Path.of(System.getProperty("user.home")),

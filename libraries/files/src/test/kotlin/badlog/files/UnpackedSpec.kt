@@ -128,7 +128,7 @@ internal class UnpackedSpec : FunSpec({
         }
     }
 
-    test("folders that a killed program left are removed with what is in them, but no folder of anybody else") {
+    test("folders that a killed program left are removed with their content, and no other folders") {
         inFolder { folder ->
             val killed = ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-version").start()
             killed.waitFor()

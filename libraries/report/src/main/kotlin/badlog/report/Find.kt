@@ -47,7 +47,7 @@ class Find(
         val question: ParsedQuestion = askedQuestion(clauses.question, shape, names, signals)
     }
 
-    /** The mistake in the question that does not depend on the log, such as an unclosed parenthesis; null if none is certain. */
+    /** The mistake in the question that does not depend on the log, such as an unclosed parenthesis. Null if none is certain. */
     val mistake: Reply.NotAsked? =
         listOfNotNull(clauses.question, clauses.condition).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 

@@ -4,7 +4,7 @@ import badlog.signals.logging.LoggingLibrary
 import badlog.signals.logging.howToLog
 
 /**
- * Returns the lines of a robot program that log the first of [signals], which a log lacks, with WPILib alone; null if nothing is known of
+ * Returns the lines of a robot program that log the first of [signals], which a log lacks, with WPILib alone. Null if nothing is known of
  * them. The report's JSON has the lines of other libraries.
  */
 internal fun howToLogText(signals: List<String>): String? {

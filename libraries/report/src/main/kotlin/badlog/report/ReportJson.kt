@@ -6,7 +6,7 @@ import badlog.rules.SkippedRule
 import badlog.rules.incident.Incident
 import kotlinx.serialization.Serializable
 
-/** What was found in a readable log, and what was skipped, in the form for other programs. Unknown numbers are null. */
+/** The findings and skipped rules of a readable log, in the form for other programs. Unknown numbers are null. */
 @Serializable
 class ReportJson private constructor(
     private val match: String?,

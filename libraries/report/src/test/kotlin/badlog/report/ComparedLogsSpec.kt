@@ -97,7 +97,7 @@ class ComparedLogsSpec : FunSpec({
         }
     }
 
-    test("the page of a log has what only the report can find, and the index shows it over the matches") {
+    test("the page of a log has the findings that only a report has, and the index shows them for all matches") {
         inFolder { folder ->
             val logs = logsIn(folder.season())
             val pages = ReportFolder(folder.resolve("out"), logs, RuleSet.BUILT_IN, exporter = HtmlExporter(parts = PageParts("", "")))

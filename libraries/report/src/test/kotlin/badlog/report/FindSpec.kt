@@ -66,7 +66,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("the text says what was found, what is missing, and where a mistake is") {
+    test("the text reports findings, missing topics, and the place of a mistake") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("long ${"x".repeat(120)}.bag", batteryBag(5.0))
@@ -95,7 +95,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("the JSON has every file, and null for what is not known") {
+    test("the JSON has every file, and null for unknown values") {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             folder.put("2.bag", batteryBag(6.0, name = "Volts"))

@@ -17,7 +17,7 @@ class IncidentsSpec : FunSpec({
     val result = Report(RuleSet.BUILT_IN_PROVEN).over(SAMPLES.filter { "42" in it.name })
     val log = result.logs.single()
 
-    test("the brownout of match 42 is its first incident, with what led to it") {
+    test("the brownout of match 42 is its first incident, with its causes") {
         val incident = log.incidents.first()
         incident.name shouldBe "The robot drew more than its battery gives"
         incident.effects.map { it.rule } shouldContain "Browned out"
@@ -43,7 +43,7 @@ class IncidentsSpec : FunSpec({
         lines.indexOf(incident) shouldBe 1
     }
 
-    test("other programs get its sentences, each with what shows it") {
+    test("the JSON has its sentences, each with its evidence") {
         val json = Json.parseToJsonElement(Json.encodeToString(ReportJson.serializer(), ReportJson(log))).jsonObject
         val incident = json.getValue("incidents").jsonArray.first().jsonObject
         incident.getValue("severity").jsonPrimitive.content shouldBe "error"

@@ -80,7 +80,7 @@ class SeasonOfLogsSpec : FunSpec({
             batteryCsv(seasons).lines()[1].split(',').take(2) shouldBe listOf("'=B2<i>", "2")
             val page = reportPage(Report().over(logsIn(folder)))
             page shouldContain "<h2>Batteries</h2>"
-            page shouldContain "<b>Use A1 next.</b> Its resistance is 20.0 ± 0.1 mΩ and it is the only one that is fit."
+            page shouldContain "<b>Use A1 next.</b> Its resistance is 20.0 ± 0.1 mΩ and it is the only usable one."
             page shouldNotContain "<i>"
         }
     }

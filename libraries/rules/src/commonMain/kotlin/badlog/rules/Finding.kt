@@ -6,12 +6,12 @@ import badlog.expression.Quantity
 import badlog.rules.standing.PROVEN_TRUST
 
 /**
- * What a rule or a hook found in a log.
+ * A finding of a rule or a hook in a log.
  *
  * @property rule the name of the rule or the hook.
  * @property severity how serious it is.
  * @property topic the topic it is about; null if there is none.
- * @property text what was found, as a sentence: the rule's text with values filled in.
+ * @property text the finding as a sentence: the rule's text with values filled in.
  * @property time where to look first, in the unit of x; NaN if it is about the whole log.
  * @property spans when it was found, at most the first [MAX_SPANS], or [MAX_PLACES] if all were requested; a moment has a span
  *   without width. Empty if it is about the whole log.
@@ -20,12 +20,12 @@ import badlog.rules.standing.PROVEN_TRUST
  * @property isOfHook whether a hook found it, rather than a rule.
  * @property evidence the full names of the topics that show it, those of the rule's condition first.
  * @property next what to look at next, as a sentence; empty if not given.
- * @property caveats what would make it wrong, each as a sentence: how rarely a topic is sampled, what was left out.
+ * @property caveats reasons to doubt it, each as a sentence: a rarely sampled topic, samples that were left out.
  * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
  *   another fault.
  * @property trust how far its rule can be relied on, from 0 to [PROVEN_TRUST].
  * @property meanwhile the signals that were unusual nearly each time, by their names.
- * @property texts for each of [spans], what was found there, with its own values; empty if [text] applies to all of them.
+ * @property texts the sentence for each of [spans], with its own values; empty if [text] applies to all of them.
  */
 class Finding(
     val rule: String,
@@ -45,13 +45,13 @@ class Finding(
     val trust: Double = PROVEN_TRUST,
     val meanwhile: List<String> = emptyList(),
 ) {
-    /** Returns what was found at [place], one of [places]. */
+    /** Returns the sentence about [place], one of [places]. */
     fun textAt(place: Span): String = texts.getOrNull(spans.indexOf(place)) ?: text
 
     /** Returns the one of [places] that lasts over [x] or is nearest to it; null if there are none. */
     fun placeNear(x: Double): Span? = places.minByOrNull { maxOf(it.from - x, x - it.to, 0.0) }
 
-    /** All places where it was found, the one to look at first before the others; empty if it is about the whole log. */
+    /** All places where it was found, the one to look at first before the others. Empty if it is about the whole log. */
     val places: List<Span>
         get() = if (time.isFinite()) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
 
@@ -65,8 +65,8 @@ class Finding(
 }
 
 /**
- * Returns the findings, the worst first, and within a severity those of the most trusted rules, in the order of time; those about the whole log come
- * before those with a place.
+ * Returns the findings, the worst first. Within a severity, findings of the most trusted rules come first, then in the order of time; findings
+ * about the whole log come before findings with a place.
  */
 fun List<Finding>.worstFirst(): List<Finding> =
     sortedWith(compareBy({ -it.severity.ordinal }, { -it.trust }, { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }))

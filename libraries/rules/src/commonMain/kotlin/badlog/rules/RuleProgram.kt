@@ -43,8 +43,7 @@ class RuleResult internal constructor(val rule: Rule, val findings: List<Finding
  * Why a rule is skipped for a log.
  *
  * @property message the reason, such as "no topic is called “Arm”".
- * @property mistake if the rule seems to be wrong, rather than not made for this log, its place in the file of rules;
- * otherwise null.
+ * @property mistake the place in the file of rules if the rule itself seems to be wrong; null if it is only not made for this log.
  * @property lacking the signal that the log has no topic for; null for another reason.
  * @property simulated why the log is of a simulated robot, if that is the reason; otherwise null.
  */
@@ -143,7 +142,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
-    /** The names of the topics whose samples the rules need, besides those of time and of when the robot was enabled. */
+    /** The names of the topics with samples that the rules need, besides the time and the topics that show when the robot was enabled. */
     val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf) +
         namesOfKind(vocabulary.signals.map { it.name }) + signals.of("battery").map { it.topic }
 

@@ -18,7 +18,7 @@ import kotlin.math.round
 /**
  * Runs the rules of a program on [view], which was read from a file called [file].
  *
- * @param devices what the team calls its devices.
+ * @param devices the team's names for its devices.
  * @param isEverywhere whether findings have all their spans, with a text for each.
  */
 internal class RuleRun(view: LogView, private val file: String, private val devices: DeviceNames, private val isEverywhere: Boolean) {
@@ -59,7 +59,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
             return listOf(finding(rule, question, answer, answer.spans, answer.times, textAt, signals))
         }
         val alike = LinkedHashMap<String, MutableList<Span>>()
-        // Of what is said at the same time, each message has a finding of its own.
+        // Each of several messages at the same time has a finding of its own.
         for (span in answer.spans.distinctBy { it.from }) {
             messages.at(span.from).mapTo(LinkedHashSet(), ::withoutNumbers).forEach { alike.getOrPut(it, ::ArrayList) += span }
         }
@@ -115,7 +115,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         )
     }
 
-    /** Returns the topics that show what [question] found: those of the [channels] that drew most stand for the other channels. */
+    /** Returns the topics that show what [question] found. The [channels] with the highest currents represent the other channels. */
     private fun evidenceOf(question: RuleProgram.Question, channels: List<LargestChannel>): List<String> {
         if (channels.isEmpty()) return question.evidence
         val all = question.channels.flatMapTo(HashSet()) { it.topics }

@@ -20,7 +20,7 @@ class RuleSet internal constructor(
     val comparisons: List<ComparisonRule> = emptyList(),
     val devices: DeviceNames = DeviceNames.NONE,
 ) {
-    /** The items to check before each match, in the order of the rules, each once; empty in rules of a page. */
+    /** The items to check before each match, in the order of the rules, each once. Empty in rules of a page. */
     val checklist: List<String> get() = rules.map { it.checklist }.filter { it.isNotBlank() }.distinct()
 
     /** Returns these rules with [signals] as the names of topics. */

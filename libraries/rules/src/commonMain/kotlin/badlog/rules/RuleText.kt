@@ -1,6 +1,6 @@
 package badlog.rules
 
-/** The text of a finding, with placeholders for what was found: `{value} at {time}`. A literal brace is doubled. */
+/** The text of a finding, with placeholders: `{value} at {time}`. A literal brace is doubled. */
 internal class RuleText private constructor(val source: String, private val parts: List<Part>) {
     private class Part(val text: String, val isPlace: Boolean)
 

@@ -6,7 +6,7 @@ import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.round
 
-/** Builds the texts of [rule] about [question] in a log that was read from [file] and is of [match], whose team calls [devices] so. */
+/** Builds the texts of [rule] about [question] in a log of [match] that was read from [file]; [devices] are the team's names. */
 internal class TextedRule(
     private val rule: Rule,
     private val question: RuleProgram.Question,
@@ -19,8 +19,8 @@ internal class TextedRule(
     private val once: RuleText by lazy { ONCE.fold(rule.text) { text, (counted, single) -> text.replacing(counted, single) } }
 
     /**
-     * Returns the text for [value] at [time], found [count] times, over a total [length] of time in which [channels] drew most, each with
-     * its current, and which saw the events [meanwhile].
+     * Returns the text for [value] at [time], found [count] times, over a total [length] of time. In that time, [channels] drew most, each
+     * with its current, and the events [meanwhile] occurred.
      */
     fun text(
         value: String,
@@ -67,7 +67,7 @@ private fun rounded(value: Double, digits: Int): Double {
     return if (power < 0) 10.0.pow(-power).let { round(value / it) * it } else 10.0.pow(power).let { round(value * it) / it }
 }
 
-/** What texts say of a number of times, and what they say instead of a single time. */
+/** The phrase for a number of times, and its replacement for a single time. */
 private val ONCE = listOf(" ({count}×)" to "", "({count}× " to "(")
 private const val LENGTH_DIGITS = 3
 private const val VALUE_DIGITS = 4

@@ -66,7 +66,7 @@ class BatteriesFileSpec : FunSpec({
     }
 
     for (text in listOf("used = { a = \"A1\" }\n", "[[battery]]\nname = \"A\"\n[used.x]\n", "used.\"a b\" = \"A1\"\n")) {
-        test("what only a person can change is said to be so, as in ${text.replace("\n", " ")}") {
+        test("what only a person can change is reported as such, as in ${text.replace("\n", " ")}") {
             val problem = shouldThrow<RulesException> { BatteriesFile.withUse(text, "b.bag", "B2") }
             problem.message.shouldContain(if (".x" in text) "“used” is a table" else "cannot be changed here")
         }

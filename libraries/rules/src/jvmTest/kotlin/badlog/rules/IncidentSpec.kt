@@ -33,7 +33,7 @@ class IncidentSpec : FunSpec({
         names(blocked(20.0, "vision latency", "CPU load")) shouldBe listOf("The loop stood still while vision latency and CPU load rose")
     }
 
-    test("what follows from a cause, even indirectly, is one incident with it, the cause first") {
+    test("a cause and its effects, even indirect ones, are one incident, the cause first") {
         val browned = found("Browned out", 21.5, severity = Severity.ERROR)
         val incident = incidents(found("Low battery", 21.0), browned, left, found("Main breaker", 21.0), right).single()
         incident.name shouldBe PUSHED
@@ -50,7 +50,7 @@ class IncidentSpec : FunSpec({
         incident.others.map { it.rule } shouldBe listOf("Main breaker")
     }
 
-    test("what a cause was found by is not repeated among the incident's sentences") {
+    test("the findings that showed a cause are not repeated among the incident's sentences") {
         val loop = Finding("Loop blocked", Severity.ERROR, "Loop Time", "The loop took 396 ms.", 20.0, listOf(Span(20.0, 20.2)), 1, "s")
         val vision = Finding(
             "Loop and vision late together", Severity.WARNING, "Vision/Latency", "Late.", 20.0, listOf(Span(20.0, 20.2)), 1, "s",
@@ -62,7 +62,7 @@ class IncidentSpec : FunSpec({
         incident.severity shouldBe Severity.ERROR
     }
 
-    test("what comes much later, or before, is not an effect") {
+    test("a finding much later, or before, is not an effect") {
         incidents(left, right, found("Browned out", 26.0), found("Low battery", 10.0)).single().effects.shouldBeEmpty()
     }
 
@@ -99,7 +99,7 @@ class IncidentSpec : FunSpec({
             listOf("The robot lost its radio or driver station", BLOCKED)
     }
 
-    test("what hooks find is not taken for what rules of the same name find") {
+    test("findings of hooks are kept apart from those of rules with the same name") {
         val ofHook = Finding("Link lost", Severity.ERROR, null, "x", 1.0, listOf(Span(1.0, 2.0)), 1, "s", isOfHook = true)
         names(ofHook).shouldBeEmpty()
     }

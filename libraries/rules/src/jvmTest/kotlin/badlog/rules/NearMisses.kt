@@ -57,7 +57,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Linked motor without current" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0.5" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { 0.6 * TestMatch.load(it) / 4 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (42 * TestMatch.output(it)).toString() } },
-    // It draws what a motor draws that is blocked.
+    // It draws as much as a blocked motor.
     "Encoder stopped" to {
         from(20.0, LEFT) { "10" }
         from(20.0, "Drive/Left/DutyCycle") { "0.5" }
@@ -93,7 +93,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Height") { (0.95 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.2" }
     },
-    // What it lifts pulls it down, too.
+    // Its load pulls it down, too.
     "Moves harder" to { lift(load = 20.0) { if (it < 15) 4.0 else 5.0 } },
     "Position oscillates" to { number("Elevator/Height") { TestMatch.height(it) + 0.015 * TestMatch.wave(it * 6) } },
     "Speed oscillates" to { shooter { 4000 + 40 * TestMatch.wave(it * 4) } },

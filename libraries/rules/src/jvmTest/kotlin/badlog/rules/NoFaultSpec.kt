@@ -8,11 +8,11 @@ import io.kotest.matchers.string.shouldContain
 
 private const val POSE_X = "Odometry/Robot/translation/x"
 
-/** What real logs have and what is none of the robot's faults; each was taken for one once. */
+/** Harmless things in real logs, each of which was once taken for a fault. */
 class NoFaultSpec : FunSpec({
     fun TestMatch.rules() = findings().map { it.rule }
 
-    test("the last elements of an array whose length changes are no lost sensors, and the unused ones no flat ones") {
+    test("in an array with a changing length, the last elements are not lost sensors, and unused ones not flat ones") {
         val match = TestMatch().apply {
             for (i in 0..5) cells("Drive/OdometryDrivePositionsRad[$i]") { if (i < 4 + (it * 50).toInt() % 3) "${it + i}" else "" }
             for (i in 0..3) cells("Auto/CurrentPathPoints[$i]") { if (it in 5.0..9.0) "1.5" else "" }
@@ -20,7 +20,7 @@ class NoFaultSpec : FunSpec({
         match.findings().filter { "[" in it.topic.orEmpty() }.shouldBeEmpty()
     }
 
-    test("elements of a queue that was exported one by one are no sensors; elements of an array with a constant length are") {
+    test("elements of a queue that was exported one by one are not sensors; elements of an array with a constant length are") {
         fun flat(length: (Double) -> Double) = TestMatch().apply {
             number("Gyro/OdometryYawPositions/length", at = length)
             for (i in 0..3) number("Gyro/OdometryYawPositions/$i/value") { if (i < 2) TestMatch.position(it) else 1.5 }
@@ -50,7 +50,7 @@ class NoFaultSpec : FunSpec({
         TestMatch().apply { cells("Arm/position") { if (it < 20) "$it" else "" } }.rules().count { it == "Sensor lost" } shouldBe 1
     }
 
-    test("a pose that is set anew in the second after the robot is enabled has not jumped; later it has") {
+    test("a pose that is reset in the second after the robot is enabled has not jumped; later it has") {
         for ((at, isFound) in listOf(4.0 to false, 4.9 to false, 15.0 to false, 15.8 to false, 20.0 to true)) {
             val jumped = TestMatch().apply { from(at, POSE_X) { "11" } }.rules()
             ("Pose jumped" in jumped) shouldBe isFound
@@ -93,7 +93,7 @@ class NoFaultSpec : FunSpec({
         TestMatch().apply { within(4.1..4.4, LOOP_TIME) { "250" } }.rules().forNone { it shouldContain "Loop" }
     }
 
-    test("currents that are memory that was never written are none") {
+    test("values from memory that was never written are not currents") {
         val match = TestMatch().apply {
             for (i in 0..3) number("/PowerDistribution/ChannelCurrent[$i]") { if (it.toInt() % 2 == 0) 1.9e276 else 6.95e-310 }
         }
@@ -128,7 +128,7 @@ class NoFaultSpec : FunSpec({
         match.findings().filter { it.rule == "Controller unplugged" }.map { it.topic } shouldBe listOf("DS:joystick0/axes[0]")
     }
 
-    test("of what a loop wrote to the console, the line with the error is quoted") {
+    test("of a loop's messages on the console, the line with the error is quoted") {
         val match = TestMatch().apply {
             event("messages", 20.0 to "********** Robot program starting **********\\nError at frc.Lights: no Arduino\\n\\tat java.Lang")
         }

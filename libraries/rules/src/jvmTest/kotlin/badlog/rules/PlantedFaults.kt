@@ -203,7 +203,7 @@ internal fun TestMatch.shooter(rpm: (Double) -> Double) {
     number("Shooter/Velocity RPM", at = rpm)
 }
 
-/** A lift that goes up and down, whose motor also carries a [load] from 15 s on, and overcomes a [friction], in A. */
+/** A lift that goes up and down. From 15 s on, its motor also carries a [load]; it overcomes a [friction], in A. */
 internal fun TestMatch.lift(load: Double, friction: (Double) -> Double) {
     for (name in listOf("Lift/Setpoint", "Lift/Height")) number(name) { 0.5 + 0.4 * TestMatch.wave(it) }
     number("Lift/Current Amps") { (if (it < 15) 3.0 else load) - 5 * TestMatch.wave(it) + friction(it) * sign(TestMatch.wave(it + 0.75)) }

@@ -44,12 +44,12 @@ private fun viewOf(match: GeneratedMatch): LogView {
 }
 
 /** The text of a finding, and its time in the clock of 2026. */
-private class Said(val text: String, val times: List<Double>)
+private class TimedText(val text: String, val times: List<Double>)
 
 private fun findingsIn(view: LogView, later: Double) = RuleSet.BUILT_IN.over(view, "a.wpilog").findings.map { finding ->
     // Each text has the times of its own clock.
     val text = finding.text.replace("NT:/SmartDashboard/", "NT:/Telemetry/").replace(Regex("[0-9][0-9.,:]*"), "#")
-    Said("${finding.rule} ${finding.severity} $text", finding.spans.flatMap { listOf(it.from - later, it.to - later) })
+    TimedText("${finding.rule} ${finding.severity} $text", finding.spans.flatMap { listOf(it.from - later, it.to - later) })
 }.sortedWith(compareBy({ it.text }, { it.times.firstOrNull() ?: 0.0 }))
 
 @Tags("InCheck")

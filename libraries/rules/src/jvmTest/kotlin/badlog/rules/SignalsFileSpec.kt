@@ -34,7 +34,7 @@ class SignalsFileSpec : FunSpec({
 
     fun topics(vararg signals: Signal) = SignalTopics(builtIn, Vocabulary(signals.toList()), null)
 
-    test("each name that libraries use is the right signal, and misleading names are none") {
+    test("each name that libraries use is the right signal, and misleading names are no signals") {
         val wrong = names.associate { named ->
             named.topic.name to (topics(named.topic).all.map { it.signal } to named.signal)
         }.filterValues { (found, wanted) -> if (wanted == null) found.isNotEmpty() else wanted !in found }

@@ -58,7 +58,7 @@ class TrustSpec : FunSpec({
         finding.text shouldBe "1.62 s (81×)"
     }
 
-    test("the four channels that drew most are named with what they drew, and are evidence") {
+    test("the four channels with the highest currents are named with them, and are evidence") {
         val match = TestMatch().apply {
             for ((channel, amperes) in listOf(60, 20, 70, 40, 30).withIndex()) {
                 number("/PowerDistribution/ChannelCurrent[$channel]") { if (it in 20.0..26.0) amperes.toDouble() else 3.0 }
@@ -71,7 +71,7 @@ class TrustSpec : FunSpec({
         finding.evidence.filter { "Channel" in it } shouldBe listOf(2, 0, 3, 4).map(::channel)
     }
 
-    test("what rose at the same time is called by its topic if there are several of the kind") {
+    test("a signal that rose at the same time is called by its topic if there are several of its kind") {
         fun match(vararg cameras: String) = TestMatch().apply {
             without("Vision/Latency")
             from(20.0, "/RealOutputs/LoggedRobot/FullCycleMS") { if (it < 20.2) "160" else "9" }
@@ -94,7 +94,7 @@ class TrustSpec : FunSpec({
         slow.first { it.rule == "Low battery" }.caveats shouldContain "$BATTERY is sampled every 100 ms here: what is shorter is not seen."
     }
 
-    test("what was not looked at is known, with the signals that most rules lack") {
+    test("the skipped rules are known, with the signals that most of them lack") {
         val match = TestMatch().apply { without(BATTERY) }
         val found = RuleSet.BUILT_IN.over(match.view(), "test.bag")
         val unseen = NotLookedAt(found.ran, found.skipped)

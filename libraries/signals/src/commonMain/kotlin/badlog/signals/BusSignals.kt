@@ -30,8 +30,8 @@ import badlog.signals.swerve.ModuleTopics
 import kotlin.math.abs
 
 /**
- * What can be calculated of [devices] on the CAN bus that are named by their ids alone. What they move is inferred from their behavior, so a
- * signal may turn out to have no samples; what is found is said of the device.
+ * Signals of [devices] on the CAN bus that are named by their ids alone. Their mechanism is inferred from their behavior, so a signal may
+ * turn out to have no samples; findings name the device.
  */
 internal class BusSignals(private val devices: List<BusDevice>, private val modules: List<ModuleTopics>) {
     private val motors = devices.filter { it.isMotor }
@@ -45,7 +45,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
                 devices.mapNotNull(::standstill),
         )
 
-    /** Returns what the motors draw in all, if [battery] falls with it: otherwise others draw most. Null for too few motors. */
+    /** Returns the total current of the motors if [battery] falls with it; otherwise other devices draw most. Null for too few motors. */
     fun totalCurrent(battery: (NamedSamples) -> Series): DerivedSignal? {
         val known = motors.filter { BusSignal.SUPPLY_CURRENT in it || BusSignal.OUTPUT in it }
         if (known.size < MIN_MOTORS) return null
@@ -62,7 +62,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         }
     }
 
-    /** The current from the battery of the motor that takes most, at each time; null if no motor says what it takes. */
+    /** The highest battery current of a motor at each time; null if no motor logs its current. */
     val largestCurrent: DerivedSignal? = motors.filter { BusSignal.SUPPLY_CURRENT in it || BusSignal.OUTPUT in it }.let { known ->
         val topics = known.map { checkNotNull(it.topic(BusSignal.SUPPLY_CURRENT) ?: it.topic(BusSignal.CURRENT)) }
         if (known.isEmpty()) return@let null
@@ -72,7 +72,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         }
     }
 
-    /** Returns the current that [motor] takes from the battery: that of its windings, as far as its output is on; negative while it brakes. */
+    /** Returns the current that [motor] takes from the battery: as logged, or from its windings and output; negative while it brakes. */
     private fun suppliedTo(motor: BusDevice, motion: BusMotion): DoubleArray {
         if (BusSignal.SUPPLY_CURRENT in motor) return motion.valuesOf(motor, BusSignal.SUPPLY_CURRENT)
         return suppliedCurrent(
@@ -82,7 +82,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         )
     }
 
-    /** Returns the drive motors in the order of the modules; null if it is not known which is of which. */
+    /** Returns the drive motors in the order of the modules; null if their assignment is unknown. */
     fun driversOfModules(samples: NamedSamples): List<BusDevice>? {
         if (modules.isEmpty() || motors.size < modules.size) return null
         val motion = samples.motion()
@@ -278,7 +278,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     private companion object {
         const val MIN_MOTORS = 4
 
-        /** The correlation of current and voltage if the current is most of what the battery gives. */
+        /** The highest correlation of current and voltage at which the current is most of the battery's. */
         const val EXPLAINED = -0.5
         const val SWING_PERCENT = 3.0
         const val SWING_SECONDS = 4.0

@@ -52,7 +52,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         return if (topics.isEmpty()) null else NamedSignal.of(signal, topics)
     }
 
-    /** What the motors draw in all, if nothing logs the current of the battery or of the channels. */
+    /** The total current of the motors, if nothing logs the current of the battery or of the channels. */
     private fun totalCurrent(): DerivedSignal? {
         val battery = named("battery") ?: return null
         return if (named(TOTAL_CURRENT) == null) bus.totalCurrent { it.of(battery) } else null
@@ -131,7 +131,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         const val SHOWN = 4
         const val TOTAL_CURRENT = "total current"
 
-        /** In A: what the largest breakers of a power distribution's channels stand. */
+        /** The rating of the largest breakers of a power distribution's channels, in A. */
         const val HARD_PULL = 40.0
     }
 }

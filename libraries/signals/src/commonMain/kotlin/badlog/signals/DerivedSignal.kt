@@ -3,8 +3,8 @@ package badlog.signals
 import badlog.core.analysis.Series
 
 /**
- * A signal that is calculated from topics of a log, for rules: how a part follows its target, by how much a voltage is lower than the
- * current explains. `docs/signals.md` lists them.
+ * A signal for rules that is calculated from topics of a log, such as the distance of a part from its target. `docs/signals.md` lists
+ * them.
  *
  * @property name the name in rules; several parts may have it.
  * @property unit the unit of its samples; empty for none.

@@ -19,15 +19,15 @@ internal fun speedSignals(part: String, topics: List<String>, following: (NamedS
     DerivedSignal("speed swing", "%", part, topics) { following(it).swing() },
 )
 
-/** Returns the size of [output], of which [full] is all, while a part has [missed] its target by more than [AWAY_PERCENT]; otherwise 0. */
+/** Returns the size of [output] as a part of [full] while a part has [missed] its target by more than [AWAY_PERCENT]; otherwise 0. */
 internal fun effort(missed: Series, output: Series, full: Double): Series {
     val held = output.heldAt(missed.x)
     return Series(missed.x, DoubleArray(missed.size) { if (missed.y[it] > AWAY_PERCENT) abs(held[it]) / full else 0.0 })
 }
 
 /**
- * Returns whether a part stands [away] from its target by more than [AWAY_PERCENT], at least [least] A and half as much [current] as it
- * ever takes driving it: 1 or 0. What only holds its place is near its target.
+ * Returns whether a part stands [away] from its target although it is driven: 1 or 0. Its error is above [AWAY_PERCENT], and its [current]
+ * at least [least] A and half of its maximum. A part that only holds its place is near its target.
  */
 internal fun heldBack(away: Series, current: Series, least: Double): Series {
     val held = current.heldAt(away.x)

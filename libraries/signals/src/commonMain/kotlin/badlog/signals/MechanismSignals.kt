@@ -16,7 +16,7 @@ import badlog.signals.derived.steppedTimes
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
 
-/** What can be calculated of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
+/** Signals of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
 internal class MechanismSignals(private val robot: RobotParts, private val battery: ((NamedSamples) -> Series)?) {
     private val byPart get() = robot.byPart
 
@@ -151,7 +151,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         }
     }
 
-    /** Returns what a mechanism's own sensor says and what its motor's does; null without both. */
+    /** Returns the positions from a mechanism's own sensor and from its motor's; null without both. */
     private fun couplingIn(part: List<PartTopic>): Pair<PartTopic, PartTopic>? {
         val places = part.filter { it.quantity == Quantity.POSITION && !it.isTarget }
         if (places.size != 2) return null

@@ -15,7 +15,7 @@ import badlog.signals.swerve.ModuleTopics
 import badlog.signals.swerve.STEER_WORDS
 import badlog.signals.vocabulary.wordsOf
 
-/** What can be calculated of the modules of a swerve drive. */
+/** Signals of the modules of a swerve drive. */
 internal class ModuleSignals(private val robot: RobotParts, private val bus: BusSignals) {
     private val modules = robot.modules
 
@@ -24,7 +24,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         angles + listOfNotNull(speedShare(at), currentShare(at))
     }
 
-    /** What the modules of a drive were to do, and did. */
+    /** The targets and the measurements of a drive's modules. */
     private class Steering(
         val times: DoubleArray,
         val angles: List<DoubleArray>,
@@ -32,14 +32,14 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         val speeds: List<DoubleArray>,
         val isEnabled: BooleanArray,
     ) {
-        /** How far behind each module is, as far as that can be measured: where angles come seldom, they are behind anyway. */
+        /** The lag of each module, if it can be measured: rarely logged angles lag anyway. */
         val lags: List<Double?>? by lazy {
             val least = if (isSeldom(times, angles)) SELDOM_BEHIND else 0.0
             moduleAngleLags(times, angles, targets, speeds, isEnabled)?.map { lag -> lag?.takeIf { it > least } }
         }
     }
 
-    /** The topics of the drive motor of a module besides those of [ModuleTopics]. */
+    /** The topics of a module's drive motor that [ModuleTopics] lacks. */
     private fun driveTopicsOf(module: ModuleTopics, vararg quantities: Quantity): List<PartTopic> {
         val words = wordsOf(module.label)
         return robot.topics.filter { part ->
@@ -99,7 +99,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     }
 
     private companion object {
-        /** How many times as far behind as the others a module is that does not follow. */
+        /** The lag above which a module does not follow, as a multiple of the others' lag. */
         const val BEHIND = 1.15
 
         /** The same where angles come seldom. */

@@ -42,6 +42,6 @@ internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     }
 }
 
-/** Returns the factor from the unit of [from] to the unit of [to], 1 if one has none; null if they do not measure the same. */
+/** Returns the factor from the unit of [from] to the unit of [to], 1 if one has none. Null if they do not measure the same. */
 internal fun scaleOf(from: PartTopic, to: PartTopic): Double? =
     if (from.unit.isEmpty() || to.unit.isEmpty()) 1.0 else unitScale(from.unit, to.unit)

@@ -102,7 +102,7 @@ class ViewWithSignalsSpec : FunSpec({
         logOf("/DriverStation/MatchNumber" to List(5) { "0" }, "a" to List(5) { "1" }).withSignals(vocabulary, "log").title shouldBe null
     }
 
-    test("rules use what a topic means, however the topic expresses it") {
+    test("rules use the meaning of a topic, however the topic expresses it") {
         val rules = RulesFile.parse("[[rule]]\nname = \"Off\"\nseverity = \"note\"\ntext = \"Off.\"\nwhen = \"not robot enabled for 1 s\"\n").rules
         val view = logOf("/DSLog/Status/DSDisabled" to listOf("false", "true", "true", "true", "false"))
         rules.over(view, "a").findings.single().spans shouldBe listOf(Span(1.0, 4.0))

@@ -3,8 +3,8 @@ package badlog.samples.fault
 import badlog.samples.robot.Noise
 
 /**
- * The measurement errors between a robot and its log: lagging and noisy current sensors, limited resolution, and late frames on the CAN
- * bus, which repeat the previous row's value.
+ * The measurement errors between a robot and its log. These are lagging and noisy current sensors, limited resolution, and late frames on
+ * the CAN bus, which repeat the previous row's value.
  */
 internal class Instruments(private val noise: Noise) {
     private val isLate = HashMap<String, Boolean>()

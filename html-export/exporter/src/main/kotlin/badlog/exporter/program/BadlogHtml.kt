@@ -71,7 +71,7 @@ internal class BadlogHtml(
             return ExitCode.NOTHING
         }
         if (arguments.video != null && jobs.size > 1) {
-            err.println("--video shows one match; name its log only.")
+            err.println("--video shows one match; name only its log.")
             return ExitCode.USAGE
         }
         for ((name, network) in arguments.emptyPages) if (!makeEmpty(arguments.emptyPage(name), network)) return ExitCode.NOTHING

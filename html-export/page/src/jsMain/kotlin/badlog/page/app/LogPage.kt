@@ -246,8 +246,8 @@ internal class LogPage(
         get() = PageSnapshot(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
 
     /**
-     * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address, and then draws what is
-     * on the screen. Call it when [element] is on the page.
+     * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address. Then it draws the
+     * graphs on the screen. Call it when [element] is on the page.
      */
     fun start(left: PageSnapshot? = null) {
         left?.let(rules::continueFrom)

@@ -67,7 +67,7 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     fun show(log: ShownLog, given: PageAdditions?, showsWorst: Boolean = false, left: PageSnapshot? = null, onLaidOut: () -> Unit = {}) {
         val about = log.about
         val downloads = Downloads(about, log.bytes, log.read, log.isDamaged)
-        log.read.refusal?.let { return root.fail("There is nothing to show of ${about.name}", it, downloads.element) }
+        log.read.refusal?.let { return root.fail("There is nothing to show in ${about.name}", it, downloads.element) }
         val named = AssignedSignals.of(log.read)
         val additions = given?.let { it.with(AssignedSignals.over(it.rules, named)) }
         val signals = (additions?.rules ?: RuleSet.NONE).signals

@@ -24,7 +24,7 @@ import org.w3c.dom.HTMLElement
  *
  * @param onFormulas called with the formulas of an address; when they are calculated, it passes on sentences about mistakes in them.
  * @param onJump called when the cursor and the board are as the address demands; for the same address again when the findings are known.
- * @param opened returns what the reader has opened.
+ * @param opened returns the panels that the reader has opened.
  * @param open opens what an address asks for.
  */
 internal class PageLink(
@@ -87,17 +87,17 @@ internal class PageLink(
         address.visible?.let { range -> scene.store.send(PlaceAction.Show(range.from, range.to)) }
     }
 
-    /** The link to what is shown; null if others could not open it, because the page is on a disk. */
+    /** The link to the current view; null if others could not open it, because the page is on a disk. */
     val shared: String? get() = window.location.href.takeIf { it.startsWith("http") }?.let { it.substringBefore('#') + textNow() }
 
-    /** What a link ends with: the log, if a link named it, and what is shown of it. */
+    /** The end of a link: the log, if a link named it, and the view of it. */
     private fun textNow(): String {
         val named = window.location.hash.removePrefix("#").split('&').firstOrNull { it.startsWith("url=") }
         val shown = now.toText().removePrefix("#").ifEmpty { null }
         return listOfNotNull(named, shown).joinToString("&").let { if (it.isEmpty()) it else "#$it" }
     }
 
-    /** The address of what is shown. */
+    /** The address of the current view. */
     val now: PageAddress
         get() = PageAddress(
             moment = scene.cursor.x.takeIf { scene.cursor.isPlaced },

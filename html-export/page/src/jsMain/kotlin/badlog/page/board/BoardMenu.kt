@@ -12,7 +12,7 @@ import badlog.viewer.session.GraphOffers
 /**
  * Returns the menu entries for [graph] of [board], which [item] shows.
  *
- * [topics] is the dialog that adds topics to it; [poses] are those of the log.
+ * [topics] is the dialog that adds topics to it; [poses] are the log's poses.
  */
 internal fun boardMenu(board: PageBoard, graph: BoardGraph, item: BoardItem, topics: TopicDialog, poses: List<Pose>): List<MenuEntry> {
     val offers = GraphOffers(board.now, graph, poses)

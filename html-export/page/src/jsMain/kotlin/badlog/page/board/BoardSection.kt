@@ -55,7 +55,7 @@ internal class BoardSection(
                 add = addIconButton("", Icon.PLUS, "Add topics") { topics.open() }.apply { id = "add-topics" }
                 undo = addIconButton("", Icon.UNDO, "Undo (${KeyAction.UNDO.shortcut})") { board.undo() }.apply { id = "undo" }
                 redo = addIconButton("redo", Icon.UNDO, "Redo (${KeyAction.REDO.shortcut})") { board.redo() }.apply { id = "redo" }
-                val start = "Start board: the graphs that this page opened with"
+                val start = "Start board: the graphs with which this page opened"
                 addIconButton("", Icon.START, start) { board.startAgain() }.id = "start-board"
                 appendChild(layouts)
                 clear = addIconButton("", Icon.CLOSE, "Remove all graphs") { board.send(GraphChange.ShowOnly(emptyList())) }

@@ -61,7 +61,7 @@ internal class CompareBar(private val comparison: PageComparison, private val no
 
     /** The button that opens a log to compare. */
     val button: HTMLElement = element("div", "downloads") {
-        addButton("", "", "Draw another log over this one; or drop it on the page") { input.click() }.apply {
+        addButton("", "", "Draw another log over this one, or drop one on the page") { input.click() }.apply {
             id = "compare-button"
             appendChild(Icon.COMPARE.draw())
             add("span", "", "Compare")

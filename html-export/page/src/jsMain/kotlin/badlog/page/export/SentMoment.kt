@@ -24,7 +24,7 @@ internal fun sendMoment(scene: Scene, text: String, parts: List<(Sheet) -> Unit>
         if (problem.asDynamic().name == "AbortError") return@then
         copied(picture, text).then({ scene.notice.say("Picture and text copied: paste them into a message.") }, {
             saveFile(picture, name)
-            scene.notice.say("The picture is saved; this browser lets no page send it.")
+            scene.notice.say("The picture was saved, because this browser does not let pages send it.")
         })
     })
 }

@@ -26,7 +26,7 @@ import org.w3c.dom.HTMLElement
  * The findings of the log, see [findingsPanel]. Hidden while there is nothing to show.
  *
  * @param signals the signals that a reader assigned to topics.
- * @param embedded what was found before the page was made.
+ * @param embedded the findings from before the page was made.
  * @param differences returns how the log differs from those before it.
  * @param send lets an action change the state.
  */
@@ -47,7 +47,7 @@ internal class FindingsSection(
         setAttribute("aria-label", "Findings")
     }
 
-    /** What rules found, and what was embedded. */
+    /** The findings of the rules, and the embedded ones. */
     var found: RuleResults = RuleResults(embedded)
         set(value) {
             field = value
@@ -76,7 +76,7 @@ internal class FindingsSection(
         show()
     }
 
-    /** Shows that the rules could not be run, as [trouble] says, beside what is known. */
+    /** Shows [trouble], the reason why the rules could not be run, beside the known findings. */
     fun fail(trouble: String) {
         found = RuleResults(found.all, found.skipped, found.incidents, found.ran, trouble = trouble)
     }

@@ -7,7 +7,7 @@ package badlog.page.folder
  * @property section its content; null if it contains only folders.
  */
 internal class FolderTree private constructor(val title: String, val section: FolderSection?, val folders: List<FolderTree>) {
-    /** Its own section and those of its folders. */
+    /** Its own section, and the sections of its folders. */
     val sections: List<FolderSection> get() = listOfNotNull(section) + folders.flatMap { it.sections }
 
     private class Draft(val title: String) {

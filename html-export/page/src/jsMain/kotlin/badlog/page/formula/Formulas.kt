@@ -21,7 +21,7 @@ import badlog.viewer.choices.formula.usersOf
 import badlog.viewer.choices.mergedWith
 
 /**
- * The calculated topics of the page: its own, and those of its reader, which the browser remembers for the file. Each calculation is done
+ * The calculated topics of the page: its own, and its reader's, which the browser remembers for the file. Each calculation is done
  * in slices. Before a second one begins, the first is finished at once.
  *
  * @property logged the recording as it was logged.
@@ -101,7 +101,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     /** Returns the name of the topic that [definition] defines; null if it defines none. */
     fun nameOf(definition: String): String? = formulas.find { it.definition == definition }?.topic?.name
 
-    /** The results of all definitions, in the order in which they may use each other. */
+    /** The results of all definitions, each after those that it uses. */
     val all: List<Formula> get() = formulas
 
     /** Returns the mistake in [text] as a definition, which replaces [replaced] unless that is null; null if [text] is valid. */

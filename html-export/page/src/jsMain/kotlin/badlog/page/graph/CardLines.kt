@@ -7,7 +7,7 @@ import badlog.viewer.shown.comparison.comparedGraph
 import badlog.viewer.shown.search.Query
 
 /**
- * The lines of a graph, with those of compared logs: which of them are drawn, what the legend says of them, and their statistics.
+ * The lines of a graph, also from compared logs: which are drawn, their entries in the legend, and their statistics.
  *
  * @param own the graph of the page's own log.
  * @param lines the board's names for the lines of [own], in order.

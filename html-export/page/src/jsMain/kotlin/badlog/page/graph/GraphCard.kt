@@ -59,7 +59,7 @@ internal class GraphCard(
             host.setAttribute("aria-label", labelOf(value))
         }
 
-    /** Its lines, and those of compared logs. */
+    /** Its lines, and the lines of compared logs. */
     val series: List<GraphSeries> get() = drawn.graph.series
 
     private var drawn = CardLines(graph, lines, scene, ::toggle)
@@ -107,7 +107,7 @@ internal class GraphCard(
         appendChild(statistics.element.apply { isHidden = true })
     }
 
-    /** What is drawn of it. */
+    /** The drawing of the graph. */
     val picture: CardPicture = CardPicture(host, scene, xy, { drawn }, { this.look }, ::showY) {
         legend.update(scene.cursor, scene.xAxis.unit)
         if (hasStatistics) updateStatisticsSoon()
@@ -141,7 +141,7 @@ internal class GraphCard(
     private fun toggle(names: List<String>) =
         change(look.copy(hidden = if (names.any { it in look.hidden }) look.hidden - names.toSet() else look.hidden + names))
 
-    /** Zooms y to [part] of what is shown now, as fractions from the top; null for all of it. */
+    /** Zooms y to [part] of the visible range, as fractions from the top; null for all of it. */
     fun showY(part: Span?) {
         val parts = if (part == null) emptyList() else yParts(picture.axes.map { it.shown }, part)
         if (parts.isNotEmpty()) {

@@ -45,12 +45,12 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
     private var shown: Span? = null
     private var order = ChannelOrder.CHARGE
 
-    /** The index of the line whose histogram is open; -1 for none. */
+    /** The index of the line with the open histogram; -1 for none. */
     private var opened = -1
     private var histogram: Histogram? = null
     private var canvas: HTMLCanvasElement? = null
 
-    /** The place of the histogram, and what is in it. */
+    /** The place of the histogram, and its content. */
     private var place: HTMLElement = element("div")
     private var statistics = emptyList<SeriesStatistics>()
     private var buttons = emptyList<HTMLElement>()
@@ -61,7 +61,7 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
 
     private val wanted get() = scene.cursor.now.between ?: scene.range.now
 
-    /** Whether the statistics are those of another range. */
+    /** Whether the statistics are about an earlier range. */
     val isOutdated: Boolean get() = shown != wanted
 
     /** Calculates the current statistics. */
@@ -113,7 +113,7 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
         }
     }
 
-    /** Shows the histogram of the line whose button was pressed, over the range of the statistics. */
+    /** Shows the histogram of the line with the pressed button, over the range of the statistics. */
     private fun showHistogram() {
         buttons.forEachIndexed { index, button -> button.setAttribute("aria-pressed", (opened == index).toString()) }
         place.textContent = ""
@@ -134,7 +134,7 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
         repaint()
     }
 
-    /** Draws what has colors of its own. */
+    /** Draws the parts with colors of their own. */
     fun repaint() {
         val found = histogram ?: return
         val canvas = canvas ?: return

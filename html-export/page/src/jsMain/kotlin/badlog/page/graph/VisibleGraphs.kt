@@ -40,7 +40,7 @@ internal class VisibleGraphs(private val scene: Scene) {
         followDensity()
     }
 
-    /** Draws those of [cards] that are on the screen at once, and later all that come near it. */
+    /** Draws the [cards] on the screen at once, and others when they come near it. */
     fun start(cards: List<GraphCard>) {
         meet(
             cards.filter { card ->
@@ -131,7 +131,7 @@ internal class VisibleGraphs(private val scene: Scene) {
         restFrame.ask()
     }
 
-    // Draws, in a later frame, what is outside the screen.
+    // Draws the graphs outside the screen in a later frame.
     private fun drawRest() = draw(near)
 
     private companion object {

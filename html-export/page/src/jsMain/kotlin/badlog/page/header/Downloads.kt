@@ -29,7 +29,7 @@ import kotlin.js.Promise
  * @param isDamaged whether the page was changed since it was exported.
  */
 internal class Downloads(private val about: About, private val bytes: LogBytes, private val read: Recording, isDamaged: Boolean = false) {
-    private val exactness = if (isDamaged) "as far as this damaged page still has it" else "byte for byte"
+    private val exactness = if (isDamaged) "as much as this damaged page still has" else "byte for byte"
 
     /** Shows the progress of longer work. */
     val notice: Notice = Notice()

@@ -76,7 +76,7 @@ internal class LayoutDialog(
     private fun switchTo(name: String) {
         // Set even if the layout cannot be read, so that the key continues from there.
         kept.shown = name
-        val layout = kept[name] ?: return notice.say("The layout “$name” cannot be read any more; keep it again.")
+        val layout = kept[name] ?: return notice.say("The layout “$name” can no longer be read; keep it again.")
         onSwitch(layout, name)
     }
 

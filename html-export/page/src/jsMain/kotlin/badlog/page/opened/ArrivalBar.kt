@@ -27,7 +27,7 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
         setAttribute("aria-label", "New log")
         // Screen readers announce text that appears in an existing element.
         text = add("p") { setAttribute("role", "status") }
-        addButton("", "Show", "Show the new log and the worst in it (A)", onShow).id = "show-arrival"
+        addButton("", "Show", "Show the new log, at its worst finding (A)", onShow).id = "show-arrival"
         addButton("", "Later", "Hide this; the log stays in the list") {
             onLater()
             // The button is gone, and with it the keyboard's focus.

@@ -155,7 +155,7 @@ internal class FolderScreen(
     /** Returns the current state of [log], which may have grown or been fetched since it was listed. */
     fun latest(log: OpenedLog): OpenedLog = known[log.path] ?: log
 
-    /** Stores [log], whose bytes are now here, so that it can be read. */
+    /** Stores [log] with its bytes, which have arrived, so that it can be read. */
     fun keep(log: OpenedLog) {
         known[log.path] = log
         arrived.remove(log.path)

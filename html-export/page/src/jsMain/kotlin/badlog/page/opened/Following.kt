@@ -18,11 +18,11 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Follows [log], which is being written on the page's server, until a person goes elsewhere in it, see [EndFollowing], or begins something
- * that the page of the grown log would not have: it is another page.
+ * Follows [log], which is being written on the page's server. It pauses when a person goes elsewhere in it, see [EndFollowing], or begins
+ * something that the page of the grown log would not have: it is another page.
  *
- * @param onGrown called with the log and what is in it now, when the page has done with what was there before.
- * @param onEnd called when it has ended; with a sentence, if nobody asked for that.
+ * @param onGrown called with the log and its new content, once the page has finished with the content before.
+ * @param onEnd called when it has ended; with a sentence if it ended by itself.
  */
 internal class Following(
     private var log: OpenedLog,
@@ -61,7 +61,7 @@ internal class Following(
         ask()
     }
 
-    /** The reader stays in [store] at the end of what is shown now. */
+    /** The reader stays in [store] at the end of the shown log. */
     fun stayAt(store: PageStore) {
         followed = store
         following = following.begun(store.place)
@@ -79,7 +79,7 @@ internal class Following(
 
     private fun ask() {
         if (isOver) return
-        // The page still draws what was there before, or its rules are running over it.
+        // The page still draws the content before, or its rules are running over it.
         if (document.documentElement?.getAttribute("data-rules") == null) return askIn(PAUSE)
         file.more().then { grown ->
             misses = 0
@@ -98,7 +98,7 @@ internal class Following(
         if (isOver) return
         if (document.querySelector(BEGUN) != null) return stop()
         if (isPressed) {
-            // What is pressed would not be there when it is let go.
+            // The pressed element would be gone when the button is released.
             window.setTimeout({ show(grown, read) }, PAUSE)
             return
         }
@@ -127,13 +127,13 @@ internal class Following(
         /** Bytes that are read in a fraction of a frame's patience. */
         const val SMALL = 4e6
 
-        /** What a press does something to. */
+        /** The elements that respond to a press. */
         const val PRESSED = "button, a, input, select, textarea, summary"
 
         /** What stays, or is decided by the place to which it leads. */
         const val KEPT = "#live, .pin, .zoom-buttons, #values-button, #modules-button, #board :is(.legend-entry, .statistics-toggle)"
 
-        /** What would be lost while somebody is at it. */
+        /** The elements with unsaved input. */
         const val BEGUN = "dialog[open], .menu, :is(input, select, textarea):focus"
         val PRESSING = listOf("Enter", " ")
     }

@@ -71,7 +71,7 @@ internal class LogOpening(
             files.isEmpty() -> return
             only != null && isPage(only) -> openPage(only)
             only != null && advice != null -> fail("This page cannot read ${only.name}", advice)
-            logs.isEmpty() && files.any(::isPage) -> fail("There is no log here", "Pages of badlog are opened one at a time.")
+            logs.isEmpty() && files.any(::isPage) -> fail("There is no log here", "badlog pages are opened one at a time.")
             logs.isEmpty() -> fail("There is no log here", "None of these ${countText(files.size, "file")} is a log.")
             logs.size == 1 -> open(logs[0])
             else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null)
@@ -207,7 +207,7 @@ internal class LogOpening(
     }
 
     private fun accept(opened: OpenedLog, read: Recording, compared: List<OpenedLog>, showsWorst: Boolean) {
-        read.refusal?.let { return fail("There is nothing to show of ${opened.fileName}", it) }
+        read.refusal?.let { return fail("There is nothing to show in ${opened.fileName}", it) }
         log = opened
         if (folder?.has(opened) == false) endFolder()
         folder?.see(opened)
@@ -217,12 +217,12 @@ internal class LogOpening(
     }
 
     private fun openPage(page: File) {
-        val title = "There is nothing to show of ${page.name}"
+        val title = "There is nothing to show in ${page.name}"
         val asked = wait(page.name) {}
         logIn(page).then({ inPage ->
             when {
                 !asked.isLatest -> Unit
-                inPage == null -> fail(title, "It is not a page of badlog with a log in it.")
+                inPage == null -> fail(title, "It is not a badlog page with a log in it.")
                 else -> open(OpenedLog(inPage))
             }
         }, {

@@ -46,7 +46,7 @@ internal class StartScreen(
                 onSample?.let { addButton("", "Try the sample", onClick = it).id = "try-sample" }
             }
         }
-        add("p", "screen-text", "It reads $READABLE_LOGS, each also gzipped, and pages of badlog.")
+        add("p", "screen-text", "It reads $READABLE_LOGS, gzipped too, and badlog pages.")
     }
 
     /** Asks [question] above everything else, with a button [label] that calls [onAccept]; does nothing while another question waits. */

@@ -24,7 +24,7 @@ internal object SummaryWorker {
     /** Starts a worker with [rules] as JSON; null if no worker may run. */
     fun start(rules: String): Worker? = startWorker(NAME)?.also { it.postMessage(rules) }
 
-    /** Does the worker's work. */
+    /** Answers the page's messages, in the worker. */
     fun run() {
         val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
         var examination = LogExamination(RuleSet.NONE)

@@ -28,7 +28,7 @@ import org.w3c.dom.HTMLElement
  *
  * @param shown the lines of the graphs on the screen.
  * @param all the lines that a search may find.
- * @param beforeOpening closes what is in its place.
+ * @param beforeOpening closes the panel in its place.
  */
 internal class CursorPanel(
     private val scene: Scene,
@@ -83,7 +83,7 @@ internal class CursorPanel(
         LocalStorage[KEY] = if (element.isHidden) "" else "open"
     }
 
-    /** Shows the topics that [query] finds, or else those of the graphs. */
+    /** Shows the topics that [query] finds; without a search, the topics in the graphs. */
     fun filter(query: Query) {
         this.query = query
         refresh()
@@ -166,7 +166,7 @@ internal class CursorPanel(
     private companion object {
         const val KEY = "values"
 
-        /** The maximum number of rows; nobody reads more while the cursor moves. */
+        /** The maximum number of rows; more cannot be read while the cursor moves. */
         const val MAX_ROWS = 200
     }
 }

@@ -46,7 +46,7 @@ internal class HelpOverlay {
             HelpLine("Board", "Drag a title", "Puts the graph there on the board; on another graph, draws both in one."),
             HelpLine("Page", "/", "Search"),
             HelpLine("Page", "Esc", "Cancel a drag, or one at a time: the search, the evidence, the cursors"),
-            HelpLine("Page", "A", "Show the log that arrived last, and the worst in it"),
+            HelpLine("Page", "A", "Show the newest log, at its worst finding"),
             HelpLine("Page", "I", "In a list of logs: the pit view, or the list"),
             HelpLine("Page", "?", "This help"),
         )

@@ -37,7 +37,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
     private lateinit var condition: HTMLElement
     private val frame = Frame(::draw)
 
-    /** The range whose errors are listed; null if none are. */
+    /** The range of the listed errors; null if none are listed. */
     private var listed: Span? = null
     private var listing: Int? = null
     private val picture by lazy { scene.drive?.let { DrivePicture(it, it.errors) } }

@@ -4,7 +4,7 @@ import badlog.page.dom.Icon
 import org.w3c.dom.events.Event
 
 /**
- * What an element of the page should be, see [patch].
+ * The intended content of an element of the page, see [patch].
  *
  * @property key identifies the element among those beside it; empty where its place does.
  * @property text its text; null if it has [children] instead. It becomes a text node, so nothing in a file can become markup.

@@ -36,7 +36,7 @@ private fun made(node: Node, id: String): HTMLElement = element(node.tag).apply 
     for (type in node.on.keys) addEventListener(type, { event -> this.node?.on?.get(type)?.invoke(event) })
 }
 
-/** What the element was made to be last. */
+/** The node from which the element was made last. */
 private var HTMLElement.node: Node?
     get() = asDynamic().badlogNode.unsafeCast<Node?>()
     set(value) {

@@ -25,7 +25,7 @@ internal object ReadingWorker {
         return message
     }
 
-    /** Returns the first message for reading [files]; only the [wanted] topics are read unless that is null. */
+    /** Returns the first message for reading [files]; [wanted] names the topics to read, null for all. */
     fun greeting(files: List<File>, wanted: WantedTopics?): dynamic {
         val message = js("({})")
         message.files = files.toTypedArray()

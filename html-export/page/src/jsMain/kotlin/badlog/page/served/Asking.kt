@@ -29,7 +29,7 @@ internal fun ask(address: String, signal: dynamic = undefined, from: Double? = n
 private fun refuse(text: String, response: Response): Response {
     // A robot's server answers with the reason in one sentence; other servers answer with a page.
     val isSentence = text.length < MAX_SENTENCE && '<' !in text
-    val sentence = if (isSentence) text.trim() else "The server answers ${response.status}."
+    val sentence = if (isSentence) text.trim() else "The server answered ${response.status}."
     throw if (response.headers.has("Retry-After")) RetryLaterException(sentence) else IllegalStateException(sentence)
 }
 
@@ -37,6 +37,6 @@ private fun refuse(text: String, response: Response): Response {
 internal class RetryLaterException(sentence: String) : IllegalStateException(sentence)
 
 /** The reason why a download ended. */
-internal const val LOST = "The robot does not answer: stay in its Wi-Fi, and try again."
+internal const val LOST = "The robot does not answer: stay on its Wi-Fi, and try again."
 
 private const val MAX_SENTENCE = 200

@@ -65,7 +65,7 @@ internal class Scene(
     }
 
     /**
-     * Returns all traits of [line] that [query] can search for; none if it only searches for names, because some traits need a look at all
+     * Returns all traits of [line] that [query] can search for. None if it only searches for names, because some traits need a look at all
      * samples.
      */
     fun traitsOf(line: GraphSeries, query: Query): Set<Trait> =

@@ -39,7 +39,7 @@ internal class AnswerText(private val folder: String) {
         return text.visible()
     }
 
-    /** Returns [sentence], which says why there is no answer. */
+    /** Returns [sentence], the reason for a missing answer, as the assistant may read it: without the folder's path. */
     fun of(sentence: String): String = withoutFolder(sentence).take(MAX_SENTENCE).visible()
 
     private fun cleaned(element: JsonElement): JsonElement = when (element) {

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * The tables of the logs of [logs], in a lake in the cache. No other command uses this lake, since others may contain linked logs.
+ * The tables of [logs], as a lake in the cache. No other command uses this lake, since other lakes may contain linked logs.
  *
  * @param cache the folder for cached answers; lakes are beside it.
  * @param patience the maximum time in s that an assistant waits for the tables. They are made in any case.

@@ -70,7 +70,7 @@ internal class GraphPicture(
     var height: Int = 0
         private set
 
-    /** Returns the picture as the bytes of a PNG: an assistant accepts no SVG. */
+    /** Returns the picture as the bytes of a PNG, because assistants do not accept SVG. */
     fun png(): ByteArray {
         val pen = SvgPen(SvgRaster::widthOf)
         val sheet = Sheet(width, pen)

@@ -19,7 +19,7 @@ class UndefinedTopic internal constructor(val definition: String, val isMissing:
         this(error.text, error.kind in OF_THIS_LOG, error.message, error.pointed())
 
     private companion object {
-        /** Another log may have the topic, or a time. */
+        /** The errors that depend on the log: another one may have the topic, or a time. */
         val OF_THIS_LOG = setOf(ExpressionErrorKind.UNKNOWN_TOPIC, ExpressionErrorKind.NO_TIME)
     }
 }

@@ -169,7 +169,7 @@ object MatchMaker : LogMaker {
     private const val MANIFEST_BYTES = 1 shl 20
 }
 
-/** Returns the writer of the log called [name] with the content [recording]. */
+/** Returns the role of the log called [name], which contains [recording]. */
 fun roleOf(name: String, recording: Recording): FileRole = when {
     recording.isOfDriverStation -> FileRole.STATION
     recording.format == RevlogFormat -> FileRole.MOTORS

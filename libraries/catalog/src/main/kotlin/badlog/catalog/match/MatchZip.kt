@@ -21,9 +21,9 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 
 /**
- * The logs in the ZIP [file], which may have come from anywhere: a name from the ZIP leads nowhere but into a folder of badlog, links are
- * files like others, and whatever grows without end is refused. Anything but a `match.json`, the files that it names, and files that are
- * named like logs is passed over.
+ * The logs in the ZIP [file], which may have come from anywhere. A name from the ZIP leads nowhere but into a folder of badlog, links are
+ * files like others, and entries that grow without end are refused. It passes over anything but a `match.json`, the files that this names,
+ * and files that are named like logs.
  *
  * @throws NotReadException if it is not a ZIP, or not one that people make of logs.
  */
@@ -244,7 +244,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
         const val RATIO = 200L
 
-        /** Small logs may hold nearly nothing. Many small ones fill a disk, too, so that their sizes add up. */
+        /** The total size above which logs may not exceed [RATIO]. Small logs may be nearly empty, but many of them fill a disk, too. */
         const val RATIO_COUNTS_FROM = 64L shl 20
 
         /** Whether something of [compressed] bytes that has [size] bytes unpacked is smaller than any usual log. */

@@ -45,7 +45,7 @@ class FolderStoreSpec : FunSpec({
         store[entries[0].source.copy(size = 1)].shouldBeNull()
     }
 
-    test("a store that is cut or changed anywhere is ignored") {
+    test("a store that is cut or has a changed byte is ignored") {
         val cache = tempdir().toPath()
         filled(cache)
         val file = Files.list(cache).use { it.toList() }.single()
@@ -53,6 +53,8 @@ class FolderStoreSpec : FunSpec({
         checkAll(50, Arb.int(bytes.indices)) { at ->
             Files.write(file, bytes.copyOf(at))
             FolderStore(folder, cache, "1")[entries[0].source].shouldBeNull()
+            // Readers ignore these bytes of gzip's header, such as its time.
+            if (at in 3..9) return@checkAll
             Files.write(file, bytes.clone().also { it[at] = (it[at] + 1).toByte() })
             FolderStore(folder, cache, "1")[entries[0].source].shouldBeNull()
         }

@@ -169,7 +169,7 @@ class MatchZipSpec : FunSpec({
         unpacked(zipOf("a.csv.gz" to gzip(random).copyOf(100_000))).keys shouldBe setOf("a.csv.gz")
     }
 
-    test("that a match cannot be read now is no lasting answer, if what its logs need may be there later") {
+    test("an unreadable match is tried again if its logs only lack something that may be there later") {
         val folder = tempdir().toPath()
         fun failure(vararg entries: Pair<String, String>) = shouldThrow<UnreadableFileException> {
             MatchMaker.make((folder / "m.zip").apply { writeBytes(zip(*entries)) }, folder / "made.wpilog") {}
@@ -191,7 +191,7 @@ class MatchZipSpec : FunSpec({
         said(zipOf(*Array(501) { "$it.csv" to ByteArray(3) })) shouldContain "more than 500 logs"
     }
 
-    test("whatever bytes of a ZIP are changed or missing, its logs are as they were, or a sentence says what is wrong") {
+    test("a ZIP with changed or missing bytes gives its logs unchanged, or a sentence with the reason") {
         val random = Random(99)
         val logs = mapOf("a.csv" to LOG, "ds/b.csv" to "Time,B\n" + (0..200).joinToString("\n") { "$it,${it * it}" })
         val whole = zip(*logs.toList().toTypedArray())

@@ -59,7 +59,7 @@ class TodoFolderSpec : FunSpec({
         folder.append(change("Bumpers"))
         texts(folder.read()) shouldContainExactly listOf("Radio", "Bumpers")
         folder.read().problems shouldContainExactly
-            listOf("Line 2 of badlog-todo-pit.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.")
+            listOf("Line 2 of badlog-todo-pit.jsonl is skipped: it is damaged, or from a newer badlog. It stays in the file.")
         folder.file.readText() shouldContain cut + "\n"
     }
 

@@ -8,7 +8,7 @@ internal class TheilSenLine(val slope: Double, private val intercept: Double) {
     /** Returns its y at [x]. */
     fun at(x: Double): Double = intercept + slope * x
 
-    /** Returns the part of [x] in which it is within [y]; null if it is nowhere. */
+    /** Returns the part of [x] where the line is within [y]; null if there is none. */
     fun within(x: ClosedFloatingPointRange<Double>, y: ClosedFloatingPointRange<Double>): Pair<Double, Double>? {
         val ends = if (slope == 0.0) null else listOf((y.start - intercept) / slope, (y.endInclusive - intercept) / slope).sorted()
         val from = maxOf(x.start, ends?.first() ?: x.start)

@@ -50,7 +50,7 @@ private class LabelSpace(private val area: PlotArea, points: List<Pair<Double, D
             area.up(area.y.endInclusive),
         )
 
-    /** Returns [label] with the position of its middle, [first] points above its point or at another free place; null if none is free. */
+    /** Returns [label] with the position of its middle, [first] points above its point or at another free place. Null if none is free. */
     fun place(label: PointLabel, first: Double): PointLabel? {
         val (x, y) = area.across(label.x) to area.up(label.y)
         val width = label.text.length * CHARACTER

@@ -29,7 +29,7 @@ internal fun Column.after(length: Double, range: Span?): Column = within(range) 
 /** Returns a condition that is true for [length] before this one becomes true. */
 internal fun Column.before(length: Double, range: Span?): Column = within(range) { Span(it.from - length, it.from) }
 
-/** Returns a condition that is true for the first [length] of the first time that this one holds. */
+/** Returns a condition that holds during the first [length] of this condition's first occurrence. */
 internal fun Column.firstPart(length: Double, range: Span?): Column {
     val first = occurrences(end(range)).firstOrNull()
     return within(range) { if (it == first) Span(it.from, minOf(it.to, it.from + length)) else null }

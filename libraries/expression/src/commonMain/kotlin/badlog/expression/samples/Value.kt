@@ -50,7 +50,7 @@ internal class Column(
     /** Returns how long sample [index] holds. */
     fun width(index: Int, end: Double): Double = maxOf(0.0, until(index, end) - x[index])
 
-    /** Returns the end of the recording with the times [range], in terms of [x]. */
+    /** Returns the end of the recording, as a value of [x]. The recording has the times [range]. */
     fun end(range: Span?): Double = when {
         // Topics with times of their own may extend beyond the rows.
         stretches != null -> if (x.isEmpty()) stretches.end else maxOf(stretches.end, x.last())

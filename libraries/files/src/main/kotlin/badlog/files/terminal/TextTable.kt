@@ -64,7 +64,7 @@ public class TextTable(
         (if (index == 0) emptyList() else listOf("")) + block.flatten()
     }
 
-    /** Returns a single line while the others are not known yet: columns have their maximum width. */
+    /** Returns one line of a table with lines that are not known yet: each column has its maximum width. */
     public fun line(cells: List<String>): String = cells.map(::printable).let { all ->
         val wanted = columns.mapIndexed { i, column -> if (column.isWhole) maxOf(column.most, displayWidth(all[i])) else column.most }
         lines(all, fitting(wanted, leastWidths(listOf(all), MIN_NAME, MIN_TITLE))).single()

@@ -24,7 +24,7 @@ internal class ElementBlocks(
     /** The existing blocks, in the order of the elements. */
     val blocks: List<SampleBlock> get() = list
 
-    /** Returns the block for element [index] of the record at [time], to which the element must then be added; null beyond the maximum. */
+    /** Returns the block for element [index] of the record at [time], to which the element must then be added. Null beyond the maximum. */
     fun next(index: Int, time: Double): SampleBlock? {
         if (index == list.size) {
             list += newBlock(index, if (timestamps.size == 0) timestamps else Timestamps(keepsSamples)) ?: return null

@@ -26,7 +26,7 @@ public object DriverStationFormat : LogFormat {
     /** The number of bytes that [startOf] needs. */
     public const val HEAD_SIZE: Int = HEADER_SIZE
 
-    /** Returns the start of the log with the first [HEAD_SIZE] bytes [head], in s since 1970; null if it is not such a log. */
+    /** Returns the start of the log with the first [HEAD_SIZE] bytes [head], in s since 1970. Null if it is not such a log. */
     public fun startOf(head: ByteArray): Double? = if (head.size < HEAD_SIZE || !isHeader(head, 0)) {
         null
     } else {

@@ -7,7 +7,7 @@ import badlog.formats.wpilog.WpilogParser
 public const val STATION_HEAD_SIZE: Int = 1 shl 16
 
 /**
- * Returns when a log of the Driver Station began, in s since 1970, by its first bytes; null if they do not show it. Until 2026, the header
+ * Returns when a log of the Driver Station began, in s since 1970, by its first bytes. Null if they do not show it. Until 2026, the header
  * has it; from 2027 on, its clock and the time of day are in the same record from time to time.
  */
 public fun stationStartIn(head: ByteArray): Double? = when {

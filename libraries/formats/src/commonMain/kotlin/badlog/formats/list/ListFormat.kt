@@ -20,7 +20,7 @@ internal object ListFormat : LogFormat {
 
     override fun parser(keepSamples: Boolean): LogParser = ListParser(keepSamples)
 
-    /** Returns the byte between the titles of a list that begins with the first [size] of [bytes]; null if it is not one. */
+    /** Returns the byte between the titles of a list that begins with the first [size] of [bytes]. Null if it is not one. */
     fun separatorIn(bytes: ByteArray, size: Int): Int? {
         val text = bytes.decodeToString(0, minOf(size, SIGNATURE_SIZE)).removePrefix("\uFEFF")
         val end = text.indexOfFirst { it == '\n' || it == '\r' }

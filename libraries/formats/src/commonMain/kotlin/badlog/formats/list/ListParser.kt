@@ -51,7 +51,7 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
         }
         reportBadRows()
         val all = topics.build()
-        if (topics.sampleCount == 0) problems.add(ProblemKind.NO_ROWS, "There is a header but no sample.")
+        if (topics.sampleCount == 0) problems.add(ProblemKind.NO_ROWS, "There is a header, but there are no samples.")
         return Recording(ListFormat, null, emptyList(), all, 0, problems.toList())
     }
 

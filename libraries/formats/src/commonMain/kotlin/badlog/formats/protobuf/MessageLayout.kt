@@ -74,7 +74,7 @@ internal class MessageLayout private constructor(
         private const val MAX_DEPTH = 100
 
         /**
-         * Returns the layout of the message with the full name [name]; null if a descriptor is missing, if there are too many values, or if
+         * Returns the layout of the message with the full name [name]. Null if a descriptor is missing, if there are too many values, or if
          * messages are nested too deeply.
          */
         fun of(types: MessageTypes, name: String): MessageLayout? = of(types, name, setOf(name))

@@ -6,7 +6,7 @@ import badlog.core.recording.ProblemKind
 import badlog.formats.wpilog.RecordBuffer
 
 /**
- * Converts the `.revlog` that is pushed to it to a WPILOG: the status frames that REV's devices have sent on the CAN bus, and their firmware
+ * Converts the `.revlog` that is pushed to it to a WPILOG. It has the status frames that REV's devices have sent on the CAN bus, and their firmware
  * versions. Its topics have the same names as from REV's own converter, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
  *
  * The file is a sequence of records. Each begins with a byte that has the widths of the next two numbers in its lowest four bits. These are a number
@@ -179,7 +179,7 @@ internal class RevlogHead private constructor(val headSize: Int, val size: Int, 
         /** The result if more bytes are needed to decide. */
         val MORE = RevlogHead(0, 0, false)
 
-        /** Returns the head at [at] in [bytes], which end at [until]; null for none, [MORE] if that is not clear yet. */
+        /** Returns the head at [at] in [bytes], which end at [until]. Null for none, [MORE] if that is not clear yet. */
         fun at(bytes: ByteArray, at: Int, until: Int): RevlogHead? {
             if (at >= until) return MORE
             val widths = bytes[at].toInt()

@@ -29,7 +29,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
 
     val attributes: List<String> get() = attributesIn(metadata, name)
 
-    /** Its role in a bag that badlog converted to a WPILOG: [X_AXIS], [SPARSE], or anything else; null if it has none. */
+    /** Its role in a bag that badlog converted to a WPILOG: [X_AXIS], [SPARSE], or anything else. Null if it has none. */
     val formerRole: String? get() = formerRoleIn(metadata)
 
     /** Returns whether a record of it may have a payload of [size] bytes. */

@@ -37,8 +37,8 @@ internal fun unitIn(metadata: String): String {
 }
 
 /**
- * Returns the attributes of the entry [name]: from its [metadata], if badlog wrote them; from the properties of a NetworkTables topic, which a
- * robot's program sets; or for the entries that WPILib itself writes.
+ * Returns the attributes of the entry [name]. They come from its [metadata], if badlog wrote them, or from the properties of a NetworkTables
+ * topic, which a robot's program sets; entries that WPILib itself writes have known ones.
  */
 internal fun attributesIn(metadata: String, name: String): List<String> {
     val members = JsonReader.readObject(metadata).orEmpty()

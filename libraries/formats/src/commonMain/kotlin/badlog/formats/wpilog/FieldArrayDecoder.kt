@@ -6,8 +6,8 @@ import badlog.formats.column.Timestamps
 import kotlin.math.PI
 
 /**
- * Arrays of numbers that may be the path of a `Field2d`, WPILib's picture of the field: x and y in m and the heading in degrees of each pose, one
- * after another. The first array that is not empty decides; one of three numbers may be anything, so it is not a path.
+ * Arrays of numbers that may be the path of a `Field2d`, WPILib's picture of the field. They have x and y in m and the heading in degrees
+ * of each pose, one after another. The first array that is not empty decides; one of three numbers may be anything, so it is not a path.
  *
  * @param isOfField returns whether the entry belongs to a `Field2d`.
  */

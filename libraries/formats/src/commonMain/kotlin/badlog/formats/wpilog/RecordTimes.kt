@@ -23,7 +23,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
     /** Returns the place of each sample of [topic] on the x axis. */
     fun positionsOf(topic: Topic): DoubleArray = topic.times ?: xAxis.positions
 
-    /** Returns the time, in µs, for the place [x]; NaN if it is not a place, or later than a record can be. */
+    /** Returns the time, in µs, for the place [x]. NaN if it is not a place, or later than a record can be. */
     fun micros(x: Double): Double {
         val exact = (x + shift) * scale
         if (!(exact >= 0 && exact < MAX_MICROS)) return Double.NaN

@@ -6,8 +6,8 @@ import badlog.core.recording.Recording
 import badlog.core.recording.Topic
 
 /**
- * Writes a recording of any format as a WPILOG: each topic as an entry, each sample as a record at its time, with units and
- * attributes in the entries' metadata, and each value as a separate entry. [WpilogParser] reads all of that back.
+ * Writes a recording of any format as a WPILOG. Each topic is an entry, with unit and attributes in its metadata; each sample is a record
+ * at its time; each value is a separate entry. [WpilogParser] reads all of that back.
  *
  * Parts of arrays, structs and messages are separate entries with the names that they have as topics.
  *

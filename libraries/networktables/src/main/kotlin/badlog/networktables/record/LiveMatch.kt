@@ -14,7 +14,7 @@ internal class LiveMatch {
         private set
 
     /**
-     * The end of the name of a match's log, as WPILib's `DataLogManager` forms it, such as `_CAMB_Q12`; null if the robot is not in a
+     * The end of the name of a match's log, as WPILib's `DataLogManager` forms it, such as `_CAMB_Q12`. Null if the robot is not in a
      * match.
      */
     val nameEnd: String?

@@ -1,8 +1,7 @@
 package badlog.networktables.replay
 
 /**
- * Values still to be sent to one client, in limited memory: if it is too slow for all of them, it only gets the latest of each
- * topic.
+ * Values still to be sent to one client, in limited memory. A client that is too slow for all of them only gets the latest of each topic.
  */
 internal class Outbox(signalCount: Int, private val limit: Int) {
     private val waiting = ArrayDeque<Update>()
@@ -25,7 +24,7 @@ internal class Outbox(signalCount: Int, private val limit: Int) {
     }
 
     /**
-     * Removes and returns what can be sent at [nowMicros], at most [most] values; [periodMicros] is the time until a topic is due again.
+     * Removes and returns the values that can be sent at [nowMicros], at most [most]; [periodMicros] is the time until a topic is due again.
      */
     fun take(nowMicros: Long, most: Int, periodMicros: LongArray): List<Update> {
         val taken = ArrayList<Update>(minOf(most, waiting.size))

@@ -117,5 +117,5 @@ internal class TopicNames(prefix: String) {
 /** Used for recordings without a time: robots usually log every 20 ms. */
 private const val ROWS_PER_SECOND = 50.0
 
-/** Returns the advance of [axis] in a second. An x that is neither time nor index is treated as seconds. */
+/** Returns the increase of [axis] per second. An x that is neither time nor index is treated as seconds. */
 internal fun unitsPerSecond(axis: XAxis): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: if (axis.isIndex) ROWS_PER_SECOND else 1.0

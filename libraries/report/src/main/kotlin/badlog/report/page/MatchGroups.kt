@@ -9,7 +9,7 @@ import java.time.ZoneOffset
 /** The logs of one event and one type of match, in the order of the matches. */
 internal class MatchGroup(val title: String, val logs: List<IndexedLog>)
 
-/** Returns [logs] by event, in the order in which the events were; within an event practice, qualification, then playoffs. */
+/** Returns [logs] by event, in the order of time; within an event, practice is first, then qualification, then playoffs. */
 internal fun groupsOf(logs: List<IndexedLog>): List<MatchGroup> {
     val events = logs.groupBy { it.report.match.event?.trim()?.lowercase() }.values.flatMap(::byYear)
     return events.sortedWith(BY_TIME).flatMap { event ->

@@ -22,7 +22,7 @@ import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
-/** Returns the sentence about [file], which badlog was to replace and did not make. */
+/** Returns the sentence that refuses to replace [file], which badlog did not make. */
 fun foreignFileSentence(file: Path): String = "$file exists already, and badlog did not make it; use --force to replace it, or $ELSEWHERE."
 
 /** The advice, which fits a folder as well as a file. */

@@ -10,7 +10,7 @@ import badlog.viewer.draw.color.Shade
 import badlog.viewer.draw.color.cssColor
 
 /**
- * Returns a page that shows all incidents and findings and needs nothing else: no network, no library, and a script only for filtering and
+ * Returns a page that shows all incidents and findings and needs nothing else. It has no library, and a script only for filtering and
  * searching. It follows the system's light or dark colors.
  *
  * Each finding links to its place on the page of its log, by a fragment with its time in the unit of the log's x axis, its rule and its

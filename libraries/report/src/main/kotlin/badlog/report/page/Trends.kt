@@ -4,7 +4,7 @@ import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
 import badlog.rules.number.NumberKey
 
-/** Returns small plots of the battery, the loop and the numbers that differed most, over [logs], in order; empty for none. */
+/** Returns small plots of the battery, the loop and the numbers that differed most, over [logs], in order. Empty for none. */
 internal fun trends(logs: List<IndexedLog>): String {
     val measured = logs.filter { it.report.numbers.keys.isNotEmpty() }
     val plots = (FIXED + mostDifferent(measured)).mapNotNull { trend ->

@@ -3,7 +3,7 @@ package badlog.report.table
 import badlog.core.recording.PathName
 import badlog.core.recording.Value
 
-/** Returns the value with [name], or with it as the last part of its path, regardless of case; empty if there is none. */
+/** Returns the value with [name], or with it as the last part of its path, regardless of case. Empty if there is none. */
 internal fun headerOf(values: List<Value>, name: String): String {
     val value = values.find { it.name == name }
         ?: values.find { it.name.equals(name, ignoreCase = true) || PathName.baseNameOf(it.name).equals(name, ignoreCase = true) }

@@ -44,8 +44,8 @@ import kotlinx.serialization.Transient
 import java.nio.file.Path
 
 /**
- * A table with a row for each log, a column for each of [questions] (see `docs/expressions.md`), three columns for each topic of [only], and
- * one for each value from [hooks].
+ * A table with a row for each log. It has a column for each of [questions] (see `docs/expressions.md`), three columns for each topic of
+ * [only], and one for each value from [hooks].
  *
  * @param by the names of header values with columns of their own. Rows are sorted by them, numbers as numbers.
  * @param hooks programs to run for each log.

@@ -9,8 +9,8 @@ import badlog.report.shortNames
 import badlog.report.undefinedTexts
 
 /**
- * Returns [rows] of [table] for a terminal of [width] columns: a line for each included log, and more of them below if there are more values
- * than fit beside each other.
+ * Returns [rows] of [table] for a terminal of [width] columns. Each included log is a line; values that do not fit beside each other follow
+ * in more lines below.
  */
 fun tableText(table: MatchTable, rows: List<TableRow>, width: Int = Int.MAX_VALUE): String {
     val asked = askedOf(rows)

@@ -28,7 +28,7 @@ class Incident internal constructor(
 
     private val firstMentioned get() = sentences.map { it.finding }.firstOrNull { !it.time.isNaN() }
 
-    /** When it began, in the unit of x; NaN if its cause is about the whole log and no effect has a time. */
+    /** When it began, in the unit of x. NaN if its cause is about the whole log and no effect has a time. */
     val time: Double get() = first.time
 
     /** The unit of [time]. */

@@ -40,7 +40,7 @@ private fun nameOf(cause: Cause, showing: List<Finding>): String {
     return if (signals.isEmpty()) cause.name else "${cause.name} while ${signals.joinToString(" and ")} rose"
 }
 
-/** Returns those of [findings] that show [cause], with as many simultaneous topics as it requires. */
+/** Returns the [findings] that show [cause], with as many simultaneous topics as it requires. */
 private fun togetherIn(findings: List<Finding>, cause: Cause): List<Finding> {
     if (cause.together == 1) return findings
     return findings.filter { one -> findings.count { other -> other === one || overlap(one, other) } >= cause.together }

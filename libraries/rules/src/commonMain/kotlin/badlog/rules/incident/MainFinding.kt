@@ -7,7 +7,7 @@ import badlog.rules.worstFirst
 /**
  * The most important of a log's findings, for readers with only a moment.
  *
- * @property finding the worst; of an incident, the last of those that its sentences report, to which the others have led.
+ * @property finding the worst finding; of an incident, the last one in its sentences, to which the others led.
  * @property incident the incident that it belongs to; null if there is none.
  */
 class MainFinding internal constructor(val finding: Finding, val incident: Incident?) {

@@ -3,8 +3,8 @@ package badlog.rules.number
 import kotlin.math.abs
 
 /**
- * The same number in the team's other logs: its median, and the usual distance from it (1.4826 times the median absolute
- * deviation, which for a normal distribution is the standard deviation). A single unusual log changes neither.
+ * The same number in the team's other logs. It has its median, and the usual distance from it (1.4826 times the median absolute deviation,
+ * which for a normal distribution is the standard deviation). A single unusual log changes neither.
  *
  * @property second the distance from the median of the second farthest log.
  */

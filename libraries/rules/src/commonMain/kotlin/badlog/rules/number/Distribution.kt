@@ -50,13 +50,13 @@ class Distribution internal constructor(
 /**
  * A signal with a distribution that is worth keeping.
  *
- * @property above smaller values are not values: before the first measurement, libraries log 0.
+ * @property above values below this one are ignored: libraries log 0 before the first measurement.
  * @property binWidth the width of a bin, in the unit of the signal; 0 for no bins.
  * @property bins the number of bins.
  */
 internal class DistributedSignal(val signal: String, val above: Double, val binWidth: Double = 0.0, val bins: Int = 0) {
     /**
-     * Returns the distribution of [series] with these weights, times in the unit of x; null for less than [least] in total. [second] is one second in
+     * Returns the distribution of [series] with these weights, times in the unit of x. Null for less than [least] in total. [second] is one second in
      * that unit.
      */
     fun of(series: Series, weights: DoubleArray, unit: String, second: Double, least: Double): Distribution? {

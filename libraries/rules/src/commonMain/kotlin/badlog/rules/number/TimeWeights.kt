@@ -34,7 +34,7 @@ internal fun meanOf(series: Series, weights: DoubleArray, least: Double): Double
     return if (time >= least && time > 0) sum / time else Double.NaN
 }
 
-/** Returns the value at or below which [share] of the weight of [series] is; NaN if there are samples for less than [least] in total. */
+/** Returns the weighted percentile of [series] for [share], 0 to 1. NaN if the weights are less than [least] in total. */
 internal fun percentileOf(series: Series, weights: DoubleArray, share: Double, least: Double): Double {
     val values = DoubleArray(weights.size)
     val counted = DoubleArray(weights.size)

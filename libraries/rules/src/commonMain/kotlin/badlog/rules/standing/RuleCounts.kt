@@ -28,7 +28,7 @@ data class RuleCounts(
 }
 
 /**
- * Returns the counts in [text], which has a row for each rule and set with tabs between its cells; lines that begin with `#` are remarks.
+ * Returns the counts in [text], which has a row for each rule and set with tabs between its cells. Lines that begin with `#` are remarks.
  *
  * @throws IllegalArgumentException if a row is something else; the message has its line.
  */

@@ -45,7 +45,7 @@ private const val RIGHT_BEFORE = 2.0
 private const val JUDGED_BEFORE = 3
 
 /**
- * Returns the evidence that [counts] of one rule lack to prove it, each as a few words; empty if they prove it.
+ * Returns the evidence that [counts] of one rule lack to prove it, each as a few words. Empty if they prove it.
  *
  * A rule is proven by real logs over which it was silent or right, and by simulators in which it names the planted fault. A simulated robot shows
  * that a rule finds its fault; only real ones show that it leaves other robots alone.

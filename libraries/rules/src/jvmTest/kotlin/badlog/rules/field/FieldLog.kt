@@ -26,7 +26,7 @@ internal data class Firing(val log: String, val rule: String, val second: Long?)
 internal class FieldFinding(val firing: Firing, val severity: Severity, val text: String)
 
 /**
- * What the built-in rules say of a log that somebody else published.
+ * The findings of the built-in rules in a log that another team published.
  *
  * @property team the folder that it is in, which stands for a team.
  * @property ran the names of the rules that could run; none of a simulated robot, where silence proves nothing.
@@ -36,7 +36,7 @@ internal class FieldLog(val name: String, val team: String, val ran: Set<String>
 /** The built-in rules that could run over the log in some bytes, none if the robot was never enabled, and their findings. */
 internal class RulesOverLog(val ran: Set<String>, val isSimulated: Boolean, val findings: List<Finding>)
 
-/** Returns what the built-in rules say of the log [bytes] called [name]; null if it is not a log. */
+/** Returns the findings in the log [bytes] called [name]; null if it is not a log. */
 internal fun rulesOver(bytes: ByteArray, name: String): RulesOverLog? {
     val parser = RecordingParser(LOG_FORMATS, bytes.size.toLong())
     parser.accept(bytes)
@@ -67,7 +67,7 @@ internal fun fieldLogsIn(folder: File): List<FieldLog> {
     }.toList().filterNotNull()
 }
 
-/** Returns what the built-in rules say of the log [bytes] called [name], of [team]; null if it is not a log. */
+/** Returns the findings in the log [bytes] called [name], of [team]; null if it is not a log. */
 internal fun fieldLogOf(bytes: ByteArray, name: String, team: String = "", isSimulated: Boolean = false): FieldLog? {
     val result = rulesOver(bytes, name) ?: return null
     val hash = MessageDigest.getInstance("SHA-256").digest(bytes).take(HASH_BYTES).joinToString("") { "%02x".format(it) }

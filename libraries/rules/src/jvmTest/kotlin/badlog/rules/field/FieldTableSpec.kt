@@ -12,14 +12,14 @@ import io.kotest.matchers.string.shouldContain
 private val LOW = Firing("0011223344556677", "Low battery", 93)
 
 class FieldTableSpec : FunSpec({
-    test("judgements are read with their remarks, and what is none is named with its line") {
+    test("judgements are read with their remarks, and any other line is reported") {
         val text = "# of 2026\n${lineOf(LOW)}true\t6.7 V in the samples\n\n${lineOf(LOW.copy(rule = "Slow loops", second = null))}Unknown\n"
         judgementsIn(text) shouldContainExactly mapOf(LOW to Judgement.TRUE, LOW.copy(rule = "Slow loops", second = null) to Judgement.UNKNOWN)
         shouldThrow<IllegalArgumentException> { judgementsIn("#\n${lineOf(LOW)}perhaps\n") }.message shouldContain "Line 2 "
         shouldThrow<IllegalArgumentException> { judgementsIn("a\tb\tc\ttrue") }.message shouldContain "Line 1 "
     }
 
-    test("each rule that could run has a row with what was found and judged") {
+    test("each rule that could run has a row with its findings and judgements") {
         val found = listOf(FieldFinding(LOW, Severity.ERROR, "Low."), FieldFinding(LOW.copy(second = 120), Severity.ERROR, "Low."))
         val logs = listOf(FieldLog("a.wpilog", "254", setOf("Low battery"), found), FieldLog("b.wpilog", "254", setOf("Low battery", "Browned out"), emptyList()))
         val table = fieldTable(logs, mapOf(LOW to Judgement.FALSE))
@@ -41,7 +41,7 @@ class FieldTableSpec : FunSpec({
         ran(enabled = false) shouldBe emptySet()
     }
 
-    test("a log is known by its bytes, and what is none is left out") {
+    test("a log is known by its bytes, and files that are not logs are left out") {
         val bag = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\"]},{\"name\":\"System/Battery Voltage\",\"unit\":\"V\",\"attrs\":[]}],\"values\":[]}\n" +
             "Time,System/Battery Voltage\n" + (0..99).joinToString("") { "${it / 50.0},${if (it in 40..60) 6 else 12.5}\n" }
         val log = fieldLogOf(bag.encodeToByteArray(), "a.bag").shouldNotBeNull()

@@ -8,7 +8,7 @@ import badlog.season.engine.NumberColumn
 import badlog.season.engine.RecordColumn
 import badlog.season.engine.Table
 
-/** Returns the samples of the topics of [view] with times of their own, one row per sample, topic after topic; null if there are none. */
+/** Returns the samples of the topics of [view] with times of their own, one row per sample, topic after topic. Null if there are none. */
 internal fun seriesTable(view: LogView, log: String, identity: LogIdentity): Table? {
     val topics = view.recording.topics.filter { it.times != null && it.times!!.isNotEmpty() }.sortedBy { it.name }
     val size = topics.sumOf { it.times!!.size.toLong() }

@@ -84,7 +84,7 @@ class BatterySeries private constructor(
     }
 
     companion object {
-        /** Returns the battery in [view], found among [topics], over x as a time; null if it does not show its voltage. */
+        /** Returns the battery in [view], found among [topics], over x as a time. Null if it does not show its voltage. */
         fun of(view: LogView, topics: SignalTopics, samples: NamedSamples): BatterySeries? {
             val volts = topics.of("battery").firstOrNull() ?: return null
             val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)

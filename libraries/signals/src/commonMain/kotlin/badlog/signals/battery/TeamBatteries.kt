@@ -20,7 +20,7 @@ data class TeamBatteries(val batteries: List<TeamBattery> = emptyList(), val use
  * @property isRetired whether it is no longer used in matches.
  */
 data class TeamBattery(val name: String, val bought: String? = null, val isRetired: Boolean = false) {
-    /** Returns its age in months at [date], which is written like [bought]; null if it is not known, or not yet bought then. */
+    /** Returns its age in months at [date], which is written like [bought]. Null if it is not known, or not yet bought then. */
     fun monthsUntil(date: String): Int? {
         val from = bought?.let(::monthsOf) ?: return null
         return (monthsOf(date) ?: return null).minus(from).takeIf { it >= 0 }

@@ -14,7 +14,7 @@ import kotlin.math.round
 class ClockFit(val seconds: Double, val edges: Int, val error: Double) {
     companion object {
         /**
-         * Returns the relation of the clock of [own] to the clock of [others] at which most edges match; null if none can.
+         * Returns the relation of the clock of [own] to the clock of [others] at which most edges match. Null if none can.
          *
          * @param near the estimated difference of the clocks in seconds, if known: among several fits with as many edges, the one nearest to it
          *   counts.

@@ -30,7 +30,7 @@ class ClockedLog(val name: String, val recording: Recording, internal val vocabu
     /** Its last x, in s; NaN without any. */
     val last: Double = (view.xAxis.range?.endInclusive ?: Double.NaN) * view.secondsPerX
 
-    /** The time of day at which its x is 0, in s since 1970, from its values or its name; null if neither has it. */
+    /** The time of day at which its x is 0, in s since 1970, from its values or its name. Null if neither has it. */
     val start: Double? by lazy {
         // The logged start is the time of the first sample.
         loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: timeInName(name)

@@ -11,8 +11,8 @@ import badlog.signals.match.isSameAs
 class FoundStation<out F>(val log: F, val station: ClockedLog, val fit: ClockFit)
 
 /**
- * Finds the Driver Station log of the same match as the log [robot]: by the match, or else by when the robot was enabled, or else by the
- * time of day. Clocks are often wrong, so any of these may be the only clue.
+ * Finds the Driver Station log of the same match as the log [robot]. It compares the matches, otherwise the times of enabling, otherwise the
+ * times of day. Clocks are often wrong, so any of these may be the only clue.
  *
  * @param startOf returns when a log began, in s since 1970, if that is known before it is read; otherwise null.
  * @param read reads a log; returns null if it is not one.
@@ -65,7 +65,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private fun isOfSame(match: MatchOfLog): Boolean = robot.match.isSameAs(match) == true
 
-    /** Returns those of [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
+    /** Returns the [candidates] with all moments of enabling in the robot's log, or nearly all if there are many. */
     private fun withEdges(candidates: List<Candidate<F>>): List<Candidate<F>> {
         val needed = maxOf(MIN_EDGES, robot.edges.size * 9 / 10)
         if (robot.edges.size < MIN_EDGES) return emptyList()

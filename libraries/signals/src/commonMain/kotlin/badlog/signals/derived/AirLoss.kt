@@ -4,8 +4,8 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns the loss of stored air while nothing uses it, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS]. NaN unless [compressor] was
- * off all along and no cylinder moved. A cylinder takes its air at once.
+ * Returns the steady loss of stored air, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS]. NaN unless [compressor] was off all
+ * along, and after sudden falls, because a cylinder takes its air at once.
  */
 fun airLoss(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)

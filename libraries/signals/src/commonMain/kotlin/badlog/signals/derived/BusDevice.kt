@@ -40,7 +40,7 @@ class BusDevice internal constructor(val label: String, private val topics: Map<
     operator fun contains(signal: BusSignal): Boolean = signal in topics
 }
 
-/** Returns the beginning of [name] that all topics of its device share, such as `Phoenix6/TalonFX-3`; null if none is named. */
+/** Returns the beginning of [name] that all topics of its device share, such as `Phoenix6/TalonFX-3`. Null if none is named. */
 fun busDeviceIn(name: String): String? {
     val start = startOfDevice(name)
     return if (start < 0) null else name.substring(0, endOfDevice(name, start))

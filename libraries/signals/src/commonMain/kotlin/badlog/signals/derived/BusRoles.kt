@@ -18,7 +18,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     /** The motors that stand for themselves, or for all on their shaft. */
     val leaders: List<Int> = speeds.indices.filter { at -> (0 until at).none { isOnShaft(it, at) } }
 
-    /** The drive motors of a robot: four of a swerve drive, two of a tank drive; empty if that is not known. */
+    /** The drive motors of a robot: four of a swerve drive, two of a tank drive. Empty if that is not known. */
     val drive: List<Int>
 
     /** The motors that turn the modules of a swerve drive; not all if some are unknown. */
@@ -72,7 +72,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     }
 }
 
-/** Returns the correlation of [one] and [other], -1 to 1, where both are finite; 0 if one of them is constant. */
+/** Returns the correlation of [one] and [other], -1 to 1, where both are finite. 0 if one of them is constant. */
 fun correlation(one: DoubleArray, other: DoubleArray, from: Int = 0, until: Int = one.size): Double {
     var n = 0
     var meanA = 0.0

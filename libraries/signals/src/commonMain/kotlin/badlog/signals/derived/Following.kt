@@ -68,8 +68,8 @@ class Following(
     }
 
     /**
-     * Returns by how much it stays away from its target, in percent of the range: the least error of the last [STAYED_SECONDS]; NaN while
-     * it comes nearer, and just after the robot was enabled.
+     * Returns the least error of the last [STAYED_SECONDS], in percent of the range. NaN while it comes nearer to its target, and just after
+     * the robot was enabled.
      */
     fun missed(): Series = unlessUnrelated(NEAR * range, ::away)
 
@@ -96,7 +96,7 @@ class Following(
         }
     }
 
-    /** Returns by how much it falls short of a constant target that is not 0, in percent of the target; NaN while either changes. */
+    /** Returns by how much it falls short of a constant target that is not 0, in percent of the target. NaN while either changes. */
     fun shortfall(): Series = unlessUnrelated(ROUGHLY * largest) {
         samples { i ->
             val wanted = abs(target[i])
@@ -129,10 +129,10 @@ class Following(
         Series(times, beyond)
     }
 
-    /** Returns by how much it swings around a constant target, from peak to peak in percent of the target; NaN if it does not swing. */
+    /** Returns by how much it swings around a constant target, from peak to peak in percent of the target. NaN if it does not swing. */
     fun swing(): Series = swings { abs(target[it]) }
 
-    /** Returns by how much a place swings around a constant target, from peak to peak in percent of the range; NaN if it does not swing. */
+    /** Returns by how much a place swings around a constant target, from peak to peak in percent of the range. NaN if it does not swing. */
     fun placeSwing(): Series {
         // Where there is hardly more than one target, noise is large beside their range.
         val whole = max(range, spreadOf(measured))

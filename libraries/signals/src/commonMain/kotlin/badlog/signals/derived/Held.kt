@@ -49,7 +49,7 @@ internal fun quantile(values: DoubleArray, share: Double): Double {
     return if (sorted.isEmpty()) Double.NaN else sorted[((sorted.size - 1) * share).toInt()]
 }
 
-/** Returns the smallest index whose time is not more than [seconds] before that of [at]. */
+/** Returns the smallest index with a time at most [seconds] before the time of [at]. */
 internal fun indexBefore(times: DoubleArray, at: Int, seconds: Double, from: Int = 0): Int {
     var low = from
     var high = at

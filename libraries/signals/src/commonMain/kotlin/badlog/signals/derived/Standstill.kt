@@ -64,7 +64,7 @@ private class StillRun(private val times: DoubleArray, private val places: Doubl
         return if (moved >= MIN_MOVED) eachWay >= EACH_WAY_SECONDS else moved >= FEW_MOVED && isLong
     }
 
-    /** Adds the push from [from] until [until]; false if it moved something, which ends the run and its mark in [still] if it jumped. */
+    /** Adds the push from [from] until [until]. False if it moved something, which ends the run and its mark in [still] if it jumped. */
     fun takes(from: Int, until: Int, way: Double, seconds: Double, still: DoubleArray): Boolean {
         val start = pushes.firstOrNull()?.first ?: from
         val moved = (start until until).firstOrNull { !(abs(places[it] - places[start]) <= most) }

@@ -4,7 +4,7 @@ import badlog.core.analysis.Series
 import badlog.expression.signals.Signals
 
 /**
- * The topics of [log] that no sensor measured, for all their names: sizes of undecoded records, lengths of arrays, and elements of lists. Lists are
+ * The topics of [log] that no sensor measured, despite their names: sizes of undecoded records, lengths of arrays, and elements of lists. Lists are
  * arrays with a changing length, such as queues of odometry, paths, and tags in sight. The last elements of such an array come and go, and the first
  * mean something else each time.
  *

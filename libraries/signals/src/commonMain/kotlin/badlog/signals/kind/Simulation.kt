@@ -7,7 +7,7 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns why [recording] must be of a simulated robot, as part of a sentence; null for a real robot, and if nothing shows it. An example is `its
+ * Returns why [recording] must be of a simulated robot, as part of a sentence. Null for a real robot, and if nothing shows it. An example is `its
  * battery had exactly 12 V throughout`. Its metadata show it, or the FPGA of WPILib's simulation, or its dashboards, which all ran on the same
  * computer; or its battery: WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it, which no battery and no converter
  * that measures one does.

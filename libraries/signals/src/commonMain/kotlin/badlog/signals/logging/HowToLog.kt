@@ -10,7 +10,7 @@ package badlog.signals.logging
  */
 internal class LoggedValue(val topic: String, val unit: String, val value: String, val isBoolean: Boolean)
 
-/** Returns the line of Java with which [library] logs the signal [signal] of the built-in vocabulary; null if there is none. */
+/** Returns the line of Java with which [library] logs the signal [signal] of the built-in vocabulary. Null if there is none. */
 fun howToLog(signal: String, library: LoggingLibrary): String? = LOGGED[signal]?.let(library::lineFor)
 
 /** Whether only the Driver Station knows the signal [signal]: its log is read beside the robot's. */

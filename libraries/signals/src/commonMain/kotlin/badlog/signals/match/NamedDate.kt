@@ -10,7 +10,7 @@ import badlog.core.text.daysTo
  */
 class NamedDate internal constructor(val second: Long, val range: IntRange)
 
-/** Returns the date in the name of a file, such as `FRC_20240910_002949.bag`; null if there is none, or only one of a wrong clock. */
+/** Returns the date in the name of a file, such as `FRC_20240910_002949.bag`. Null if there is none, or only one of a wrong clock. */
 fun dateInName(name: String): NamedDate? {
     for ((pattern, century) in listOf(FOUR_DIGIT_YEAR to 0, TWO_DIGIT_YEAR to 2000)) {
         for (match in pattern.findAll(name)) {
@@ -23,8 +23,8 @@ fun dateInName(name: String): NamedDate? {
 }
 
 /**
- * Returns the date in [text] on a clock on the wall here, in s since 1970 on that clock: as in ISO 8601, in RFC 1123, as Java's `Date`
- * is printed, month first with slashes, or seconds or milliseconds since 1970; otherwise null.
+ * Returns the local date in [text], in s since 1970 on the local clock; null if it has none. The text may be in ISO 8601, in RFC 1123, as
+ * Java's `Date` prints it, month first with slashes, or in seconds or milliseconds since 1970.
  */
 fun dateInText(text: String): Long? {
     val number = text.toDoubleOrNull()
@@ -36,7 +36,7 @@ fun dateInText(text: String): Long? {
     return if (isWrittenDate(text)) null else dateInName(text)?.second
 }
 
-/** Returns the time of a clock on the wall here at [second] since 1970 in UTC. It is in s since 1970 on that clock. */
+/** Returns the local time at [second], in s since 1970 in UTC. The result is in s since 1970 on the local clock. */
 expect fun localSecondOf(second: Long): Long
 
 private fun secondOf(year: Int, month: String, day: String, hour: String, minute: String, second: String): Long? {

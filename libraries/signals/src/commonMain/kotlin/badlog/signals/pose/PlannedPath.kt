@@ -12,7 +12,7 @@ data class PlannedPath(val driven: Pose, val planned: Pose) {
 
     companion object {
         /**
-         * Returns the pair in [poses] that shares the most folders and, among those, is in the fewest; null if none is planned. A plan in an array
+         * Returns the pair in [poses] that shares the most folders and, among those, is in the fewest. Null if none is planned. A plan in an array
          * has the robot's future places, not its target at a moment.
          */
         fun of(poses: List<Pose>): PlannedPath? {

@@ -24,8 +24,8 @@ class ModuleTopics internal constructor(
 }
 
 /**
- * Returns the topics of the modules of the drive on which rules run, in order, empty if [names] have none: [lists of modules][ModuleList],
- * or speed and angle of four corners among [parts], whose units may be known by their names alone.
+ * Returns the topics of the drive's modules, in order; empty if [names] have none. They are [lists of modules][ModuleList], or speed and
+ * angle of four corners among [parts], with units that may be known by their names alone.
  */
 internal fun moduleTopicsOf(names: List<Signal>, parts: List<PartTopic>): List<ModuleTopics> =
     listedModules(names).ifEmpty { namedModules(parts) }

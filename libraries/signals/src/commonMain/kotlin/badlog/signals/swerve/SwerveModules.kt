@@ -24,8 +24,8 @@ class SwerveModules internal constructor(
 )
 
 /**
- * Returns the modules in [topics], front before back, left before right: arrays of structs such as `SwerveModuleState` and
- * `SwerveModuleVelocity`, which are known by their fields; if there are none, separate topics for each module, see [separateModulesOf].
+ * Returns the modules in [topics], front before back, left before right. They are arrays of structs such as `SwerveModuleState` and
+ * `SwerveModuleVelocity`, which are known by their fields; otherwise separate topics for each module, see [separateModulesOf].
  */
 fun swerveModulesOf(topics: List<Topic>): List<SwerveModules> = modulesInArrays(topics).ifEmpty { separateModulesOf(topics) }
 

@@ -73,7 +73,7 @@ class TopicPattern(val pattern: NamePattern, val unit: String?) {
         if (content == SignalContent.CONDITION && reading is FlagReading.Text) SignalContent.TEXT.isOf(kind) else content.isOf(kind)
 }
 
-/** Returns how a topic is read as a condition, written `not`, `bit 3`, `bits 1-2 are 1` or `is TEXT`; null for any other [text]. */
+/** Returns how a topic is read as a condition, written `not`, `bit 3`, `bits 1-2 are 1` or `is TEXT`. Null for any other [text]. */
 fun flagReadingOf(text: String): FlagReading? = when {
     text == "not" -> FlagReading.Opposite
     text.startsWith("bits ") -> bitsIn(text)

@@ -4,8 +4,8 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
 /**
- * Returns the names of [topics] that say nothing: without samples, with sizes only, or with one value of a topic of NetworkTables
- * that is logged again without the prefix `NT:`, and changes there.
+ * Returns the names of [topics] without information. They have no samples, or only sizes, or a single value of a NetworkTables topic that is
+ * logged again without the prefix `NT:`, and changes there.
  */
 internal fun topicsWithoutValues(topics: List<Topic>): Set<String> {
     val byName = topics.associateBy { it.name }

@@ -42,7 +42,7 @@ class MechanismSensorsSpec : FunSpec({
         }
     }
 
-    test("a motor whose position comes a little later than that of its sensor has no frozen sensor") {
+    test("a motor that lags its sensor a little has no frozen sensor") {
         // Both stop at 30 s, but the motor's position is 0.04 s old.
         val late = times.of { 25 * swing(minOf(it - 0.04, 30.0), 0.7) }
         frozenWhileTurning(times, late, times.of { swing(minOf(it, 30.0), 0.7) }, times.always()).most() shouldBe 0.0
@@ -118,7 +118,7 @@ class MechanismSensorsSpec : FunSpec({
         stalled(40.0, output = null) { it in 20.0..22.0 || it in 40.0..42.0 } shouldBe 0.0
     }
 
-    test("a position that is set where the switch closes jumps by what it does beyond how it moved") {
+    test("a position that is set where the switch closes jumps by its change beyond the movement") {
         // It goes down by 0.1 in each sample, and is set to 0 from 0.25 at the switch.
         val height = times.of { time ->
             (time % 4 * 50).let {
@@ -134,7 +134,7 @@ class MechanismSensorsSpec : FunSpec({
         switchError(times, height, times.of { if (it % 4 * 50 in 7.5..149.5) 1.0 else 0.0 }).most() shouldBe (15.0 / 0.95 plusOrMinus 1.0)
     }
 
-    test("a heading that jumps is off by the jump; a full turn is none, nor is a fast turn") {
+    test("a heading that jumps is off by the jump; a full turn or a fast turn is not a jump") {
         fun jump(at: (Double) -> Double): Double = headingJump(Series(times, times.of(at)), 1.0).most()
         jump { 90 * swing(it, 8.0) + if (it > 30) 40.0 else 0.0 } shouldBe (40.0 plusOrMinus 4.0)
         jump { (300 * it) % 360 } shouldBe 0.0

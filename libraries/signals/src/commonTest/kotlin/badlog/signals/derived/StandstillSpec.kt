@@ -14,12 +14,12 @@ class StandstillSpec : FunSpec({
 
     fun most(places: DoubleArray, outputs: DoubleArray = pushes, from: Double = 0.0, to: Double = 60.0) = standstill(times, places, outputs, times.always()).most(from, to)
 
-    test("what moved with its motor, and stands still both ways later, is found from then on") {
+    test("a part that moved with its motor, and later stands still both ways, is found from then on") {
         most(frozen, to = 41.0) shouldBe 0.0
         most(frozen, from = 49.0) shouldBe 1.0
     }
 
-    test("a part that moves again is not standing still any more; one that jumps was only not read") {
+    test("a part that moves again no longer stands still; one that jumps was only not read") {
         val places = times.of { if (it in 31.0..51.0) 0.0 else place(it) }
         most(places, from = 41.0, to = 50.0) shouldBe 1.0
         most(places, from = 53.0) shouldBe 0.0
@@ -74,7 +74,7 @@ class StandstillSpec : FunSpec({
         most(frozen, powered(pushes, times.of { 0.0 })) shouldBe 1.0
     }
 
-    test("what somebody moves by hand while its motor rests is not still") {
+    test("a part moved by hand while its motor rests does not stand still") {
         val outputs = times.of { if (it < 40 || it % 4 < 2) 0.4 * swing(it, 4.0) else 0.0 }
         most(times.of { if (it < 40) place(it) else (it / 4).toInt() * 0.1 }, outputs) shouldBe 0.0
     }

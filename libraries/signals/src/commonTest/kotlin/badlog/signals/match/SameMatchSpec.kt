@@ -9,7 +9,7 @@ class SameMatchSpec : FunSpec({
         return match(one).isSameAs(match(other)).also { match(other).isSameAs(match(one)) shouldBe it }
     }
 
-    test("numbers and types that contradict are two matches; what a log lacks is open") {
+    test("contradictory numbers or types are two matches; missing ones decide nothing") {
         same("Qualification 17", "Qualification 17") shouldBe true
         same("Qualification 17", "? 17") shouldBe true
         same("Qualification 17", "Qualification 11") shouldBe false

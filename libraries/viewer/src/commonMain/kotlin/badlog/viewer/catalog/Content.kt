@@ -29,7 +29,7 @@ enum class Content(val saying: String) {
     /** The file cannot be read, although its name belongs to a log. */
     UNREADABLE("cannot be read"),
 
-    /** The file is something else with the ending of a log, such as a spreadsheet of texts; it is not listed. */
+    /** The file is something else with the ending of a log, such as a spreadsheet of texts. It is not listed. */
     NO_LOG(""),
 }
 

@@ -154,7 +154,7 @@ private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNu
     it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
 }
 
-/** Returns [duration] in [unit] as seconds, also if it has no unit; null if the unit is not a unit of time. */
+/** Returns [duration] in [unit] as seconds, also if it has no unit. Null if the unit is not a unit of time. */
 fun secondsOf(duration: Double, unit: String): Double? {
     // A log without units is a plain CSV file, nearly always with a time in seconds.
     val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)

@@ -12,10 +12,10 @@ class AppendedLines<out C : Any>(val changes: List<C>, val unreadable: List<Int>
     fun problemOf(name: String): String? = when (unreadable.size) {
         0 -> null
 
-        1 -> "Line ${unreadable[0]} of $name is skipped: it is damaged, or of a newer badlog. It stays in the file."
+        1 -> "Line ${unreadable[0]} of $name is skipped: it is damaged, or from a newer badlog. It stays in the file."
 
         else ->
-            "${unreadable.size} lines of $name are skipped, the first is line ${unreadable[0]}: they are damaged, or of a newer badlog. " +
+            "${unreadable.size} lines of $name are skipped, from line ${unreadable[0]} on: they are damaged, or from a newer badlog. " +
                 "They stay in the file."
     }
 

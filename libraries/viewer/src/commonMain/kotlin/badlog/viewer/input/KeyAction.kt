@@ -89,7 +89,7 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
     /** Adds a note without asking for its text: at the newest moment of a growing log, otherwise where [NEW_NOTE] begins one. */
     MARK(
         "Notes",
-        "Mark the moment of the cursor, or the newest one of a log that grows: a note without typing",
+        "Mark the time at the cursor, or the newest time of a growing log: a note without typing",
         KeyStroke("M", shift = true),
     ),
 

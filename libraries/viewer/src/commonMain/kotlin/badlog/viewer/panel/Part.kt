@@ -3,41 +3,41 @@ package badlog.viewer.panel
 import badlog.core.recording.Severity
 import badlog.viewer.state.Action
 
-/** A part of what a panel says and offers, as data: each shell draws each kind once. */
+/** A part of a panel's content, as data: each shell draws each kind once. */
 sealed interface Part {
-    /** Identifies the part among those beside it, so that focus and scrolling stay; its first word says what the part is. */
+    /** Identifies the part among those beside it, so that focus and scrolling stay. Its first word is the kind of the part. */
     val key: String
 }
 
 /**
  * The title of a panel.
  *
- * @property status how much is in the panel, or what it waits for; screen readers say it when it changes.
- * @property tools what the panel offers.
+ * @property status the amount of content, or the reason for waiting; screen readers say it when it changes.
+ * @property tools the panel's buttons.
  */
 class Heading(val title: String, val status: String, val tools: List<Button> = emptyList()) : Part {
     override val key: String get() = "heading"
 }
 
-/** A paragraph of plain text, with [button] for what can be done about it; null for nothing. */
+/** A paragraph of plain text, with a [button] for its action; null for none. */
 class Paragraph(override val key: String, val text: String, val tone: Tone = Tone.BODY, val button: Button? = null) : Part
 
 /** How a text is meant. */
 enum class Tone {
-    /** What the panel is about. */
+    /** The panel's subject. */
     BODY,
 
     /** What explains something else. */
     MUTED,
 
-    /** What needs somebody. */
+    /** It needs a person's attention. */
     ALERT,
 }
 
 /**
  * Something that is wrong.
  *
- * @property text what is wrong, where, and what to do.
+ * @property text the problem, its place, and the next step.
  * @property pointer the place in a file, with carets below it; empty for none.
  */
 class Trouble(override val key: String, val severity: Severity, val text: String, val pointer: String = "") : Part
@@ -69,11 +69,11 @@ class Fold(override val key: String, val title: String, val isOpen: Boolean, val
 /**
  * A field that a person types into.
  *
- * @property label what it asks for.
+ * @property label the name of the requested text.
  * @property hint what choosing or typing does.
  * @property text its text.
- * @property isSearch whether each letter counts; otherwise only what is chosen or confirmed.
- * @property suggestions what can be chosen.
+ * @property isSearch whether each letter counts; otherwise only a chosen or confirmed text.
+ * @property suggestions the choices.
  */
 class Field(
     override val key: String,
@@ -85,23 +85,23 @@ class Field(
     val onText: (String) -> Action,
 ) : Part
 
-/** Rows below each other; [name] says what they are. */
+/** Rows below each other, called [name]. */
 class Rows(override val key: String, val name: String, val rows: List<Row>, val isLong: Boolean = false) : Part
 
 /**
  * A row of a list: a claim, a note, an event.
  *
- * @property severity how serious it is; null where that does not matter.
- * @property name what a screen reader calls it.
- * @property title what it is, in a few words; empty if its lines say that.
- * @property lines what it says, each with its time.
- * @property count how often it was, if it was more than once; empty otherwise.
+ * @property severity its severity; null if that does not matter.
+ * @property name its name for screen readers.
+ * @property title its title, in a few words; empty if its lines are enough.
+ * @property lines its sentences, each with its time.
+ * @property count the number of times, if more than one; otherwise empty.
  * @property isFramed whether its lines belong together.
- * @property isCurrent whether it is what a person went to.
- * @property open what a press on it does; null for nothing.
- * @property tools what it offers.
- * @property menu what its context menu offers.
- * @property below what else is known of it.
+ * @property isCurrent whether a person went to it.
+ * @property open the effect of a press on it; null for none.
+ * @property tools its buttons.
+ * @property menu the entries of its context menu.
+ * @property below further facts about it.
  */
 class Row(
     override val key: String,
@@ -121,13 +121,13 @@ class Row(
 /**
  * A sentence with its time.
  *
- * @property time when it was, or when it began; where it has no time, what it is about.
- * @property until when it ended; empty for a moment.
- * @property since the same on the robot's clock, from when it was first enabled; null where it is unknown.
- * @property name what a screen reader calls it, where it is not all of a row.
- * @property open what a press on it does; null for nothing.
- * @property hint what a press on it does, in words.
- * @property isCurrent whether it is what a person went to.
+ * @property time its time, or its beginning; without a time, its subject.
+ * @property until its end; empty for a moment.
+ * @property since the same time since the robot was first enabled; null if unknown.
+ * @property name its name for screen readers, unless it is all of a row.
+ * @property open the effect of a press on it; null for none.
+ * @property hint the effect of a press on it, in words.
+ * @property isCurrent whether a person went to it.
  */
 class Line(
     val text: String,

@@ -28,7 +28,7 @@ sealed interface BoardAction : Action {
     /** Takes back the change from the graphs [before] to [after]; later changes stay. */
     class Revert(val before: Board, val after: Board) : BoardAction
 
-    /** Takes over what others have changed of the board, which is [stored] now and was [read] before. */
+    /** Merges the changes that others made to the board, which was [read] before and is [stored] now. */
     class Merge(val stored: Board, val read: Board) : BoardAction
 
     /** Calls the line [line] [name] from now on, also in what undoing restores. */

@@ -1,8 +1,8 @@
 package badlog.viewer.text
 
 /**
- * Returns [name] in characters that an address never changes or uses as separators: letters and digits, `-_./`, `+` for a space, and `~`
- * with four hexadecimal digits for any other character.
+ * Returns [name] in characters that an address never changes or uses as separators. These are letters and digits, `-_./`, `+` for a space,
+ * and `~` with four hexadecimal digits for any other character.
  */
 fun addressText(name: String): String = buildString {
     for (char in name) {

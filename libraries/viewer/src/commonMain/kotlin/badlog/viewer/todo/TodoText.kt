@@ -24,7 +24,7 @@ val TodoItem.lines: List<String>
         placeText.ifEmpty { null },
     )
 
-/** The origin of the item: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag.`; empty for an own task. */
+/** The origin of the item: `Found in Qualification 60, and 2 logs before.` or `A note in q58.bag.`. Empty for an own task. */
 val TodoItem.placeText: String
     get() = when (val task = task) {
         is NoteTask -> "A note in ${task.log}."

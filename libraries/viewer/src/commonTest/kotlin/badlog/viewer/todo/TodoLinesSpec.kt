@@ -69,7 +69,7 @@ class TodoLinesSpec : FunSpec({
         val good = TodoChange("1", "2026-03-07T14:05:12.345Z", "Ada", OwnTask("Radio"), TodoDeed.Open).toLine()
         todoChangesOf("$good\n${good.dropLast(3)}").let { it.changes.size to it.unreadable } shouldBe (1 to emptyList())
         todoChangesOf("${good.dropLast(3)}\n$good").let { it.changes.size to it.problemOf("a.jsonl") } shouldBe
-            (1 to "Line 1 of a.jsonl is skipped: it is damaged, or of a newer badlog. It stays in the file.")
+            (1 to "Line 1 of a.jsonl is skipped: it is damaged, or from a newer badlog. It stays in the file.")
     }
 
     test("after any cut, change or insertion, every other line is still read") {

@@ -97,7 +97,7 @@ class TodoListSpec : FunSpec({
         open() shouldBe listOf("Check the radio" to "Ada", "It smells." to "Cem")
     }
 
-    test("a removed fault stays away until somebody opens it again") {
+    test("a removed fault stays away until a person opens it again") {
         val removed = change(brownout, TodoDeed.Remove, seen = log(50).second)
         TodoList.of(listOf(removed), listOf(log(60, error))).open.shouldBeEmpty()
         TodoList.of(listOf(removed, change(brownout, TodoDeed.Open)), listOf(log(60, error))).open.single().task shouldBe brownout

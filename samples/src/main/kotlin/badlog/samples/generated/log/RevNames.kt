@@ -5,7 +5,10 @@ import badlog.samples.generated.robot.Device
 import badlog.samples.generated.robot.MatchRun
 import kotlin.math.PI
 
-/** The topics of a revlog: every status signal of each Spark, each time a frame arrives, with the Driver Station's part of a WPILib log. */
+/**
+ * The topics of a revlog, with the Driver Station's part of a WPILib log. They are every status signal of each Spark, each time a frame
+ * arrives.
+ */
 internal fun revTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply {
     val robot = run.robot
     station(run)

@@ -28,7 +28,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
     var encoderSlip = 0.0
     private var slipped = 0.0
 
-    /** The damping of a faulty controller with an integral part; 0 for the healthy controller, which has a profile and no integral part. */
+    /** The damping of a faulty controller with an integral part. 0 for the healthy controller, which has a profile and no integral part. */
     var damping = 0.0
     private var integral = 0.0
 

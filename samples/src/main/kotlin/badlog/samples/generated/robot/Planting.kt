@@ -39,7 +39,7 @@ internal class Planting(private val robot: Robot, val fault: Fault, private val 
     private var isDone = false
     private var wasHit = false
 
-    /** The end of the log because of the fault, in s after the start of autonomous; infinite if it does not end the log. */
+    /** The end of the log because of the fault, in s after the start of autonomous. Infinite if it does not end the log. */
     val end: Double = if (fault.id == "code-crash") start else Double.POSITIVE_INFINITY
 
     /** Returns whether the link to the Driver Station is lost at [time]. */

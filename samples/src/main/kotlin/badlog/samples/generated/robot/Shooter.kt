@@ -14,7 +14,7 @@ internal class Shooter(val device: Device, private val inertia: Double) {
     var drag = 0.0
     var dragAtSpeed = 1.0
 
-    /** The oscillation caused by a controller with too much gain, as a share of the speed; 0 for a healthy one. */
+    /** The oscillation caused by a controller with too much gain, as a share of the speed. 0 for a healthy one. */
     var swing = 0.0
     private val delayed = DoubleArray(8)
     private var loops = 0

@@ -51,7 +51,7 @@ class MatchManifest(val files: List<StatedFile>) {
         fun of(text: String): MatchManifest = try {
             val fields = JsonFields(JsonReader.readObject(text.removePrefix(BYTE_ORDER_MARK)))
             if (fields.number(VERSION_KEY) != VERSION) {
-                throw MatchManifestException("$NAME is of a newer badlog; update badlog.")
+                throw MatchManifestException("$NAME is from a newer badlog; update badlog.")
             }
             val files = fields.list(FILES_KEY) { item -> statedFile(JsonFields(item.members)) }
             files.groupBy { it.name.lowercase() }.values.find { it.size > 1 }?.let { twice ->
@@ -96,8 +96,8 @@ class MatchManifest(val files: List<StatedFile>) {
  * The statements of a manifest about a file.
  *
  * @property name its name in the folder of the manifest, with slashes.
- * @property role what wrote it; null if its content is to say.
- * @property seconds what to add to its times, in s, so that they are on the clock of the robot's log; null if that is to be found.
+ * @property role the program that wrote it; null if the content decides.
+ * @property seconds the shift of its times to the clock of the robot's log, in s; null if it has to be found.
  * @property error the possible error of [seconds], in s; null if unknown.
  */
 class StatedFile(val name: String, val role: FileRole?, val seconds: Double?, val error: Double? = null)

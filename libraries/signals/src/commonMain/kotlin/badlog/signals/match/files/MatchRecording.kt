@@ -14,9 +14,9 @@ import badlog.signals.clock.pickedWhereSet
 import badlog.signals.clock.secondsPerX
 
 /**
- * Returns one recording of this match, on the clock of its robot's log: the topics of that log as they are, then the other logs' topics
- * at times of their own, sorted if they went backwards. Samples before the robot's log, or before 0, are left out, and samples that the
- * Driver Station logged long after it.
+ * Returns one recording of this match, on the clock of its robot's log. It has the topics of that log as they are, then the other logs'
+ * topics at times of their own, sorted if they went backwards. It leaves out samples before the robot's log, or before 0, and samples that
+ * the Driver Station logged long after it.
  *
  * A log with topics in several folders gets one, named after its file. Each file is a value in the folder `Files`, which says how
  * its clock was found and how much is left out. Missing files are values too.

@@ -18,7 +18,7 @@ internal class PlaceEvidence(file: MatchFile, seconds: Double, robots: List<Matc
     val contradicts: Boolean = clocks.any { !it }
 }
 
-/** Returns how the clock of [own] relates to the clock of [others] by the time of day; null if one does not show it. */
+/** Returns how the clock of [own] relates to the clock of [others] by the time of day. Null if one does not show it. */
 internal fun clocksOf(own: ClockedLog, others: ClockedLog): Double? = own.start?.let { start -> others.start?.let { start - it } }
 
 /** Whether [seconds] agrees with the clocks, [byClocks], or is an hour off, as with daylight saving time. */

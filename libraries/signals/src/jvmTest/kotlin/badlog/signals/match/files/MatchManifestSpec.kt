@@ -9,7 +9,7 @@ import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
 class MatchManifestSpec : FunSpec({
-    test("what is written is read again") {
+    test("a written manifest is read back unchanged") {
         val files = listOf(StatedFile("robot \"1\".wpilog", FileRole.ROBOT, 0.0), StatedFile("ds/ä.dslog", FileRole.STATION, -12.25), StatedFile("x.csv", null, null))
         MatchManifest.of(MatchManifest(files).text()).files.map { Triple(it.name, it.role, it.seconds) } shouldBe files.map { Triple(it.name, it.role, it.seconds) }
     }
@@ -19,7 +19,7 @@ class MatchManifestSpec : FunSpec({
         MatchManifest.of(text).files.single().run { listOf(name, role, seconds, error) } shouldBe listOf("a", null, null, null)
     }
 
-    test("what is wrong is said in a sentence") {
+    test("a mistake is reported in a sentence") {
         fun said(text: String) = shouldThrow<MatchManifestException> { MatchManifest.of(text) }.message
         for (text in listOf("", "[]", "{}", "{\"version\":1,\"files\":[3]}", "{\"version\":1,\"files\":{}}", "{\"version\":1,\"files\":[{\"role\":\"robot\"}]}")) {
             said(text) shouldContain "cannot be read"
@@ -33,7 +33,7 @@ class MatchManifestSpec : FunSpec({
         said("{\"version\":1,\"files\":[{\"name\":\"a\"},{\"name\":\"A\"}]}") shouldContain "twice"
     }
 
-    test("what another program calls match.json is not a manifest, and one with mistakes is") {
+    test("a match.json of another program is not a manifest, and one with mistakes is") {
         for (text in listOf("{}", "", "[]", "{\"key\":\"2026test_qm4\",\"alliances\":{\"red\":{\"score\":3}}}", "{\"version\":1}", "{\"a\":{\"version\":1,\"files\":[]}}")) {
             MatchManifest.isOne(text) shouldBe false
         }

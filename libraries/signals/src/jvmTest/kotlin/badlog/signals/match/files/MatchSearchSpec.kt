@@ -100,7 +100,7 @@ private fun day(random: Random): List<Left> {
 }
 
 class MatchSearchSpec : FunSpec({
-    test("of a day of matches, each has its files, on one clock, and none of another, whatever the order") {
+    test("each match of a day has all of its files on one clock, and none of another match, in any order") {
         val random = Random(9041)
         var complete = 0
         var matches = 0
@@ -300,7 +300,7 @@ class MatchSearchSpec : FunSpec({
         match.recording().problems shouldBe emptyList()
     }
 
-    test("rows whose time goes backwards are sorted, and those without a time belong to the row before; both are said") {
+    test("rows that go back in time are sorted, those without a time belong to the row before, and both are reported") {
         val none = Double.NaN
         val x = column("Time", listOf(none, 1.0, 2.0, none, 1.5, 3.0), listOf("xaxis"), "s")
         val vision = Recording(RecordingFormat.BAG, null, emptyList(), listOf(x, column("Angle", listOf(1.0, 2.0, 3.0, 4.0, 5.0, 6.0))), 6, emptyList())

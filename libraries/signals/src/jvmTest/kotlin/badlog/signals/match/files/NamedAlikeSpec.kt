@@ -18,7 +18,7 @@ class NamedAlikeSpec : FunSpec({
     val onlyNumbered = clocked(logOf(topics, null, listOf(Value("Match Number", "42"))))
     val silent = clocked(logOf(topics))
 
-    test("a file is of the match whose number or time is in its name, or in that of its folder") {
+    test("a file belongs to the match with the number or time in its name, or in its folder's name") {
         val cases = listOf(
             Case(dated, "rio_2026-03-07_09-59-30.hoot", "logs", true),
             Case(dated, "rio_2026-03-07_10-03-30.hoot", "logs", true),

@@ -213,7 +213,7 @@ data class BoardGraph(
     val xRange: Span? = null,
     val origin: FieldOrigin = FieldOrigin.BLUE,
 ) {
-    /** The part of the plane that a person selected in a graph of y over x; null for the whole plane. */
+    /** The part of the plane that a person selected in a graph of y over x. Null for the whole plane. */
     val plane: Plane? get() = if (isXy && xRange != null && yRange != null) Plane(xRange, yRange) else null
 
     /** Whether a person selected a part of y on one of the axes. */

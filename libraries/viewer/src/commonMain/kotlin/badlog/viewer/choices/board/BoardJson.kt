@@ -52,7 +52,7 @@ internal fun StringBuilder.appendSpan(key: String, span: Span?) {
  * @throws BoardException if the text has no board, the board is damaged, or its version is from a newer badlog.
  */
 fun boardOfJson(text: String): Board {
-    val members = JsonReader.readObject(text) ?: throw BoardException("This is not an object of JSON; select a file that badlog has saved.")
+    val members = JsonReader.readObject(text) ?: throw BoardException("This is not a JSON object; select a file that badlog has saved.")
     val version = members.findLast { it.key == BoardLayout.VERSION_KEY }?.value?.json?.toDoubleOrNull() ?: 1.0
     if (version > BoardLayout.VERSION) throw BoardException("The graphs were saved by a newer badlog; update badlog to open them.")
     return boardOf(members.findLast { it.key == "graphs" }?.value) { "" }

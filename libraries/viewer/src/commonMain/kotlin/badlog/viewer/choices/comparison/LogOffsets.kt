@@ -48,7 +48,7 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
     }
 }
 
-/** Returns the number that a person has typed as an offset, with a comma or a point; null if it is not a number. */
+/** Returns the number that a person has typed as an offset, with a comma or a point. Null if it is not a number. */
 fun offsetOf(text: String): Double? = text.trim().replace(',', '.').toDoubleOrNull()?.takeIf { it.isFinite() }
 
 /** Returns [offset] as the text that [offsetOf] reads, without the rounding errors of steps. */

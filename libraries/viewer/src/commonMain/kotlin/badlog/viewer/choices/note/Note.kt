@@ -9,7 +9,7 @@ package badlog.viewer.choices.note
  */
 data class Note(val x: Double, val text: String) {
     init {
-        require(x.isFinite()) { "A note stands at a number, not at $x." }
+        require(x.isFinite()) { "A note needs a place on x, not $x." }
         require(text.isNotBlank() && text.length <= MAX_TEXT) { "A note has 1 to $MAX_TEXT characters, not ${text.length}." }
     }
 

@@ -18,7 +18,7 @@ fun List<Note>.toJson(): String = sortedBy { it.x }.joinToString(",\n", "{\"vers
  * @throws NotesException if the text has no notes, or too many, or if one is damaged.
  */
 fun notesOfJson(text: String): List<Note> {
-    val members = JsonReader.readObject(text) ?: throw NotesException("This is not an object of JSON.")
+    val members = JsonReader.readObject(text) ?: throw NotesException("This is not a JSON object.")
     val version = members.findLast { it.key == "version" }?.value?.json?.toIntOrNull()
     if (version != null && version > VERSION) throw NotesException("The notes were saved by a newer badlog; update badlog.")
     val items = members.findLast { it.key == "notes" }?.value?.items ?: throw NotesException("“notes” is not a list.")
@@ -32,7 +32,7 @@ private fun noteOf(number: Int, json: JsonValue): Note {
         ?: throw NotesException("“x” of note $number is not a number.")
     val text = member("text")?.text?.takeIf { it.isNotBlank() } ?: throw NotesException("“text” of note $number is missing.")
     if (text.length > Note.MAX_TEXT) {
-        throw NotesException("“text” of note $number has ${text.length} characters; ${Note.MAX_TEXT} are possible.")
+        throw NotesException("“text” of note $number has ${text.length} characters; at most ${Note.MAX_TEXT} are allowed.")
     }
     return Note(x, text)
 }

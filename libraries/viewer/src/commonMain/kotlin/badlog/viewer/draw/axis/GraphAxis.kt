@@ -35,7 +35,7 @@ enum class AxisSide {
 class GraphAxis(val unit: String, val side: AxisSide, val lines: List<Int>)
 
 /**
- * Returns the y axes for lines with [units]; null for a line that is not drawn, so that its axis is free for another unit. The first unit
+ * Returns the y axes for lines with [units]. Null for a line that is not drawn, so that its axis is free for another unit. The first unit
  * is on the left, the second on the right; further ones have no numbers.
  */
 fun graphAxes(units: List<String?>): List<GraphAxis> {

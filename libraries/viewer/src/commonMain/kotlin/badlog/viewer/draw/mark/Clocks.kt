@@ -13,7 +13,7 @@ class Clocks(view: LogView, private val modes: ModeTimeline) {
     /** Returns the phase and the time since the robot was enabled at [x]; null if unknown. */
     fun matchAt(x: Double): String? = modes.clockAt(x)
 
-    /** Returns the local time of day at [x], at the place of recording: `14:03:22`; null if the log does not say when it began. */
+    /** Returns the local time of day at [x], at the place of recording: `14:03:22`. Null if the log does not say when it began. */
     fun dayAt(x: Double): String? {
         if (start == null || secondsOfX == null || !x.isFinite()) return null
         val (hours, minutes, seconds, fraction) = start.destructured

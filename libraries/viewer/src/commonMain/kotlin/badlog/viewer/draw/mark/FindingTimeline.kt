@@ -34,11 +34,11 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     private fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
     /**
-     * Returns the place that begins at [x]: one with a finding for which [isMeant] is true, otherwise with the worst finding; null if
+     * Returns the place that begins at [x]: one with a finding for which [isPreferred] is true, otherwise with the worst finding; null if
      * there is none.
      */
-    fun placeAt(x: Double, isMeant: (F) -> Boolean): FindingPlace<F>? =
-        places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isMeant(it.finding) }, { it.severity }))
+    fun placeAt(x: Double, isPreferred: (F) -> Boolean): FindingPlace<F>? =
+        places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isPreferred(it.finding) }, { it.severity }))
 
     /** Returns the index of the first place that begins after [x]. */
     private fun firstAfter(x: Double): Int {

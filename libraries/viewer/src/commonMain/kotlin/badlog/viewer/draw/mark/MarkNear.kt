@@ -11,7 +11,7 @@ const val MARK_REACH: Double = 0.008
 class MarkText(val x: Double, val text: String)
 
 /**
- * Returns the mark that a cursor at [x] points at in [visible]: the nearest one of [notes], otherwise of [events]; null if there is none.
+ * Returns the mark that a cursor at [x] points at in [visible]: the nearest one of [notes], otherwise of [events]. Null if there is none.
  */
 fun markNear(x: Double, visible: Span, notes: List<Note>, events: EventTimeline): MarkText? {
     val reach = visible.width * MARK_REACH

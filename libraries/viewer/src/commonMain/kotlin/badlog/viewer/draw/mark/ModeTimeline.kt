@@ -34,7 +34,7 @@ enum class RobotMode(val title: String) {
     ENABLED("Enabled"),
 }
 
-/** A part of x over which the robot was in [mode], and ran the op mode named [opMode]; null if there is none. */
+/** A part of x over which the robot was in [mode], and ran the op mode [opMode], null for none. */
 class ModeSpan(val span: Span, val mode: RobotMode, private val opMode: String? = null) {
     /** The name of the phase: `Teleop`, or with an op mode `Auto (Two pieces)`. */
     internal val title: String get() = if (opMode == null) mode.title else "${mode.title} ($opMode)"
@@ -67,7 +67,7 @@ class ModeTimeline(val spans: List<ModeSpan>, private val secondsOfX: Double?) {
     private fun spanAt(x: Double) = spans.getOrNull(starts.firstAfter(x) - 1)?.takeIf { x <= it.span.to }
 
     /**
-     * Returns the phase and the time since the robot was enabled at [x]: `Teleop 1:23` or `Auto (Two pieces) 0:12`, and `Disabled 0:16`
+     * Returns the phase and the time since the robot was enabled at [x]. Examples: `Teleop 1:23`, `Auto (Two pieces) 0:12`; `Disabled 0:16`
      * while it is disabled within a match. Null if the log does not say when it was enabled, or if x is not a time.
      */
     fun clockAt(x: Double): String? {

@@ -18,7 +18,7 @@ internal class Departure(val time: Double, val index: Int, val farthest: Double)
 
     companion object {
         /**
-         * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]; null if there
+         * Returns the first moment in [distances] from which the robot was more than [PLAN_LIMIT] away for [PLAN_PATIENCE]. Null if there
          * is none.
          *
          * @param second one second in the unit of the x axis.

@@ -8,7 +8,7 @@ import badlog.viewer.choices.board.FieldOrigin
 import kotlin.math.PI
 
 /**
- * Returns the flip that maps the poses of [view] from this origin onto [field] with blue origin; null if they already have a blue origin.
+ * Returns the flip that maps the poses of [view] from this origin onto [field] with blue origin. Null if they already have a blue origin.
  */
 internal fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): FieldFlip? {
     if (this == FieldOrigin.CENTER) return FieldFlip(isMirrored = false, field, isFromCenter = true)

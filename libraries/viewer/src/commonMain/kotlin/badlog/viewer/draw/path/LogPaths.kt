@@ -20,7 +20,7 @@ class LogPaths(internal val view: LogView, private val field: Field, private val
 
     private val modules = swerveModulesOf(view.recording.topics)
 
-    /** Returns the plot of y over x for a graph of [lines], with poses measured from [origin]; null if there is nothing to draw. */
+    /** Returns the plot of y over x for a graph of [lines], with poses measured from [origin]. Null if there is nothing to draw. */
     fun plotOf(lines: List<String>, origin: FieldOrigin = FieldOrigin.BLUE): XyPlot? =
         xyPlotOf(lines, poses, modules, origin.flipIn(view, field), field, view.secondsPerX, line)
 }

@@ -4,8 +4,8 @@ import badlog.signals.pose.Trail
 import kotlin.math.abs
 
 /**
- * Bounding boxes of blocks of a trail's samples, by which whole blocks can be skipped: invisible ones, ones within a pixel, and ones too
- * far from the pointer. For the smallest blocks, it also has their straightness, by which most of their samples can be skipped.
+ * Bounding boxes of blocks of a trail's samples. Whole blocks can be skipped by them: invisible ones, ones within a pixel, and ones too far
+ * from the pointer. For the smallest blocks, it also has their straightness, by which most of their samples can be skipped.
  *
  * A block consists of [BLOCK] steps from sample to sample, so it shares its last sample with the next block; a block of the next level
  * consists of [BLOCK] blocks. All levels together take a sixth of the memory that the trail takes.

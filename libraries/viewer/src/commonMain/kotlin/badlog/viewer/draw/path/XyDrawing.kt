@@ -133,8 +133,8 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
     }
 
     /**
-     * Draws everything that is not [hidden] at its place at [time]: robots with their bows, planned ones only as outlines, others as
-     * dots; for the second cursor, dots are rings.
+     * Draws everything that is not [hidden] at its place at [time]. A robot shows its front, a planned one only its outline; anything else
+     * is a dot, or a ring for the second cursor.
      *
      * @param colorOf returns the palette's index for a color of the plot.
      */

@@ -22,7 +22,7 @@ class XyEntry internal constructor(private val part: XyPart, private val trace: 
     /** Returns whether the trace is drawn while the lines in [hidden] are not. */
     fun isShown(hidden: Set<String>): Boolean = lines.none { it in hidden }
 
-    /** Returns the trace's places at [cursors], or its numbers if it is not on a field; empty if it has none there. */
+    /** Returns the trace's places at [cursors], or its numbers if it is not on a field. Empty if it has none there. */
     fun textAt(cursors: Cursors): String {
         val texts = listOfNotNull(cursors.x, cursors.second).map { trace.textAt(it - part.log.offset, part.plot.isField) }
         return if (texts.all { it.isEmpty() }) "" else texts.joinToString(" → ") { it.ifEmpty { NOWHERE } }

@@ -82,7 +82,7 @@ class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
         .map { LegendEntry("${it.title} ${it.textAt(cursors)}".trim(), it.color) }
 
     /**
-     * Returns the time when the first log passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]; null if it never
+     * Returns the time when the first log passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]. Null if it never
      * did. If it passed more than once, it is the time nearest to [before].
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.

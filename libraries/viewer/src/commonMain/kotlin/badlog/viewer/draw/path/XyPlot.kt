@@ -90,7 +90,7 @@ class XyPlot internal constructor(
         return arrows.map { if (flip == null) it else it.flipped(flip) }.sortedByDescending { it.isTarget }
     }
 
-    /** Returns the line fitted to the samples of the first trace in [visible]; null if this is a field, or if no line fits. */
+    /** Returns the line fitted to the samples of the first trace in [visible]. Null if this is a field, or if no line fits. */
     internal fun lineFit(visible: Span): LineFit? {
         fitted?.let { (span, fit) -> if (span == visible) return fit }
         val fit = if (isField) null else traces.firstOrNull()?.let { LineFit.of(it.trail, visible) }
@@ -102,7 +102,7 @@ class XyPlot internal constructor(
     internal fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
 
     /**
-     * Returns the time when a trace passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]; NaN if it never did. If
+     * Returns the time when a trace passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]. NaN if it never did. If
      * it passed more than once, it is the time nearest to [before].
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.

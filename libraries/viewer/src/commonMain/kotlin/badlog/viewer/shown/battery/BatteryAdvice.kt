@@ -83,7 +83,7 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
                 resistanceOf(next, best),
                 when {
                     match == null -> "no log has it yet"
-                    others.isEmpty() -> "it is the only one that is fit"
+                    others.isEmpty() -> "it is the only usable one"
                     isUnknownSince -> "no log after ${match.title} names it"
                     else -> "it has rested since ${match.title}"
                 },

@@ -19,8 +19,8 @@ private const val MONTHS_TOLD = 24
  * @property text returns the displayed text; null if unknown.
  */
 enum class BatteryColumn(val title: String, val meaning: String, val isNumber: Boolean = true, val text: (BatterySeason) -> String?) {
-    BATTERY("Battery", "What the team calls it.", isNumber = false, text = { it.title }),
-    MATCHES("Matches", "How many matches and other runs it was in the robot for.", text = { "${it.matches.size}" }),
+    BATTERY("Battery", "The team's name for it.", isNumber = false, text = { it.title }),
+    MATCHES("Matches", "The number of matches and other runs with this battery.", text = { "${it.matches.size}" }),
 
     // Rounded down, so that the battery does not look better than it was.
     LOWEST("Lowest", "The lowest voltage in all matches.", text = { season ->
@@ -48,7 +48,7 @@ enum class BatteryColumn(val title: String, val meaning: String, val isNumber: B
     ),
     ENERGY(
         "Energy",
-        "What a match takes from it on average; where there is none, another run.",
+        "The energy that a match uses, on average; without matches, the energy of other runs.",
         text = { season -> season.energy?.let { "${fixedText(it, 1)} Wh" } },
     ),
     AGE("Age", "Its age at the last match.", text = { season -> season.age?.let(::ageText) }),

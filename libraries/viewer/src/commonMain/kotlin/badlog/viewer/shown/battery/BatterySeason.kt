@@ -39,7 +39,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The resistance of battery and wiring in all matches together. */
     val resistance: Resistance? = meanOf(resistancesOf(matches))
 
-    /** The growth of the resistance from the earlier half of the matches to the later one; null if it is within the uncertainty. */
+    /** The growth of the resistance from the earlier half of the matches to the later one. Null if it is within the uncertainty. */
     val growth: Resistance? = if (battery == null) null else growthIn(matches)
 
     /** The median voltage at rest before a match, in volts. */

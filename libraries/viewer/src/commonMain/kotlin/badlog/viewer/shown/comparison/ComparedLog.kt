@@ -15,7 +15,7 @@ class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
     private val moved = HashMap<String, GraphSeries?>()
     internal val suffix = " ($name)"
 
-    /** Returns the line [line] where it is drawn, with the log's name after its own; null if the log does not have it. */
+    /** Returns the line [line] where it is drawn, with the log's name after its own. Null if the log does not have it. */
     operator fun get(line: String): GraphSeries? = moved.getOrPut(line) { lines[line]?.moved(offset, suffix) }
 }
 

@@ -21,9 +21,9 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
     private val ranges = DoubleArray(lines.size) { Double.NaN }
 
     /**
-     * Returns the lines at [x], the ones that changed within 0.1 s of it first: states, then numbers by their change as a fraction of
-     * their whole range. The others follow in order. A number counts as changed above 2 % of its range, because otherwise noise would be
-     * first.
+     * Returns the lines at [x], the ones that changed within 0.1 s of it first. Of these, states come before numbers, which are sorted by
+     * their change as a fraction of their whole range. The others follow in order. A number counts as changed above 2 % of its range,
+     * because otherwise noise would be first.
      */
     fun at(x: Double): List<CursorValue> {
         val values = lines.indices.map { CursorValue(it, changeAt(it, x)) }

@@ -54,7 +54,7 @@ class RuleResults(
     /** Returns the incident of [finding]; null if there is none. */
     fun incidentOf(finding: Finding): Incident? = ofIncidents[finding]
 
-    /** Returns the finding that corresponds to [finding], which may be a new object because the log has grown; null if there is none. */
+    /** Returns the finding that corresponds to [finding], which may be a new object because the log has grown. Null if there is none. */
     fun like(finding: Finding): Finding? = all.find { it.rule == finding.rule && it.topic == finding.topic }
 
     /** Returns the findings that match a search for [text]. */

@@ -18,11 +18,13 @@ data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList
         const val TITLE: String = "Unlike the matches before"
 
         /** Returns the hint for a click on [difference]: its effect, and what to look at next. */
-        fun hintOf(difference: Finding): String = "Draw it over the match before. ${difference.next}".trim()
+        fun hintOf(difference: Finding): String = "Draw it over the previous match. ${difference.next}".trim()
     }
 }
 
-/** Returns the [logs] of matches before the match of [log], in the order of time; only as many of the last ones as may be needed. */
+/**
+ * Returns the [logs] of matches before the match of [log], in the order of time. It returns only as many of the last ones as may be needed.
+ */
 fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
     it.summary.date.second < log.summary.date.second && !isOfSameRun(it, log)
 }.sortedBy { it.summary.date.second }.takeLast(MAX_READ)

@@ -44,7 +44,7 @@ fun sameMatches(logs: List<ListedLog>): Set<String> =
     runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }
 
 /**
- * Returns the [logs] that are readable and of robots. Tables of numbers count only without other logs: they may be about anything, and
+ * Returns the readable [logs] of robots. Tables of numbers count only without other logs: they may be about anything, and
  * usually only the file's time shows how old they are.
  *
  * @param isOnlyOfLogs returns whether only logs have such a name.

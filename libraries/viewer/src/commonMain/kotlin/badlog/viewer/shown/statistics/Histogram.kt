@@ -15,7 +15,7 @@ import badlog.viewer.choices.range.holdsUntil
 class Histogram internal constructor(val values: Span, val shares: DoubleArray) {
     companion object {
         /** A displayed explanation. */
-        const val HINT: String = "How much of the time a value lasts"
+        const val HINT: String = "The share of time at each value"
 
         /** The sentence for a line without a histogram. */
         const val NONE: String = "There is no histogram: it needs two different values over time."

@@ -19,7 +19,7 @@ import kotlin.math.sqrt
 class LineDifference(val mean: Double, val rms: Double, val largest: Double, val largestAt: Double, val lag: Double?)
 
 /**
- * Returns the difference between [one] and [other] within [parts] of x; null if they have no samples in common, or x goes backwards. Each
+ * Returns the difference between [one] and [other] within [parts] of x. Null if they have no samples in common, or x goes backwards. Each
  * sample holds until the next one of its line, and the last one until [endOfOne] or [endOfOther].
  *
  * @param unit the unit of both. If one of them wraps around from one end of a turn to the other, the shorter way around counts.

@@ -36,7 +36,7 @@ class StateTime(val state: String, val time: Double, val share: Double, val coun
 }
 
 /**
- * Returns the time in each of [states], the names of these runs' states, in all [parts] together, without the gaps between them; longest
+ * Returns the time in each of [states], the names of these runs' states, in all [parts] together. Gaps between them do not count; longest
  * first, without states that did not occur. A state that spans two parts counts twice.
  */
 fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> {

@@ -23,7 +23,7 @@ class DriveErrors private constructor(val modules: List<Lines>, private val know
 
     /** The displayed condition under which errors count. */
     val condition: String
-        get() = if (knowsEnabled) "Errors count while the robot is enabled and $WHEN" else "Errors count while $WHEN $ANY_TIME"
+        get() = if (knowsEnabled) "Errors are counted while the robot is enabled and $WHEN" else "Errors are counted while $WHEN $ANY_TIME"
 
     /** Returns the sizes of the errors of each module within [part] of x. */
     fun within(part: Span): List<ModuleError> = modules.map {

@@ -41,7 +41,7 @@ internal class WheelLines(val speed: GraphSeries, val angle: GraphSeries, privat
     /** Whether the samples are in the order of x. */
     val isOrdered: Boolean get() = speed.data.isOrdered && angle.data.isOrdered
 
-    /** The highest speed in m/s, except for the few highest samples, which may be wrong; 0 if the wheel never turned. */
+    /** The highest speed in m/s, except for the few highest samples, which may be wrong. 0 if the wheel never turned. */
     val fastest: Double by lazy {
         val turning = speed.data.y.filter { it.isFinite() && it != 0.0 }.map { abs(it) }.sorted()
         if (turning.isEmpty()) 0.0 else turning[(turning.lastIndex * HIGH).roundToInt()] * abs(meters)

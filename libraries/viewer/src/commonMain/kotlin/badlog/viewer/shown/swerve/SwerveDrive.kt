@@ -26,7 +26,7 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
         }
     }
 
-    /** The highest speed of a wheel, actual or target, in m/s, except for the few highest samples; 0 if no wheel turned. */
+    /** The highest speed of a wheel, actual or target, in m/s, except for the few highest samples. 0 if no wheel turned. */
     val fastest: Double by lazy { modules.maxOf { maxOf(it.actual.fastest, it.target?.fastest ?: 0.0) } }
 
     /** The errors of the modules relative to their targets; null if unknown, see [errorsLack]. The first use reads all samples. */
@@ -39,7 +39,7 @@ class SwerveDrive private constructor(private val view: LogView, val modules: Li
     companion object {
         /** The sentence for a log without modules. */
         const val NONE: String =
-            "This log has no swerve modules that badlog knows; log SwerveModuleState, or speed and angle of each module."
+            "This log has no swerve modules that badlog recognizes; log SwerveModuleState, or speed and angle of each module."
 
         /** The displayed meaning of the arrows. */
         const val ARROWS: String = "Solid: actual. Outline: target."

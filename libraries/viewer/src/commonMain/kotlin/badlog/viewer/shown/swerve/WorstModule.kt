@@ -26,7 +26,7 @@ private fun lackingText(modules: List<ModuleError>): String? {
     val withoutSpeed = modules.filter { it.angle != null && it.speed == null }
     fun names(some: List<ModuleError>) = some.joinToString(" and ") { it.label }
     return when {
-        uncounted.size == modules.size -> "No errors count in the visible range."
+        uncounted.size == modules.size -> "No errors are counted in the visible range."
         withoutAngle.isNotEmpty() -> "The measured angle of ${names(withoutAngle)} is missing in the visible range."
         withoutSpeed.isNotEmpty() -> "The measured speed of ${names(withoutSpeed)} is missing in the visible range."
         uncounted.isNotEmpty() -> "No errors of ${names(uncounted)} count in the visible range."

@@ -5,7 +5,7 @@ import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
 
 /**
- * A part of a log for a spreadsheet: x first, then a column for each line with its name and unit, then one for each topic of events. The
+ * A part of a log for a spreadsheet. Its columns are x, then each line with its name and unit, then each topic of events. The
  * rows are the log's; topics with times of their own have in each row the last value at or before it.
  *
  * @property rowCount the number of rows below the titles.

@@ -119,7 +119,7 @@ class BoardSpec : FunSpec({
 
     test("a mistake is reported with the next step") {
         val wrong = mapOf(
-            """[]""" to "This is not an object of JSON; select a file that badlog has saved.",
+            """[]""" to "This is not a JSON object; select a file that badlog has saved.",
             """{"graphs":"all"}""" to "The graphs are damaged: “graphs” is not a list; select a file that badlog has saved.",
             """{"graphs":[{"lines":["a"]}]}""" to "The graphs are damaged: graph 1 has no “title”; select a file that badlog has saved.",
         )

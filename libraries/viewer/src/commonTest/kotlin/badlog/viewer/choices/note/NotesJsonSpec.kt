@@ -27,13 +27,13 @@ class NotesJsonSpec : FunSpec({
 
     test("a text without notes is refused with the mistake") {
         for ((text, message) in listOf(
-            "" to "This is not an object of JSON.",
+            "" to "This is not a JSON object.",
             "{}" to "“notes” is not a list.",
             """{"notes":[{"x":"1","text":"a"}]}""" to "“x” of note 1 is not a number.",
             """{"notes":[{"x":1e999,"text":"a"}]}""" to "“x” of note 1 is not a number.",
             """{"notes":[{"x":1,"text":"a"},{"x":1,"text":" "}]}""" to "“text” of note 2 is missing.",
             """{"notes":[7]}""" to "“x” of note 1 is not a number.",
-            """{"notes":[{"x":1,"text":"${"a".repeat(2001)}"}]}""" to "“text” of note 1 has 2001 characters; 2000 are possible.",
+            """{"notes":[{"x":1,"text":"${"a".repeat(2001)}"}]}""" to "“text” of note 1 has 2001 characters; at most 2000 are allowed.",
             """{"notes":[${List(1001) { """{"x":1,"text":"a"}""" }.joinToString(",")}]}""" to "There are 1001 notes; a log has at most 1000.",
         )) {
             shouldThrow<NotesException> { notesOfJson(text) }.message shouldBe message

@@ -66,7 +66,7 @@ class SvgPenSpec : FunSpec({
         svg shouldContain "<path d=\"M1 1h1v1h-1z\" fill=\"#0000ff\"/>"
     }
 
-    test("a nested clip shows the common part, also of texts, and nothing if there is none") {
+    test("nested clips show their common part, also of texts, and nothing without one") {
         val svg = drawn {
             clip(0.0, 0.0, 8.0, 8.0) {
                 moved(5.0, 2.0) { clip(0.0, 0.0, 10.0, 3.0) { text("A", 0.0, 0.0, 10.0, BLUE) } }

@@ -69,7 +69,7 @@ class PageAddressSpec : FunSpec({
         }
     }
 
-    test("a link of a later version is reported and shown as far as known, and one without a version is of the first") {
+    test("a link of a later version is reported and its known parts are shown; one without a version is of the first") {
         for (text in listOf("#t=93.7&board=Mode", "#version=1&t=93.7&board=Mode")) pageAddressOf(text).problems shouldBe emptyList()
         pageAddressOf("#version=2&t=93.7&board=Mode").run {
             moment shouldBe 93.7

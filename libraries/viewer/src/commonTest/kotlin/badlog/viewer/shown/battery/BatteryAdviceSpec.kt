@@ -25,7 +25,7 @@ class BatteryAdviceSpec : FunSpec({
 
     test("the battery of the last match is not next if there is another") {
         adviceOn(use("A1", 25.0), use("B2", 20.0)).next?.name shouldBe "A1"
-        adviceOn(use("B2", 20.0)).next?.reason shouldBe "Its resistance is 20.0 ± 0.3 mΩ and it is the only one that is fit."
+        adviceOn(use("B2", 20.0)).next?.reason shouldBe "Its resistance is 20.0 ± 0.3 mΩ and it is the only usable one."
     }
 
     test("a battery with certainly a third more resistance than the best is retired, with the reason") {

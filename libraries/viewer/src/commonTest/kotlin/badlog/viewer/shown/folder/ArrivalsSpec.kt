@@ -36,7 +36,7 @@ class ArrivalsSpec : FunSpec({
         opened.withEntries(listOf(log("c.bag"))).isNew(log("c.bag")) shouldBe false
     }
 
-    test("a log arrives after the rules have run over it, and waits until somebody deals with it") {
+    test("a log arrives after the rules have run over it, and waits until a person opens or postpones it") {
         val copied = opened.withEntries(listOf(log("a.bag"), log("c.bag", found = null)))
         copied.paths() shouldBe emptyList()
         val complete = copied.withEntries(listOf(log("a.bag"), log("c.bag")))

@@ -55,7 +55,7 @@ class PitLogsSpec : FunSpec({
         robots(log("b.csv", 2), unreadable) shouldBe listOf("b.csv")
     }
 
-    test("an empty pit view says whether there is no log, none of an enabled robot, or none yet") {
+    test("an empty pit view gives the reason: no logs, none of an enabled robot, or none read yet") {
         pitEmptiness(emptyList(), isReading = false) shouldBe "No log yet."
         pitEmptiness(listOf(log("idle", 9, content = Content.NO_SAMPLES)), isReading = false) shouldBe "No log of an enabled robot yet."
         pitEmptiness(listOf(log("idle", 9, content = Content.NO_SAMPLES)), isReading = true) shouldBe "Reading the first logs…"

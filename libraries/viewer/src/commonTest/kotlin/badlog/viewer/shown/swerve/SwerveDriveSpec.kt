@@ -90,7 +90,7 @@ class SwerveDriveSpec : FunSpec({
         drive.within(from = 6.0)[0].angle!!.rms shouldBe (0.0 plusOrMinus 1e-9)
         drive.within(from = 4.0, to = 8.0)[0].angle!!.rms shouldBe (5.0 plusOrMinus 1e-9)
         drive.within(from = 20.0, to = 30.0)[0].angle.shouldBeNull()
-        worstModuleText(drive.within(from = 20.0, to = 30.0)) shouldBe "No errors count in the visible range."
+        worstModuleText(drive.within(from = 20.0, to = 30.0)) shouldBe "No errors are counted in the visible range."
     }
 
     test("errors count only while the robot is enabled and drives") {
@@ -99,7 +99,7 @@ class SwerveDriveSpec : FunSpec({
         val errors = drive.within()
         errors[0].angle!!.largest shouldBe (3.0 plusOrMinus 1e-9)
         drive.within(from = 5.0)[0].angle.shouldBeNull()
-        worstModuleText(driveOf(targetSpeed = 0.1).within()) shouldBe "No errors count in the visible range."
+        worstModuleText(driveOf(targetSpeed = 0.1).within()) shouldBe "No errors are counted in the visible range."
     }
 
     test("in a log of changes, a stuck angle counts as long as its target continues") {

@@ -110,7 +110,7 @@ class WorstModuleSpec : FunSpec({
         val topics = wheels.map { (name, value) -> timedTopic(name, 0.0 to value) } + timedTopic("Battery", 0.0 to 12.0, 8.0 to 12.0)
         val errors = SwerveDrive.of(timedView(*topics.toTypedArray()))!!.errors!!
         errors.within(Span(6.0, 7.0))[0].angle!!.rms shouldBe (0.1 / degree plusOrMinus 1e-9)
-        errors.condition shouldBe "Errors count while the target of a module is 0.3 m/s or more, but not in the 0.2 s after its angle jumps. " +
+        errors.condition shouldBe "Errors are counted while the target of a module is 0.3 m/s or more, but not in the 0.2 s after its angle jumps. " +
             "The log does not say when the robot was enabled."
     }
 

@@ -8,7 +8,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The layout that a team has put beside its logs; windows and pages begin with it.
+ * The layout that a team has put beside its logs; windows and pages open with it.
  *
  * @property file the file; null if there is none.
  * @property text the content of the file, which is embedded in pages; null if there is none, or if it has a mistake.
@@ -54,7 +54,7 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
             throw unreadable(folder, e)
         }
 
-        /** Returns the name of the kept layout in [file]; null if it is not a layout, or is a default one. */
+        /** Returns the name of the kept layout in [file]. Null if it is not a layout, or is a default one. */
         fun nameOf(file: Path): String? {
             val name = file.fileName.toString()
             return name.removeSuffix(BoardLayout.ENDING).takeIf { it != name && it !in TYPES && name != NAME }
