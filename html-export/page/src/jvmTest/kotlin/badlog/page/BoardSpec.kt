@@ -304,6 +304,7 @@ internal class BoardSpec : PageSpec({
                 click("#add-topics")
                 keepScreenshot("board-topics-${screen.width}")
                 number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
+                press(Keys.ESCAPE)
             }
         }
     }
