@@ -268,7 +268,6 @@ internal class BoardSpec : PageSpec({
 
     browserTest("a pin moves the graphs of evidence to the board, which fits each screen") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
-            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
             step("a pin moves the graphs of evidence to the board, and Escape ends a drag") {
                 click("#clear-board")
                 press("n")

@@ -113,20 +113,6 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("on a page with a log, a dropped log is compared, or opened instead") {
-        onPage(TestPages.of(bag, "own.bag")) {
-            drop("other.bag" to bag)
-            choose("Open instead")
-            awaitLog("other.bag")
-            drop("own.bag" to bag)
-            choose("Compare with this log")
-            await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
-            // This loads the page again, so there is nothing to settle.
-            element("#go-back").click()
-            awaitLog("own.bag")
-        }
-    }
-
     browserTest("a copy of the page has the opened log, byte for byte, with the board and the notes") {
         val cases = listOf("plain.bag" to bag, "packed.bag.gz" to gzip(bag), "cut.bag.gz" to gzip(bag).let { it.copyOf(it.size * 2 / 3) })
         val (log, events) = listOf("2026_03_14 10_00_00 Sat.dslog", "2026_03_14 10_00_00 Sat.dsevents")
@@ -167,25 +153,40 @@ internal class EmptyPageSpec : PageSpec({
         }
     }
 
-    browserTest("the log in another page is opened whatever its name, and nothing of a damaged or foreign page is shown") {
-        val name = "Mödül 1.bag"
-        val whole = TestPages.of(bag, name).readBytes()
-        val at = whole.decodeToString(throwOnInvalidSequence = false).let { text -> text.indexOf("id=\"recording\"") + 200 }
-        val damaged = whole.copyOf().also { it[at] = if (it[at] == 'A'.code.toByte()) 'B'.code.toByte() else 'A'.code.toByte() }
-        onEmptyPage {
-            drop("page.html" to whole)
-            awaitLog(name)
-            saved(name) { click("#download") } shouldBe bag
-            for ((what, bytes, sentence) in listOf(
-                Triple("damaged.html", damaged, "damaged in copying"),
-                Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a page of badlog"),
-                Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
-            )) {
-                click("#go-back")
-                awaitState("empty")
-                drop(what to bytes)
-                awaitState("failed")
-                text shouldContain sentence
+    browserTest("the log in another page is opened, nothing of a damaged or foreign page is shown, and a page with a log compares a dropped one") {
+        step("on a page with a log, a dropped log is compared, or opened instead") {
+            onPage(TestPages.of(bag, "own.bag")) {
+                drop("other.bag" to bag)
+                choose("Open instead")
+                awaitLog("other.bag")
+                drop("own.bag" to bag)
+                choose("Compare with this log")
+                await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
+                // This loads the page again, so there is nothing to settle.
+                element("#go-back").click()
+                awaitLog("own.bag")
+            }
+        }
+        step("the log in another page is opened whatever its name, and nothing of a damaged or foreign page is shown") {
+            val name = "Mödül 1.bag"
+            val whole = TestPages.of(bag, name).readBytes()
+            val at = whole.decodeToString(throwOnInvalidSequence = false).let { text -> text.indexOf("id=\"recording\"") + 200 }
+            val damaged = whole.copyOf().also { it[at] = if (it[at] == 'A'.code.toByte()) 'B'.code.toByte() else 'A'.code.toByte() }
+            onEmptyPage {
+                drop("page.html" to whole)
+                awaitLog(name)
+                saved(name) { click("#download") } shouldBe bag
+                for ((what, bytes, sentence) in listOf(
+                    Triple("damaged.html", damaged, "damaged in copying"),
+                    Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a page of badlog"),
+                    Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
+                )) {
+                    click("#go-back")
+                    awaitState("empty")
+                    drop(what to bytes)
+                    awaitState("failed")
+                    text shouldContain sentence
+                }
             }
         }
     }

@@ -21,8 +21,6 @@ import kotlin.math.abs
 /** From a finding to its reason: all evidence is on one screen. */
 @Tags("InCheck")
 internal class EvidenceSpec : PageSpec({
-    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
-
     fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
 
     /** Returns the names of the graphs that are fully on the screen below the bar, with their lines. */
@@ -46,7 +44,6 @@ internal class EvidenceSpec : PageSpec({
             "(e.closest('p, .finding')?.textContent ?? e.id)"
         onPage(match) {
             step("N opens a whole incident, with more graphs one click away; it can be closed, and a link to its time opens it again") {
-                awaitRules()
                 press("n")
                 val sentences = texts("#evidence .evidence-text").filter { it.isNotEmpty() }
                 sentences.first() shouldContain "Likely cause"
@@ -88,7 +85,6 @@ internal class EvidenceSpec : PageSpec({
             show(Screen.WIDE)
             press("0")
             step("a link to a finding focuses its row once the rules have found it, unless the reader has moved the focus") {
-                awaitRules()
                 elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
                 settle()
                 script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
@@ -171,7 +167,6 @@ internal class EvidenceSpec : PageSpec({
         }
         step("each place of a finding has its own text and numbers, not those of a worse place nearby") {
             onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
-                awaitRules()
                 elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
                 settle()
                 texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 5 s."

@@ -174,108 +174,109 @@ internal class OpenedFolderSpec : PageSpec({
         }
     }
 
-    browserTest("unusual folders are listed, and their logs are opened") {
-        val days = folder("days") { folder ->
-            for ((day, volts) in listOf("day1" to 11, "day2" to 12, "day3" to 13)) {
-                val log = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else volts + row % 2 }
-                (folder / day).createDirectories()
-                (folder / day / "match.bag").writeBytes(log)
-                (folder / day / "._match.bag").writeBytes(byteArrayOf(1, 2, 3))
+    browserTest("unusual folders, opened or dropped, are listed, and their logs are opened") {
+        step("unusual folders are listed, and their logs are opened") {
+            val days = folder("days") { folder ->
+                for ((day, volts) in listOf("day1" to 11, "day2" to 12, "day3" to 13)) {
+                    val log = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 21) { row, column -> if (column == 0) row / 10.0 else volts + row % 2 }
+                    (folder / day).createDirectories()
+                    (folder / day / "match.bag").writeBytes(log)
+                    (folder / day / "._match.bag").writeBytes(byteArrayOf(1, 2, 3))
+                }
+            }
+            val tables = folder("tables") { folder ->
+                val rows = (0..1500).joinToString("\n") { i -> "${i / 50.0},${if (i in 500..700) 6.2 else 12.4},1" }
+                (folder / "a.csv").writeText("Time,Battery Voltage,Enabled\n$rows\n")
+                (folder / "b.bag").writeBytes(bag)
+            }
+            val gone = folder("hostile") { folder ->
+                (folder / "<img src=x onerror=alert(1)>.bag").writeBytes(bag)
+                (folder / "damaged.bag").writeText("{\"topics\":[")
+                (folder / "groceries.csv").writeText("milk,2\neggs,12\n")
+                (folder / "empty.wpilog").writeBytes(ByteArray(0))
+                (folder / "packed.bag").writeBytes(byteArrayOf(0xfd.toByte(), 0x37, 0x7a, 0x58, 0x5a, 0, 1, 2))
+            }
+            val shrinking = folder("shrinking") { folder ->
+                (folder / "a.bag").writeBytes(bag)
+                (folder / "b.bag").writeBytes(bag)
+            }
+            val many = folder("many") { folder -> for (i in 1..350) (folder / "FRC_20260314_100000_TEST_Q$i.bag").writeText("{\"topics\":[],\"values\":[]}\n\n") }
+            onFolder(days) {
+                step("logs of the same name in different folders can be compared, and hidden files are not listed") {
+                    awaitAll()
+                    column("FILE").size shouldBe 3
+                    for (box in elements("[aria-label='Compare match.bag']").indices) elements("[aria-label='Compare match.bag']")[box].click()
+                    click("#compare-logs")
+                    await("all three") { texts(".compared-log bdi").size == 3 }
+                    texts(".compared-log bdi").distinct().size shouldBe 3
+                }
+                openAnew(tables)
+                step("a finding in a table without an x axis opens over the time column, in which it was found") {
+                    val named = elements("[data-column='FINDINGS'] button").first().text.substringBefore(" +")
+                    click("[data-column='FINDINGS'] button")
+                    awaitLog("a.csv")
+                    await("its evidence") { elements(".evidence").any { it.isDisplayed } }
+                    text shouldContain named
+                }
+                openAnew(gone)
+                step("unreadable files are listed with the reason, and hostile names stay text") {
+                    column("FILE") shouldContain "<img src=x onerror=alert(1)>.bag"
+                    elements(".log-table img").size shouldBe 0
+                    fun cell(name: String, file: String) = column(name)[column("FILE").indexOf(file)]
+                    cell("PROBLEMS", "packed.bag") shouldBe "unreadable"
+                    cell("FINDINGS", "packed.bag") shouldBe "cannot be read"
+                    cell("FINDINGS", "empty.wpilog") shouldBe "no samples"
+                    click("[data-column='FILE'] button") { "img" in it.text }
+                    awaitLog("<img src=x onerror=alert(1)>.bag")
+                }
+                openAnew(shrinking)
+                step("a log that was deleted before it is opened is reported, and the back button leads to the list") {
+                    (shrinking / "b.bag").deleteExisting()
+                    click("[data-column='FILE'] button") { it.text == "b.bag" }
+                    awaitState("failed")
+                    text shouldContain "b.bag cannot be read"
+                    click("#go-back")
+                    await("the list") { elements(".log-table").isNotEmpty() }
+                }
+                startOver("empty")
+                open(many)
+                step("a table of very many logs has 300 rows at first, and more on request") {
+                    elements(".log-table tbody tr").size shouldBe 300
+                    // Clicked by a script, because the table changes under a pointer while logs are read.
+                    script("document.querySelector('.log-table .more').click()")
+                    elements(".log-table tbody tr").size shouldBe 350
+                    column("NUMBER").first { it.isNotEmpty() }.length shouldBeGreaterThan 0
+                }
             }
         }
-        val tables = folder("tables") { folder ->
-            val rows = (0..1500).joinToString("\n") { i -> "${i / 50.0},${if (i in 500..700) 6.2 else 12.4},1" }
-            (folder / "a.csv").writeText("Time,Battery Voltage,Enabled\n$rows\n")
-            (folder / "b.bag").writeBytes(bag)
-        }
-        val gone = folder("hostile") { folder ->
-            (folder / "<img src=x onerror=alert(1)>.bag").writeBytes(bag)
-            (folder / "damaged.bag").writeText("{\"topics\":[")
-            (folder / "groceries.csv").writeText("milk,2\neggs,12\n")
-            (folder / "empty.wpilog").writeBytes(ByteArray(0))
-            (folder / "packed.bag").writeBytes(byteArrayOf(0xfd.toByte(), 0x37, 0x7a, 0x58, 0x5a, 0, 1, 2))
-        }
-        val shrinking = folder("shrinking") { folder ->
-            (folder / "a.bag").writeBytes(bag)
-            (folder / "b.bag").writeBytes(bag)
-        }
-        val many = folder("many") { folder -> for (i in 1..350) (folder / "FRC_20260314_100000_TEST_Q$i.bag").writeText("{\"topics\":[],\"values\":[]}\n\n") }
-        onFolder(days) {
-            step("logs of the same name in different folders can be compared, and hidden files are not listed") {
-                awaitAll()
-                column("FILE").size shouldBe 3
-                for (box in elements("[aria-label='Compare match.bag']").indices) elements("[aria-label='Compare match.bag']")[box].click()
-                click("#compare-logs")
-                await("all three") { texts(".compared-log bdi").size == 3 }
-                texts(".compared-log bdi").distinct().size shouldBe 3
-            }
-            openAnew(tables)
-            step("a finding in a table without an x axis opens over the time column, in which it was found") {
-                val named = elements("[data-column='FINDINGS'] button").first().text.substringBefore(" +")
-                click("[data-column='FINDINGS'] button")
-                awaitLog("a.csv")
-                await("its evidence") { elements(".evidence").any { it.isDisplayed } }
-                text shouldContain named
-            }
-            openAnew(gone)
-            step("unreadable files are listed with the reason, and hostile names stay text") {
-                column("FILE") shouldContain "<img src=x onerror=alert(1)>.bag"
-                elements(".log-table img").size shouldBe 0
-                fun cell(name: String, file: String) = column(name)[column("FILE").indexOf(file)]
-                cell("PROBLEMS", "packed.bag") shouldBe "unreadable"
-                cell("FINDINGS", "packed.bag") shouldBe "cannot be read"
-                cell("FINDINGS", "empty.wpilog") shouldBe "no samples"
-                click("[data-column='FILE'] button") { "img" in it.text }
-                awaitLog("<img src=x onerror=alert(1)>.bag")
-            }
-            openAnew(shrinking)
-            step("a log that was deleted before it is opened is reported, and the back button leads to the list") {
-                (shrinking / "b.bag").deleteExisting()
-                click("[data-column='FILE'] button") { it.text == "b.bag" }
-                awaitState("failed")
-                text shouldContain "b.bag cannot be read"
-                click("#go-back")
+        step("a dropped folder is listed with its subfolders, although browsers list it in parts; names may repeat") {
+            onPage(page, state = "empty") {
+                script(
+                    """
+                    const bytes = Uint8Array.from(arguments[0])
+                    const file = path => ({isFile: true, fullPath: path, file: take => take(new File([bytes], path.split('/').pop()))})
+                    const folder = (path, ...parts) => ({isDirectory: true, fullPath: path, createReader: () => ({readEntries: take => take(parts.shift() ?? [])})})
+                    const day2 = folder('/event/day2', [file('/event/day2/a.bag')])
+                    const event = folder('/event', [file('/event/a.bag'), file('/event/b.bag')], [day2, file('/event/notes.txt')])
+                    const drop = new Event('drop', {bubbles: true, cancelable: true})
+                    drop.dataTransfer = {types: ['Files'], files: {length: 0, item: () => null}, items: [{webkitGetAsEntry: () => event}]}
+                    document.body.dispatchEvent(drop)
+                    """.trimIndent(),
+                    bag.map { it.toInt() and 255 },
+                )
                 await("the list") { elements(".log-table").isNotEmpty() }
+                texts(".page-head h1") shouldContainExactly listOf("event")
+                awaitAll()
+                @Suppress("UNCHECKED_CAST")
+                val paths = script("return [...document.querySelectorAll('tbody tr')].map(row => row.dataset.path)") as List<String>
+                paths shouldContainExactlyInAnyOrder listOf("event/a.bag", "event/b.bag", "event/day2/a.bag")
             }
-            startOver("empty")
-            open(many)
-            step("a table of very many logs has 300 rows at first, and more on request") {
-                elements(".log-table tbody tr").size shouldBe 300
-                // Clicked by a script, because the table changes under a pointer while logs are read.
-                script("document.querySelector('.log-table .more').click()")
-                elements(".log-table tbody tr").size shouldBe 350
-                column("NUMBER").first { it.isNotEmpty() }.length shouldBeGreaterThan 0
+            onPage(page, state = "empty") {
+                drop("a.bag" to bag, "a.bag" to bag)
+                await("the list") { elements(".log-table").isNotEmpty() }
+                awaitAll()
+                column("FILE") shouldContainExactly listOf("a.bag", "a.bag")
             }
-        }
-    }
-
-    browserTest("a dropped folder is listed with its subfolders, although browsers list it in parts; names may repeat") {
-        onPage(page, state = "empty") {
-            script(
-                """
-                const bytes = Uint8Array.from(arguments[0])
-                const file = path => ({isFile: true, fullPath: path, file: take => take(new File([bytes], path.split('/').pop()))})
-                const folder = (path, ...parts) => ({isDirectory: true, fullPath: path, createReader: () => ({readEntries: take => take(parts.shift() ?? [])})})
-                const day2 = folder('/event/day2', [file('/event/day2/a.bag')])
-                const event = folder('/event', [file('/event/a.bag'), file('/event/b.bag')], [day2, file('/event/notes.txt')])
-                const drop = new Event('drop', {bubbles: true, cancelable: true})
-                drop.dataTransfer = {types: ['Files'], files: {length: 0, item: () => null}, items: [{webkitGetAsEntry: () => event}]}
-                document.body.dispatchEvent(drop)
-                """.trimIndent(),
-                bag.map { it.toInt() and 255 },
-            )
-            await("the list") { elements(".log-table").isNotEmpty() }
-            texts(".page-head h1") shouldContainExactly listOf("event")
-            awaitAll()
-            @Suppress("UNCHECKED_CAST")
-            val paths = script("return [...document.querySelectorAll('tbody tr')].map(row => row.dataset.path)") as List<String>
-            paths shouldContainExactlyInAnyOrder listOf("event/a.bag", "event/b.bag", "event/day2/a.bag")
-        }
-        onPage(page, state = "empty") {
-            drop("a.bag" to bag, "a.bag" to bag)
-            await("the list") { elements(".log-table").isNotEmpty() }
-            awaitAll()
-            column("FILE") shouldContainExactly listOf("a.bag", "a.bag")
         }
     }
 })

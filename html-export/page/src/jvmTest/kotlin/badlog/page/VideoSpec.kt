@@ -223,39 +223,6 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("a phone shows the video below or beside the graphs; an unplayable one is reported") {
-        onPage(page) {
-            step("a video that the browser cannot play is reported, also a dropped one, and a layout is still opened") {
-                script(DROP)
-                await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
-                texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
-                // A playable video takes its place.
-                pick()
-                texts("#video [role=status]").single() shouldContain "Find the first frame"
-            }
-            step("on a phone the video is a sheet over the foot of the page, and leaves room for the graphs") {
-                show(Screen.PHONE)
-                openAligned()
-                val box = "const b = document.querySelector('#video').getBoundingClientRect(); return "
-                number(box + "b.bottom") shouldBe 844.0
-                (number(box + "b.top") > 400) shouldBe true
-                number("return document.documentElement.scrollWidth") shouldBe 390.0
-                keepScreenshot("phone-video")
-            }
-            step("on a phone held sideways, the video and the values at the cursor are beside the graphs") {
-                show(Screen(844, 390, density = 2.0, isPhone = true, isDark = true))
-                press("v")
-                settle()
-                val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
-                (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
-                (number(box + "b('#video').left - b('#cursor-values').right") >= 0) shouldBe true
-                (number(box + "390 - b('#video').bottom") >= 0) shouldBe true
-                number("return document.documentElement.scrollWidth") shouldBe 844.0
-                keepScreenshot("phone-sideways-video")
-            }
-        }
-    }
-
     browserTest("video and values at the cursor share the right side, and nothing covers the graphs or the bar’s texts") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)), Screen(1366, 768)) {
             script("location.hash = '#v=85&t=93.7&x=85:105'")
@@ -276,11 +243,45 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("a page without time on x offers no video, and gives the reason when one is dropped") {
-        onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
-            element("#video-button").isDisplayed shouldBe false
-            script(DROP)
-            await("the sentence") { VideoAlignment.NO_TIME in texts(".notice").joinToString() }
+    browserTest("a phone shows the video below or beside the graphs, and an unplayable one, or one without time, is reported") {
+        step("a phone shows the video below or beside the graphs; an unplayable one is reported") {
+            onPage(page) {
+                step("a video that the browser cannot play is reported, also a dropped one, and a layout is still opened") {
+                    script(DROP)
+                    await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
+                    texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
+                    // A playable video takes its place.
+                    pick()
+                    texts("#video [role=status]").single() shouldContain "Find the first frame"
+                }
+                step("on a phone the video is a sheet over the foot of the page, and leaves room for the graphs") {
+                    show(Screen.PHONE)
+                    openAligned()
+                    val box = "const b = document.querySelector('#video').getBoundingClientRect(); return "
+                    number(box + "b.bottom") shouldBe 844.0
+                    (number(box + "b.top") > 400) shouldBe true
+                    number("return document.documentElement.scrollWidth") shouldBe 390.0
+                    keepScreenshot("phone-video")
+                }
+                step("on a phone held sideways, the video and the values at the cursor are beside the graphs") {
+                    show(Screen(844, 390, density = 2.0, isPhone = true, isDark = true))
+                    press("v")
+                    settle()
+                    val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
+                    (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
+                    (number(box + "b('#video').left - b('#cursor-values').right") >= 0) shouldBe true
+                    (number(box + "390 - b('#video').bottom") >= 0) shouldBe true
+                    number("return document.documentElement.scrollWidth") shouldBe 844.0
+                    keepScreenshot("phone-sideways-video")
+                }
+            }
+        }
+        step("a page without time on x offers no video, and gives the reason when one is dropped") {
+            onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
+                element("#video-button").isDisplayed shouldBe false
+                script(DROP)
+                await("the sentence") { VideoAlignment.NO_TIME in texts(".notice").joinToString() }
+            }
         }
     }
 })
