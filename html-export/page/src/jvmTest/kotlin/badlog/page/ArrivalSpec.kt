@@ -4,7 +4,6 @@ import badlog.exporter.EmptyPage
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotBeEmpty
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -46,81 +45,81 @@ internal class ArrivalSpec : PageSpec({
 
     fun OpenPage.isWithinScreen() = number("return document.documentElement.scrollWidth - innerWidth") <= 0
 
-    browserTest("a log that arrives while another is shown is announced with its worst finding, and shown only on request") {
+    browserTest("a log that arrives is announced once, and shown only on request") {
         onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
-            openFolder()
-            news() shouldBe ""
-            openListed("practice")
-            await("the log") { texts(".page-title h1").size == 1 }
-            awaitState("ready")
-            val shown = texts(".page-title h1")
-            script(putIntoFolder(after))
-            await("the news") { news() != "" }
-            news() shouldStartWith "Qualification 42 arrived: "
-            news() shouldContain "error"
-            news() shouldContain "Browned out at 1:3"
-            texts(".page-title h1") shouldBe shown
-            seriousForReaders().shouldBeEmpty()
-            isWithinScreen() shouldBe true
-            keepScreenshot("arrival-1366-light")
-            show(laptop.copy(isDark = true))
-            keepScreenshot("arrival-1366-dark")
-            show(Screen.PHONE)
-            isWithinScreen() shouldBe true
-            keepScreenshot("phone-arrival")
-            press("a")
-            awaitLog("Qualification 42")
-            await("its evidence") { elements(".evidence").any { it.isDisplayed } }
-            news() shouldBe ""
-            click("#go-back")
-            await("the list") { texts("[data-column='FILE']").size == 3 }
-        }
-    }
-
-    browserTest("a log that was postponed, or opened from the list, is not announced again; neither is a log of a folder that was left") {
-        onPage(page, state = "empty", script = watchedFolder(before)) {
-            openFolder()
-            script(putIntoFolder(after))
-            await("the news") { news() != "" }
-            click("#leave-arrival")
-            news() shouldBe ""
-            focused() shouldBe "go-back"
-            await("three rows") { texts("[data-column='FILE']").size == 3 }
-            script(putIntoFolder(after + ("later.bag" to before.getValue("practice.bag"))))
-            await("the next") { "arrived" in news() }
-            openListed("later")
-            await("the log") { texts(".page-title h1").size == 1 }
-            awaitState("ready")
-            news() shouldBe ""
-            click("#go-back")
-            await("the list") { elements(".log-table").isNotEmpty() }
-            click("#go-back")
-            await("the start") { elements(".start-drop").isNotEmpty() }
-            elements(".arrival").shouldBeEmpty()
-        }
-    }
-
-    browserTest("an unreadable file removes no logs from the list; a new log is announced without hiding the page or moving the focus") {
-        onPage(page, laptop, state = "empty", script = watchedFolder(before)) {
-            openFolder()
-            script(
-                "window.folder = {get 'new.bag'() { window.looks = (window.looks ?? 0) + 1; return Promise.reject(new Error('locked')) }}",
-            )
-            await("two looks") { number("return window.looks ?? 0") >= 2 }
-            texts("[data-column='FILE']").size shouldBe 2
-            script(putIntoFolder(after))
-            await("the news") { news() != "" }
-            click("#only-errors")
-            await("the page to leave room for the news") {
-                number("return parseFloat(getComputedStyle(document.documentElement).scrollPaddingBottom)") ==
-                    number("return document.querySelector('.arrival').offsetHeight")
+            step("a log that arrives while another is shown is announced with its worst finding, and shown only on request") {
+                openFolder()
+                news() shouldBe ""
+                openListed("practice")
+                await("the log") { texts(".page-title h1").size == 1 }
+                awaitState("ready")
+                val shown = texts(".page-title h1")
+                script(putIntoFolder(after))
+                await("the news") { news() != "" }
+                news() shouldStartWith "Qualification 42 arrived: "
+                news() shouldContain "error"
+                news() shouldContain "Browned out at 1:3"
+                texts(".page-title h1") shouldBe shown
+                seriousForReaders().shouldBeEmpty()
+                isWithinScreen() shouldBe true
+                keepScreenshot("arrival-1366-light")
+                show(laptop.copy(isDark = true))
+                keepScreenshot("arrival-1366-dark")
+                show(Screen.PHONE)
+                isWithinScreen() shouldBe true
+                keepScreenshot("phone-arrival")
+                press("a")
+                awaitLog("Qualification 42")
+                await("its evidence") { elements(".evidence").any { it.isDisplayed } }
+                news() shouldBe ""
+                click("#go-back")
+                await("the list") { texts("[data-column='FILE']").size == 3 }
             }
-            focused() shouldBe "only-errors"
-            // The announcement appears before the list's next row.
-            await("the row of the new log") { texts("[data-column='FILE']").any { "qualification-42.bag" in it } }
-            elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
-            press("a")
-            awaitLog("Qualification 42")
+            startOver("empty")
+            show(Screen.WIDE)
+            step("a log that was postponed, or opened from the list, is not announced again; neither is a log of a folder that was left") {
+                openFolder()
+                script(putIntoFolder(after))
+                await("the news") { news() != "" }
+                click("#leave-arrival")
+                news() shouldBe ""
+                focused() shouldBe "go-back"
+                await("three rows") { texts("[data-column='FILE']").size == 3 }
+                script(putIntoFolder(after + ("later.bag" to before.getValue("practice.bag"))))
+                await("the next") { "arrived" in news() }
+                openListed("later")
+                await("the log") { texts(".page-title h1").size == 1 }
+                awaitState("ready")
+                news() shouldBe ""
+                click("#go-back")
+                await("the list") { elements(".log-table").isNotEmpty() }
+                click("#go-back")
+                await("the start") { elements(".start-drop").isNotEmpty() }
+                elements(".arrival").shouldBeEmpty()
+            }
+            startOver("empty")
+            show(laptop)
+            step("an unreadable file removes no logs from the list; a new log is announced without hiding the page or moving the focus") {
+                openFolder()
+                script(
+                    "window.folder = {get 'new.bag'() { window.looks = (window.looks ?? 0) + 1; return Promise.reject(new Error('locked')) }}",
+                )
+                await("two looks") { number("return window.looks ?? 0") >= 2 }
+                texts("[data-column='FILE']").size shouldBe 2
+                script(putIntoFolder(after))
+                await("the news") { news() != "" }
+                click("#only-errors")
+                await("the page to leave room for the news") {
+                    number("return parseFloat(getComputedStyle(document.documentElement).scrollPaddingBottom)") ==
+                        number("return document.querySelector('.arrival').offsetHeight")
+                }
+                focused() shouldBe "only-errors"
+                // The announcement appears before the list's next row.
+                await("the row of the new log") { texts("[data-column='FILE']").any { "qualification-42.bag" in it } }
+                elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
+                press("a")
+                awaitLog("Qualification 42")
+            }
         }
     }
 
@@ -161,26 +160,6 @@ internal class ArrivalSpec : PageSpec({
             focused() shouldBe "pit-last"
             press("i")
             element(".log-table").isDisplayed shouldBe true
-        }
-    }
-
-    browserTest("differences from earlier matches of the folder are above the findings, and a click draws the match over the last of them") {
-        onPage(page, laptop, state = "empty", script = watchedFolder(UNLIKE_MATCHES)) {
-            openFolder()
-            openListed("Q7")
-            awaitLog("Qualification 7")
-            elements(".changes").shouldBeEmpty()
-            click("#go-back")
-            await("the list") { elements(".log-table").isNotEmpty() }
-            openListed("Q8")
-            awaitLog("Qualification 8")
-            await("what is unlike") { elements(".changes li").isNotEmpty() }
-            texts(".changes li") shouldContainExactly listOf("Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A).")
-            seriousForReaders().shouldBeEmpty()
-            keepScreenshot("changes")
-            click(".changes button")
-            await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
-            texts(".board .graph-title") shouldContain "Current"
         }
     }
 })

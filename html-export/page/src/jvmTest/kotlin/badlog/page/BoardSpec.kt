@@ -68,240 +68,226 @@ internal class BoardSpec : PageSpec({
         act { mouseTo(x, y).mouseDown().mouseTo(x + 6, y + 6).mouseTo(toX, toY).mouseUp() }
     }
 
-    browserTest("every graph can be added to a graph of the board") {
+    /** Empties the board, as if no link had been followed. */
+    fun OpenPage.clear() {
+        script("history.replaceState(null, '', location.pathname); scrollTo(0, 0)")
+        if (titles().isNotEmpty()) click("#clear-board")
+        settle()
+    }
+
+    browserTest("a person puts graphs together by buttons, menus, keys and drags") {
         onPage(page) {
-            fun add(name: String) {
-                script("arguments[0].querySelector('.add-to-graph').click()", graph(name).scrollTo().card)
+            step("every graph can be added to a graph of the board") {
+                fun add(name: String) {
+                    script("arguments[0].querySelector('.add-to-graph').click()", graph(name).scrollTo().card)
+                    settle()
+                }
+                add("Amp")
+                texts(".notice p").single() shouldContain "The board has no other graph"
+                pin("Volt")
+                add("Amp")
+                elements(".menu button").single { it.text == "Add to “Volt”" }.click()
                 settle()
+                lines(0) shouldBe listOf("Volt", "Amp")
+                elements(".menu").size shouldBe 0
             }
-            add("Amp")
-            texts(".notice p").single() shouldContain "The board has no other graph"
-            pin("Volt")
-            add("Amp")
-            elements(".menu button").single { it.text == "Add to “Volt”" }.click()
-            settle()
-            lines(0) shouldBe listOf("Volt", "Amp")
-            elements(".menu").size shouldBe 0
+            clear()
+            step("the second of two graphs with one title has a number in heading, spoken name and menus, until the first is removed") {
+                script("location.hash = '#board=Volt,Amp;Volt;Speed'")
+                settle()
+                titles() shouldBe listOf("Volt", "Volt (2)", "Speed")
+                elements("#board .plot").map { it.getDomAttribute("aria-label")?.substringBefore(';') } shouldBe titles().map { "Graph of $it" }
+                elements("#board .graph-menu")[2].click()
+                settle()
+                texts(".menu button").filter { it.startsWith("Add to “") } shouldBe listOf("Add to “Volt”", "Add to “Volt (2)”")
+                press(Keys.ESCAPE)
+                choose(0, "Remove this graph")
+                titles() shouldBe listOf("Volt", "Speed")
+            }
+            clear()
+            step("a search shows the matching graphs of the board, and their number") {
+                script("location.hash = '#board=Volt,Amp;Speed'")
+                settle()
+                press("/")
+                press("amp")
+                elements("#board .graph").filter { it.isDisplayed }.map { it.getDomAttribute("data-name") } shouldBe listOf("Volt")
+                elements("#board .legend-entry").filter { it.isDisplayed }.map { it.getDomAttribute("data-series") } shouldBe listOf("Amp")
+                element("#board header").text shouldContain "1 of 2 graphs"
+                press(Keys.ESCAPE)
+                elements("#board .graph").count { it.isDisplayed } shouldBe 2
+                element("#board header").text shouldContain "2 graphs"
+            }
+            clear()
+            step("graphs are pinned by a button and a key, are still there when the page is opened again, and every step can be undone") {
+                element("#board").text shouldContain "Pin graphs"
+                pin("Volt")
+                graph("Amp").scrollTo().hover(0.5)
+                press("p")
+                titles() shouldBe listOf("Volt", "Amp")
+                reload()
+                titles() shouldBe listOf("Volt", "Amp")
+                script("scrollTo(0, 0)")
+                settle()
+                pin("Volt")
+                titles() shouldBe listOf("Amp")
+                act { keyDown(Keys.CONTROL).sendKeys("z").keyUp(Keys.CONTROL) }
+                titles() shouldBe listOf("Volt", "Amp")
+                click("#redo")
+                titles() shouldBe listOf("Amp")
+                click("#clear-board")
+                titles() shouldBe emptyList()
+                click("#undo")
+                titles() shouldBe listOf("Amp")
+            }
+            clear()
+            step("a title is dragged between graphs, or onto a graph, which then draws both with an axis for each unit") {
+                for (name in listOf("Volt", "Amp", "Speed")) pin(name)
+                script("scrollTo(0, 0)")
+                settle()
+                dragTitle(2, 0, 0.05)
+                titles() shouldBe listOf("Speed", "Volt", "Amp")
+                dragTitle(1, 0, 0.5)
+                titles() shouldBe listOf("Speed", "Amp")
+                lines(0) shouldBe listOf("Speed", "Volt")
+                texts("#board .board-graph .legend .unit").filter { it.isNotEmpty() } shouldContain "V, right"
+                // The legend has the unit of each line, so the title has none.
+                number("return document.querySelectorAll('#board .board-graph')[0].querySelectorAll('.graph-head > .unit').length") shouldBe 0.0
+                keepScreenshot("board-axes")
+                graph("Speed").pixelsOfLine(0) shouldBeGreaterThan 300
+                graph("Speed").pixelsOfLine(1) shouldBeGreaterThan 300
+                press(Keys.ESCAPE)
+                titles() shouldBe listOf("Speed", "Amp")
+            }
+            clear()
+            step("the keyboard alone opens a menu, moves graphs, changes their height, and joins them") {
+                for (name in listOf("Volt", "Amp")) pin(name)
+                focusGraph(1)
+                act { keyDown(Keys.ALT).sendKeys(Keys.ARROW_UP).keyUp(Keys.ALT) }
+                titles() shouldBe listOf("Amp", "Volt")
+                val before = number("return document.querySelector('#board .plot').clientHeight")
+                press("h")
+                number("return document.querySelector('#board .plot').clientHeight") shouldBe before * 2
+                script("document.querySelectorAll('#board .graph-menu')[1].focus()")
+                press(Keys.ENTER)
+                script("return document.activeElement.textContent") shouldBe "Move up"
+                press(Keys.ARROW_UP)
+                script("return document.activeElement.textContent") shouldBe "Remove this graph"
+                press(Keys.ESCAPE)
+                elements("#board .menu").size shouldBe 0
+                script("return document.activeElement.className") as String shouldContain "graph-menu"
+                choose(1, "Add to “Amp”")
+                lines(0) shouldBe listOf("Amp", "Volt")
+                focusGraph(0)
+                press("p")
+                titles() shouldBe emptyList()
+                script("return document.activeElement.id") shouldBe "add-topics"
+            }
+            clear()
+            step("any topic is added by its name; states have lanes below their numbers, and an XY plot is a new graph") {
+                click("#add-topics")
+                element("#topic-search").sendKeys("vol")
+                texts(".topic-list bdi:first-child") shouldBe listOf("Volt")
+                click(".topic-list button")
+                press(Keys.ESCAPE)
+                titles() shouldBe listOf("Volt")
+                choose(0, "Add topics")
+                element("#topic-search").sendKeys("mode")
+                click(".topic-list button")
+                press(Keys.ESCAPE)
+                elements("#board .board-graph").size shouldBe 1
+                elements("#board [data-kind='states']").size shouldBe 1
+                choose(0, "Add topics")
+                element("#topic-search").sendKeys("volt over amp")
+                texts(".topic-list button") shouldBe emptyList()
+                // The first press empties the search.
+                press(Keys.ESCAPE)
+                press(Keys.ESCAPE)
+                click("#add-topics")
+                element("#topic-search").sendKeys("volt over amp")
+                texts(".topic-list button") shouldBe listOf("Volt over Amp")
+                click(".topic-list button")
+                element(".topic-list button").getDomAttribute("aria-pressed") shouldBe "true"
+                press(Keys.ESCAPE)
+                titles().last() shouldBe "Volt over Amp"
+            }
+            clear()
+            step("a hidden line and fixed limits of y are stored with the board") {
+                for (name in listOf("Volt", "Other")) pin(name)
+                choose(1, "Add to “Volt”")
+                val legend = elements("#board .legend-entry")
+                legend[1].click()
+                settle()
+                choose(0, "Fix the y limits")
+                elements("#board .reset-y").first().isDisplayed shouldBe true
+                reload()
+                elements("#board .legend-entry")[1].getDomAttribute("aria-pressed") shouldBe "false"
+                elements("#board .reset-y").first().isDisplayed shouldBe true
+                click("#board .reset-y")
+                elements("#board .reset-y").first().isDisplayed shouldBe false
+            }
+            clear()
+            step("the graphs of a formula are redrawn when it changes, and leave the board when it is removed") {
+                press("f")
+                press("Sum [V] = Volt + Other", Keys.ENTER)
+                await("the formula’s graph") { "Sum" in graphNames }
+                pin("Sum")
+                titles() shouldBe listOf("Sum")
+                press("f")
+                click(".formula-list .text-button")
+                act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
+                press("Total [V] = Volt + Other", Keys.ENTER)
+                await("its other name on the board") { titles() == listOf("Total") }
+                press("f")
+                click(".formula-remove")
+                press(Keys.ESCAPE)
+                titles() shouldBe emptyList()
+            }
+            clear()
+            step("graphs that share their y limits draw a unit on the same scale") {
+                for (name in listOf("Volt", "Other")) pin(name)
+                val alone = graph("Volt").lineColumns().sum()
+                for (i in 0..1) choose(i, "Share the y limits")
+                // Volt goes up to 99, and Other up to 16 times as far.
+                val shared = graph("Volt").lineColumns().sum()
+                alone shouldBeGreaterThan shared * 2
+            }
+            clear()
+            step("a graph of the page that is dragged onto another one puts both on the board") {
+                val target = graph("Amp").frame
+                val source = script(
+                    "const b = arguments[0].querySelector('.graph-title').getBoundingClientRect(); return [b.x + 9, b.y + 9].map(Math.round)",
+                    graph("Volt").card,
+                ) as List<*>
+                val (x, y) = source.map { (it as Number).toInt() }
+                val (toX, toY) = target.at(0.5)
+                act { mouseTo(x, y).mouseDown().mouseTo(x + 8, y + 8).mouseTo(toX, toY).mouseUp() }
+                lines(0) shouldBe listOf("Amp", "Volt")
+            }
         }
     }
 
-    browserTest("the second of two graphs with one title has a number in heading, spoken name and menus, until the first is removed") {
-        onPage(page) {
-            script("location.hash = '#board=Volt,Amp;Volt;Speed'")
-            settle()
-            titles() shouldBe listOf("Volt", "Volt (2)", "Speed")
-            elements("#board .plot").map { it.getDomAttribute("aria-label")?.substringBefore(';') } shouldBe titles().map { "Graph of $it" }
-            elements("#board .graph-menu")[2].click()
-            settle()
-            texts(".menu button").filter { it.startsWith("Add to “") } shouldBe listOf("Add to “Volt”", "Add to “Volt (2)”")
-            press(Keys.ESCAPE)
-            choose(0, "Remove this graph")
-            titles() shouldBe listOf("Volt", "Speed")
-        }
-    }
-
-    browserTest("a search shows the matching graphs of the board, and their number") {
-        onPage(page) {
-            script("location.hash = '#board=Volt,Amp;Speed'")
-            settle()
-            press("/")
-            press("amp")
-            elements("#board .graph").filter { it.isDisplayed }.map { it.getDomAttribute("data-name") } shouldBe listOf("Volt")
-            elements("#board .legend-entry").filter { it.isDisplayed }.map { it.getDomAttribute("data-series") } shouldBe listOf("Amp")
-            element("#board header").text shouldContain "1 of 2 graphs"
-            press(Keys.ESCAPE)
-            elements("#board .graph").count { it.isDisplayed } shouldBe 2
-            element("#board header").text shouldContain "2 graphs"
-        }
-    }
-
-    browserTest("graphs are pinned by a button and a key, are still there when the page is opened again, and every step can be undone") {
-        onPage(page) {
-            element("#board").text shouldContain "Pin graphs"
-            pin("Volt")
-            graph("Amp").scrollTo().hover(0.5)
-            press("p")
-            titles() shouldBe listOf("Volt", "Amp")
-            reload()
-            titles() shouldBe listOf("Volt", "Amp")
-            script("scrollTo(0, 0)")
-            settle()
-            pin("Volt")
-            titles() shouldBe listOf("Amp")
-            act { keyDown(Keys.CONTROL).sendKeys("z").keyUp(Keys.CONTROL) }
-            titles() shouldBe listOf("Volt", "Amp")
-            click("#redo")
-            titles() shouldBe listOf("Amp")
-            click("#clear-board")
-            titles() shouldBe emptyList()
-            click("#undo")
-            titles() shouldBe listOf("Amp")
-        }
-    }
-
-    browserTest("a title is dragged between graphs, or onto a graph, which then draws both with an axis for each unit") {
-        onPage(page) {
-            for (name in listOf("Volt", "Amp", "Speed")) pin(name)
-            script("scrollTo(0, 0)")
-            settle()
-            dragTitle(2, 0, 0.05)
-            titles() shouldBe listOf("Speed", "Volt", "Amp")
-            dragTitle(1, 0, 0.5)
-            titles() shouldBe listOf("Speed", "Amp")
-            lines(0) shouldBe listOf("Speed", "Volt")
-            texts("#board .board-graph .legend .unit").filter { it.isNotEmpty() } shouldContain "V, right"
-            // The legend has the unit of each line, so the title has none.
-            number("return document.querySelectorAll('#board .board-graph')[0].querySelectorAll('.graph-head > .unit').length") shouldBe 0.0
-            keepScreenshot("board-axes")
-            graph("Speed").pixelsOfLine(0) shouldBeGreaterThan 300
-            graph("Speed").pixelsOfLine(1) shouldBeGreaterThan 300
-            press(Keys.ESCAPE)
-            titles() shouldBe listOf("Speed", "Amp")
-        }
-    }
-
-    browserTest("the keyboard alone opens a menu, moves graphs, changes their height, and joins them") {
-        onPage(page) {
-            for (name in listOf("Volt", "Amp")) pin(name)
-            focusGraph(1)
-            act { keyDown(Keys.ALT).sendKeys(Keys.ARROW_UP).keyUp(Keys.ALT) }
-            titles() shouldBe listOf("Amp", "Volt")
-            val before = number("return document.querySelector('#board .plot').clientHeight")
-            press("h")
-            number("return document.querySelector('#board .plot').clientHeight") shouldBe before * 2
-            script("document.querySelectorAll('#board .graph-menu')[1].focus()")
-            press(Keys.ENTER)
-            script("return document.activeElement.textContent") shouldBe "Move up"
-            press(Keys.ARROW_UP)
-            script("return document.activeElement.textContent") shouldBe "Remove this graph"
-            press(Keys.ESCAPE)
-            elements("#board .menu").size shouldBe 0
-            script("return document.activeElement.className") as String shouldContain "graph-menu"
-            choose(1, "Add to “Amp”")
-            lines(0) shouldBe listOf("Amp", "Volt")
-            focusGraph(0)
-            press("p")
-            titles() shouldBe emptyList()
-            script("return document.activeElement.id") shouldBe "add-topics"
-        }
-    }
-
-    browserTest("any topic is added by its name; states have lanes below their numbers, and an XY plot is a new graph") {
-        onPage(page) {
-            click("#add-topics")
-            element("#topic-search").sendKeys("vol")
-            texts(".topic-list bdi:first-child") shouldBe listOf("Volt")
-            click(".topic-list button")
-            press(Keys.ESCAPE)
-            titles() shouldBe listOf("Volt")
-            choose(0, "Add topics")
-            element("#topic-search").sendKeys("mode")
-            click(".topic-list button")
-            press(Keys.ESCAPE)
-            elements("#board .board-graph").size shouldBe 1
-            elements("#board [data-kind='states']").size shouldBe 1
-            choose(0, "Add topics")
-            element("#topic-search").sendKeys("volt over amp")
-            texts(".topic-list button") shouldBe emptyList()
-            // The first press empties the search.
-            press(Keys.ESCAPE)
-            press(Keys.ESCAPE)
-            click("#add-topics")
-            element("#topic-search").sendKeys("volt over amp")
-            texts(".topic-list button") shouldBe listOf("Volt over Amp")
-            click(".topic-list button")
-            element(".topic-list button").getDomAttribute("aria-pressed") shouldBe "true"
-            press(Keys.ESCAPE)
-            titles().last() shouldBe "Volt over Amp"
-        }
-    }
-
-    browserTest("a hidden line and fixed limits of y are stored with the board") {
-        onPage(page) {
-            for (name in listOf("Volt", "Other")) pin(name)
-            choose(1, "Add to “Volt”")
-            val legend = elements("#board .legend-entry")
-            legend[1].click()
-            settle()
-            choose(0, "Fix the y limits")
-            elements("#board .reset-y").first().isDisplayed shouldBe true
-            reload()
-            elements("#board .legend-entry")[1].getDomAttribute("aria-pressed") shouldBe "false"
-            elements("#board .reset-y").first().isDisplayed shouldBe true
-            click("#board .reset-y")
-            elements("#board .reset-y").first().isDisplayed shouldBe false
-        }
-    }
-
-    browserTest("the graphs of a formula are redrawn when it changes, and leave the board when it is removed") {
-        onPage(page) {
-            press("f")
-            press("Sum [V] = Volt + Other", Keys.ENTER)
-            await("the formula’s graph") { "Sum" in graphNames }
-            pin("Sum")
-            titles() shouldBe listOf("Sum")
-            press("f")
-            click(".formula-list .text-button")
-            act { keyDown(Keys.CONTROL).sendKeys("a").keyUp(Keys.CONTROL) }
-            press("Total [V] = Volt + Other", Keys.ENTER)
-            await("its other name on the board") { titles() == listOf("Total") }
-            press("f")
-            click(".formula-remove")
-            press(Keys.ESCAPE)
-            titles() shouldBe emptyList()
-        }
-    }
-
-    browserTest("a pin moves the graphs of evidence to the board, and Escape ends a drag") {
+    browserTest("a pin moves the graphs of evidence to the board, which fits each screen") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
-            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
-            click("#clear-board")
-            press("n")
-            val shown = texts("#evidence .graph-title")
-            shown.size shouldBeGreaterThan 0
-            click("#keep-evidence")
-            titles() shouldBe shown
-            texts("#evidence .graph-title") shouldBe emptyList()
-            val (x, y) = graph(elements("#board .graph").first().getDomAttribute("data-name")!!).frame.at(0.5)
-            val title = element("#board .graph-title").location
-            val scrolled = number("return scrollY").toInt()
-            act { mouseTo(title.x + 9, title.y - scrolled + 9).mouseDown().mouseTo(x, y).mouseTo(x, y + 500) }
-            press(Keys.ESCAPE)
-            act { mouseUp() }
-            elements(".drag-ghost").size shouldBe 0
-            titles() shouldBe shown
-        }
-    }
-
-    browserTest("graphs that share their y limits draw a unit on the same scale") {
-        onPage(page) {
-            for (name in listOf("Volt", "Other")) pin(name)
-            val alone = graph("Volt").lineColumns().sum()
-            for (i in 0..1) choose(i, "Share the y limits")
-            // Volt goes up to 99, and Other up to 16 times as far.
-            val shared = graph("Volt").lineColumns().sum()
-            alone shouldBeGreaterThan shared * 2
-        }
-    }
-
-    browserTest("a graph of the page that is dragged onto another one puts both on the board") {
-        onPage(page) {
-            val target = graph("Amp").frame
-            val source = script(
-                "const b = arguments[0].querySelector('.graph-title').getBoundingClientRect(); return [b.x + 9, b.y + 9].map(Math.round)",
-                graph("Volt").card,
-            ) as List<*>
-            val (x, y) = source.map { (it as Number).toInt() }
-            val (toX, toY) = target.at(0.5)
-            act { mouseTo(x, y).mouseDown().mouseTo(x + 8, y + 8).mouseTo(toX, toY).mouseUp() }
-            lines(0) shouldBe listOf("Amp", "Volt")
-        }
-    }
-
-    for (screen in listOf(Screen(1366, 768), Screen.PHONE.copy(isDark = true))) {
-        browserTest("a board with two axes, a menu and evidence fits the screen, ${screen.width}×${screen.height}") {
-            onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)), screen) {
-                await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
+            step("a pin moves the graphs of evidence to the board, and Escape ends a drag") {
+                click("#clear-board")
+                press("n")
+                val shown = texts("#evidence .graph-title")
+                shown.size shouldBeGreaterThan 0
+                click("#keep-evidence")
+                titles() shouldBe shown
+                texts("#evidence .graph-title") shouldBe emptyList()
+                val (x, y) = graph(elements("#board .graph").first().getDomAttribute("data-name")!!).frame.at(0.5)
+                val title = element("#board .graph-title").location
+                val scrolled = number("return scrollY").toInt()
+                act { mouseTo(title.x + 9, title.y - scrolled + 9).mouseDown().mouseTo(x, y).mouseTo(x, y + 500) }
+                press(Keys.ESCAPE)
+                act { mouseUp() }
+                elements(".drag-ghost").size shouldBe 0
+                titles() shouldBe shown
+            }
+            for (screen in listOf(Screen(1366, 768), Screen.PHONE.copy(isDark = true))) step("a board with two axes, a menu and evidence fits ${screen.width}×${screen.height}") {
+                clear()
+                show(screen)
                 script("location.hash = '#t=93.7&x=88:98&board=System/Battery+Voltage,PDP/Total+Current;System/Enabled'")
                 settle()
                 keepScreenshot("board-${screen.width}")
@@ -317,6 +303,7 @@ internal class BoardSpec : PageSpec({
                 click("#add-topics")
                 keepScreenshot("board-topics-${screen.width}")
                 number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
+                press(Keys.ESCAPE)
             }
         }
     }

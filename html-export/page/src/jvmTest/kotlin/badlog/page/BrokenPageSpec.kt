@@ -21,42 +21,6 @@ internal class BrokenPageSpec : PageSpec({
         return Files.write(file, Files.readAllBytes(page).copyOf(bytes))
     }
 
-    browserTest("a browser without DecompressionStream gets the names of browsers that can show the page") {
-        onPage(TestPages.ofSample("practice.bag"), script = "delete window.DecompressionStream", state = "failed") {
-            text shouldContain "This browser is too old"
-            text shouldContain "Safari 16.4"
-        }
-    }
-
-    browserTest("a browser with the language “C”, such as WebKit, shows the page") {
-        val script = "Object.defineProperty(navigator, 'language', { get: () => 'C', configurable: true })"
-        onPage(TestPages.of(stepBag(graphs = 1)), script = script) { graph("Step 1").isDrawn shouldBe true }
-    }
-
-    browserTest("a program that fails before it can show anything gives the reason") {
-        val page = TestPages.of(stepBag(graphs = 1))
-        OpenPage.open(page, Screen.WIDE, "window.matchMedia = undefined").use {
-            it.awaitState("failed")
-            it.text shouldContain "Something went wrong"
-            it.text shouldContain "matchMedia"
-        }
-    }
-
-    browserTest("a page cut inside its program reports that") {
-        OpenPage.open(cut(TestPages.ofSample("practice.bag"), 100_000), Screen.WIDE, null).use {
-            it.await("a word about the cut") { "the file is incomplete" in it.text }
-        }
-    }
-
-    for ((place, bytesOf) in mapOf<String, (Path) -> Long>("inside its log" to { Files.size(it) - 1000 }, "before its end" to { Files.size(it) - 100 })) {
-        for (log in listOf((1..3000), (1..600_000)).map { rows -> rows.joinToString("") { "$it,2.5\n" } }) {
-            browserTest("a page of ${log.length} bytes cut $place reports that") {
-                val page = TestPages.of("a,b\n$log")
-                onPage(cut(page, bytesOf(page).toInt()), state = "failed") { text shouldContain "This page is not complete" }
-            }
-        }
-    }
-
     fun changed(page: Path, mark: String, change: (String) -> String): Path {
         val text = Files.readString(page)
         val from = text.indexOf(mark) + mark.length
@@ -71,12 +35,6 @@ internal class BrokenPageSpec : PageSpec({
         "a letter that is none" to { it.replaceRange(5000, 5001, " ") },
         "a missing half" to { it.take(it.length / 2) },
     )
-    for ((damage, change) in damages) {
-        browserTest("a page whose program has $damage reports that") {
-            val page = changed(TestPages.of(stepBag(graphs = 1)), "id=\"packed\">", change)
-            onPage(page, state = "failed") { text shouldContain "This page is not complete" }
-        }
-    }
 
     // Any character of the log's own text, which begins after its start tag.
     fun changedLog(page: Path, place: (text: String) -> Int) = changed(page, "id=\"recording\"") { element ->
@@ -92,8 +50,8 @@ internal class BrokenPageSpec : PageSpec({
         "a gzip file" to { TestPages.of(gzip(rows.encodeToByteArray()), "test.bag.gz", it) },
         "a log that several workers read" to { TestPages.of(large.encodeToByteArray(), "large.csv", it) },
     )
-    for ((log, pageWith) in logs) {
-        browserTest("one changed letter in the page of $log is reported, and the readable part is shown without rules") {
+    browserTest("one changed letter of the log is reported, and the readable part is shown without rules") {
+        for ((log, pageWith) in logs) step(log) {
             val page = pageWith(PageAdditions(rules = RuleSet.BUILT_IN))
             onPage(page) { texts(".problem-text").filter { "Damaged" in it }.shouldBeEmpty() }
             onPage(changedLog(page) { it.length * 2 / 3 }, state = "failed") {
@@ -110,67 +68,100 @@ internal class BrokenPageSpec : PageSpec({
         }
     }
 
-    browserTest("a character of the log that is not base64 is reported, with and without the browser's own decoder") {
-        val page = changed(TestPages.of(rows), "id=\"recording\"") { it.replaceRange(500, 501, "!") }
-        for (script in listOf(null, "delete Uint8Array.fromBase64")) {
-            onPage(page, script = script, state = "failed") { text shouldContain "damaged in copying" }
+    browserTest("a page that was cut or changed in copying reports that") {
+        step("a page cut inside its program reports that") {
+            OpenPage.open(cut(TestPages.ofSample("practice.bag"), 100_000), Screen.WIDE, null).use {
+                it.await("a word about the cut") { "the file is incomplete" in it.text }
+            }
+        }
+        step("a page cut inside its log, or before its end, reports that, also where several workers read it") {
+            for (rows in listOf(3000, 600_000)) {
+                val page = TestPages.of("a,b\n" + (1..rows).joinToString("") { "$it,2.5\n" })
+                for (missing in listOf(1000, 100)) {
+                    onPage(cut(page, Files.size(page).toInt() - missing), state = "failed") { text shouldContain "This page is not complete" }
+                }
+            }
+        }
+        step("a page with a damaged program reports that") {
+            for ((damage, change) in damages) {
+                step(damage) {
+                    val page = changed(TestPages.of(stepBag(graphs = 1)), "id=\"packed\">", change)
+                    onPage(page, state = "failed") { text shouldContain "This page is not complete" }
+                }
+            }
+        }
+        step("a character of the log that is not base64 is reported, with and without the browser's own decoder") {
+            val page = changed(TestPages.of(rows), "id=\"recording\"") { it.replaceRange(500, 501, "!") }
+            for (script in listOf(null, "delete Uint8Array.fromBase64")) {
+                onPage(page, script = script, state = "failed") { text shouldContain "damaged in copying" }
+            }
+        }
+        step("one changed letter is also reported by a browser without workers") {
+            val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
+            onPage(changedLog(TestPages.of(rows)) { it.length / 2 }, script = script, state = "failed") { text shouldContain "damaged in copying" }
+        }
+        step("a page whose log has lost its last rows is reported, even if its facts have the lower number") {
+            val page = changed(TestPages.of(rows), "\"inflatedBytes\":") { it.replaceRange(0, 1, "1") }
+            onPage(page, state = "failed") { text shouldContain "damaged in copying" }
         }
     }
 
-    browserTest("one changed letter is also reported by a browser without workers") {
-        val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
-        onPage(changedLog(TestPages.of(rows)) { it.length / 2 }, script = script, state = "failed") { text shouldContain "damaged in copying" }
-    }
-
-    browserTest("a page whose log has lost its last rows is reported, even if its facts have the lower number") {
-        val page = changed(TestPages.of(rows), "\"inflatedBytes\":") { it.replaceRange(0, 1, "1") }
-        onPage(page, state = "failed") { text shouldContain "damaged in copying" }
-    }
-
-    browserTest("an attached file is saved only if it is undamaged") {
-        val folder = Files.createTempDirectory("badlog-attached")
-        val attached = Files.writeString(folder.resolve("notes.txt"), "left motor was hot\n".repeat(50))
-        val log = Files.writeString(folder.resolve("test.bag"), rows)
-        val page = folder.resolve("page.html").also { HtmlExporter(listOf(attached)).export(log, it) }
-        onPage(page) { saved("notes.txt") { click("#attachment-0") } shouldBe Files.readAllBytes(attached) }
-        val damaged = changed(page, "class=\"attachment\"") { element ->
-            val at = element.indexOf('>') + (element.length - element.indexOf('>')) / 2
-            element.replaceRange(at, at + 1, if (element[at] == 'A') "B" else "A")
+    browserTest("damaged attachments and findings are reported, and the recording is shown") {
+        step("an attached file is saved only if it is undamaged") {
+            val folder = Files.createTempDirectory("badlog-attached")
+            val attached = Files.writeString(folder.resolve("notes.txt"), "left motor was hot\n".repeat(50))
+            val log = Files.writeString(folder.resolve("test.bag"), rows)
+            val page = folder.resolve("page.html").also { HtmlExporter(listOf(attached)).export(log, it) }
+            onPage(page) { saved("notes.txt") { click("#attachment-0") } shouldBe Files.readAllBytes(attached) }
+            val damaged = changed(page, "class=\"attachment\"") { element ->
+                val at = element.indexOf('>') + (element.length - element.indexOf('>')) / 2
+                element.replaceRange(at, at + 1, if (element[at] == 'A') "B" else "A")
+            }
+            onPage(damaged) {
+                click("#attachment-0")
+                await("a word about the damage") { "Could not be saved" in element("#attachment-0").text }
+            }
+            folder.toFile().deleteRecursively()
         }
-        onPage(damaged) {
-            click("#attachment-0")
-            await("a word about the damage") { "Could not be saved" in element("#attachment-0").text }
-        }
-        folder.toFile().deleteRecursively()
-    }
-
-    browserTest("a page whose findings cannot be read shows the recording, and reports them") {
-        val bag = stepBag(graphs = 1)
-        val page = TestPages.of(bag, additions = PageAdditions(listOf("Twice = Step 1 * 2")))
-        OpenPage.open(changed(page, "id=\"packed-additions\">") { it.dropLast(3) }, Screen.WIDE, null).use {
-            it.awaitState("ready")
-            it.graphNames shouldBe listOf("Step 1")
-            it.texts(".problem-text").single() shouldContain "cannot read the findings"
+        step("a page whose findings cannot be read shows the recording, and reports them") {
+            val bag = stepBag(graphs = 1)
+            val page = TestPages.of(bag, additions = PageAdditions(listOf("Twice = Step 1 * 2")))
+            OpenPage.open(changed(page, "id=\"packed-additions\">") { it.dropLast(3) }, Screen.WIDE, null).use {
+                it.awaitState("ready")
+                it.graphNames shouldBe listOf("Step 1")
+                it.texts(".problem-text").single() shouldContain "cannot read the findings"
+            }
         }
     }
 
-    browserTest("a browser without workers shows the page") {
-        val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
-        onPage(TestPages.ofSample("practice.bag"), script = script) { graph(graphNames.first()).isDrawn shouldBe true }
-    }
-
-    browserTest("a browser without storage shows the page") {
-        val script = "Object.defineProperty(window, 'localStorage', {get() { throw new Error('forbidden') }})"
-        onPage(TestPages.of(stepBag(graphs = 2)), script = script) {
-            click("#theme")
-            graph("Step 1").isDrawn shouldBe true
+    browserTest("a browser that lacks something shows the page, or gives the reason why it cannot") {
+        step("a browser without DecompressionStream gets the names of browsers that can show the page") {
+            onPage(TestPages.ofSample("practice.bag"), script = "delete window.DecompressionStream", state = "failed") {
+                text shouldContain "This browser is too old"
+                text shouldContain "Safari 16.4"
+            }
         }
-    }
-
-    browserTest("a browser without its own base64 decoder shows the same values") {
-        onPage(TestPages.of(stepBag(graphs = 1)), script = "delete Uint8Array.fromBase64") {
-            graph("Step 1").hover(0.9)
-            graph("Step 1").value("Step 1") shouldBe "1"
+        step("a program that fails before it can show anything gives the reason") {
+            val page = TestPages.of(stepBag(graphs = 1))
+            OpenPage.open(page, Screen.WIDE, "window.matchMedia = undefined").use {
+                it.awaitState("failed")
+                it.text shouldContain "Something went wrong"
+                it.text shouldContain "matchMedia"
+            }
+        }
+        step("a browser without workers shows the page") {
+            val script = "window.Worker = class { constructor() { throw new Error('forbidden') } }"
+            onPage(TestPages.ofSample("practice.bag"), script = script) { graph(graphNames.first()).isDrawn shouldBe true }
+        }
+        step("a browser without storage and base64, with the language “C” as WebKit has it, shows the page") {
+            val script = "Object.defineProperty(window, 'localStorage', {get() { throw new Error('forbidden') }}); delete Uint8Array.fromBase64;" +
+                "Object.defineProperty(navigator, 'language', { get: () => 'C', configurable: true })"
+            onPage(TestPages.of(stepBag(graphs = 2)), script = script) {
+                click("#theme")
+                graph("Step 1").isDrawn shouldBe true
+                graph("Step 1").hover(0.9)
+                graph("Step 1").value("Step 1") shouldBe "1"
+            }
         }
     }
 })

@@ -6,6 +6,7 @@ import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import io.kotest.core.annotation.Tags
+import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
@@ -40,124 +41,107 @@ internal class CompareSpec : PageSpec({
 
     fun OpenPage.offset() = element(".compared-offset").getAttribute("value").orEmpty().toDouble()
 
-    browserTest("a dropped log is drawn over the page's own in each graph, with its values at the cursor and in the statistics") {
-        onPage(page) {
-            element("#compare").isDisplayed shouldBe false
-            compare("other.bag" to log(100.0, 3.0, 11.0))
-            awaitLogs(2)
-            texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "other.bag")
-            graph(VOLTS).click(0.5)
-            legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (other.bag) 11")
-            texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State", "State (other.bag)")
-            graph(VOLTS).card.findElement(By.cssSelector(".statistics-toggle")).click()
-            texts(".statistics table:first-child tbody th") shouldContainExactly listOf(VOLTS, "$VOLTS (other.bag)")
-            texts(".statistics .differences tbody th") shouldContainExactly listOf("$VOLTS (other.bag) − $VOLTS")
-            keepScreenshot("compare")
-            seriousForReaders() shouldBe emptyList()
-        }
-    }
-
-    browserTest("logs are aligned at their start or when the robot was enabled, or moved by hand, from where they were") {
-        onPage(page) {
-            compare("other.bag" to log(100.0, 3.0, 11.0))
-            awaitLogs(2)
-            offset() shouldBe (-100.0 plusOrMinus 1e-6)
-            script("const s = document.querySelector('#alignment'); s.value = 'ENABLED'; s.dispatchEvent(new Event('change'))")
-            offset() shouldBe (-101.0 plusOrMinus 1e-6)
-            elements(".compared-step").first { it.text == "+.1" }.click()
-            offset() shouldBe (-100.9 plusOrMinus 1e-6)
-            element("#alignment").getAttribute("value") shouldBe "MANUAL"
-            element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-99,5", Keys.ENTER)
-            offset() shouldBe (-99.5 plusOrMinus 1e-6)
-            element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "fast", Keys.ENTER)
-            offset() shouldBe (-99.5 plusOrMinus 1e-6)
-        }
-    }
-
-    browserTest("several logs are read one after the other, also gzipped ones, and each can go again; a search goes on when they come") {
-        onPage(page) {
-            press("/", VOLTS)
-            settle()
-            graphNames shouldContainExactly listOf(VOLTS)
-            compare("a.bag" to log(0.0, 2.0, 11.0), "b.bag.gz" to gzip(log(5.0, 2.0, 10.0)))
-            awaitLogs(3)
-            settle()
-            graphNames shouldContainExactly listOf(VOLTS)
-            press(Keys.ESCAPE)
-            graph(VOLTS).scrollTo().click(0.5)
-            legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (a.bag) 11", "$VOLTS (b.bag.gz) 10")
-            elements(".compared-log .icon-button")[0].click()
-            legend().size shouldBe 2
-            element("#stop-comparing").click()
-            element("#compare").isDisplayed shouldBe false
-            texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State")
-        }
-    }
-
-    browserTest("all files that are chosen at once are compared; what is none is named when the others were read, and changes nothing") {
-        val folder = Files.createTempDirectory("badlog-compare")
+    browserTest("logs are compared, moved, calculated with, and removed again") {
+        val folder = tempdir().toPath()
         val files = listOf("a.bag" to log(0.0, 2.0, 11.0), "pit.bag" to byteArrayOf(-1, -40, -1, 0), "b.bag" to log(5.0, 2.0, 10.0))
             .map { (name, bytes) -> Files.write(folder.resolve(name), bytes) }
-        onPage(page) {
-            for ((name, bytes) in listOf("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16), "empty.bag" to ByteArray(0))) {
-                compare(name to bytes)
-                await("the sentence") { name in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
-                element("#compare").isDisplayed shouldBe false
-            }
-            element("#compare-file").sendKeys(files.joinToString("\n"))
-            awaitLogs(3)
-            texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "a.bag", "b.bag")
-            await("the sentence") { "pit.bag" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
-        }
-        folder.toFile().deleteRecursively()
-    }
-
-    browserTest("a formula of the page is calculated for all logs, whichever came first") {
-        onPage(page) {
-            fun addFormula(text: String) {
-                press("f")
-                press(text, Keys.ENTER)
-                await("its graph") { text.substringBefore(" [") in graphNames }
-            }
-            addFormula("First [V] = $VOLTS * 2")
-            compare("other.bag" to log(100.0, 3.0, 11.0))
-            awaitLogs(2)
-            addFormula("Second [V] = $VOLTS * 3")
-            for (name in listOf("First", "Second")) {
-                graph(name).card.findElements(By.cssSelector(".legend-entry")).size shouldBe 2
-            }
-        }
-    }
-
-    browserTest("logs whose match only their topics or their file names say are called by it, as in the window") {
-        onPage(TestPages.of(wpilog(), "FRC_20260314_150000_MIARC_Q42.wpilog")) {
-            compare("FRC_20260314_170000_MIARC_Q57.wpilog" to wpilog())
-            awaitLogs(2)
-            texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
-        }
-    }
-
-    browserTest("a line has the color of its log, also where another log lacks it") {
         val poor = bagOf(listOf(TIME, BagTopic("Enabled")), rows = 11) { row, column -> if (column == 0) row else 1 }
         onPage(page) {
-            compare("poor.bag" to poor, "other.bag" to log(0.0, 2.0, 11.0))
-            awaitLogs(3)
-            fun colors(place: String) = elements("$place .swatch").map { it.getDomAttribute("class").orEmpty().substringAfter("line-") }
-            colors("#compare") shouldContainExactly listOf("0", "1", "2")
-            colors(".graph[data-name='$VOLTS'] .legend") shouldContainExactly listOf("0", "2")
-            (graph(VOLTS).pixelsOfLine(2) > 0) shouldBe true
-            graph(VOLTS).pixelsOfLine(1) shouldBe 0
+            step("a dropped log is drawn over the page's own in each graph, with its values at the cursor and in the statistics") {
+                element("#compare").isDisplayed shouldBe false
+                compare("other.bag" to log(100.0, 3.0, 11.0))
+                awaitLogs(2)
+                texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "other.bag")
+                graph(VOLTS).click(0.5)
+                legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (other.bag) 11")
+                texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State", "State (other.bag)")
+                graph(VOLTS).card.findElement(By.cssSelector(".statistics-toggle")).click()
+                texts(".statistics table:first-child tbody th") shouldContainExactly listOf(VOLTS, "$VOLTS (other.bag)")
+                texts(".statistics .differences tbody th") shouldContainExactly listOf("$VOLTS (other.bag) − $VOLTS")
+                keepScreenshot("compare")
+                seriousForReaders() shouldBe emptyList()
+            }
+            element("#stop-comparing").click()
+            press(Keys.ESCAPE)
+            step("several logs are read one after the other, also gzipped ones, and each can go again; a search goes on when they come") {
+                press("/", VOLTS)
+                settle()
+                graphNames shouldContainExactly listOf(VOLTS)
+                compare("a.bag" to log(0.0, 2.0, 11.0), "b.bag.gz" to gzip(log(5.0, 2.0, 10.0)))
+                awaitLogs(3)
+                settle()
+                graphNames shouldContainExactly listOf(VOLTS)
+                press(Keys.ESCAPE)
+                graph(VOLTS).scrollTo().click(0.5)
+                legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (a.bag) 11", "$VOLTS (b.bag.gz) 10")
+                elements(".compared-log .icon-button")[0].click()
+                legend().size shouldBe 2
+                element("#stop-comparing").click()
+                element("#compare").isDisplayed shouldBe false
+                texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State")
+            }
+            step("all files that are chosen at once are compared; what is none is named when the others were read, and changes nothing") {
+                for ((name, bytes) in listOf("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16), "empty.bag" to ByteArray(0))) {
+                    compare(name to bytes)
+                    await("the sentence") { name in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
+                    element("#compare").isDisplayed shouldBe false
+                }
+                element("#compare-file").sendKeys(files.joinToString("\n"))
+                awaitLogs(3)
+                texts(".compared-log bdi") shouldContainExactly listOf("own.bag", "a.bag", "b.bag")
+                await("the sentence") { "pit.bag" in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
+            }
+            element("#stop-comparing").click()
+            step("a formula of the page is calculated for all logs, whichever came first") {
+                fun addFormula(text: String) {
+                    press("f")
+                    press(text, Keys.ENTER)
+                    await("its graph") { text.substringBefore(" [") in graphNames }
+                }
+                addFormula("First [V] = $VOLTS * 2")
+                compare("other.bag" to log(100.0, 3.0, 11.0))
+                awaitLogs(2)
+                addFormula("Second [V] = $VOLTS * 3")
+                for (name in listOf("First", "Second")) {
+                    graph(name).card.findElements(By.cssSelector(".legend-entry")).size shouldBe 2
+                }
+            }
+            element("#stop-comparing").click()
+            step("logs are aligned at their start or when the robot was enabled, or moved by hand, from where they were") {
+                compare("other.bag" to log(100.0, 3.0, 11.0))
+                awaitLogs(2)
+                offset() shouldBe (-100.0 plusOrMinus 1e-6)
+                script("const s = document.querySelector('#alignment'); s.value = 'ENABLED'; s.dispatchEvent(new Event('change'))")
+                offset() shouldBe (-101.0 plusOrMinus 1e-6)
+                elements(".compared-step").first { it.text == "+.1" }.click()
+                offset() shouldBe (-100.9 plusOrMinus 1e-6)
+                element("#alignment").getAttribute("value") shouldBe "MANUAL"
+                element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "-99,5", Keys.ENTER)
+                offset() shouldBe (-99.5 plusOrMinus 1e-6)
+                element(".compared-offset").sendKeys(Keys.chord(Keys.CONTROL, "a"), "fast", Keys.ENTER)
+                offset() shouldBe (-99.5 plusOrMinus 1e-6)
+            }
         }
     }
 
-    browserTest("a page exported with other logs begins with them, also on a phone, and matches of one event are called by their number") {
-        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
-            onPage(TestPages.ofSamples("qualification-42.bag", listOf("qualification-57.bag.gz")), screen) {
+    browserTest("logs are called by their match, whether dropped or exported with the page") {
+        step("logs whose match only their topics or their file names say are called by it, as in the window") {
+            onPage(TestPages.of(wpilog(), "FRC_20260314_150000_MIARC_Q42.wpilog")) {
+                compare("FRC_20260314_170000_MIARC_Q57.wpilog" to wpilog())
                 awaitLogs(2)
                 texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
-                (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
-                text shouldContain "Qualification 57"
-                keepScreenshot(if (screen === Screen.PHONE) "phone-compare" else "compare-exported")
+            }
+        }
+        step("a page exported with other logs begins with them, also on a phone, and matches of one event are called by their number") {
+            onPage(TestPages.ofSamples("qualification-42.bag", listOf("qualification-57.bag.gz"))) {
+                awaitLogs(2)
+                for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+                    show(screen)
+                    texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
+                    (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                    text shouldContain "Qualification 57"
+                    keepScreenshot(if (screen === Screen.PHONE) "phone-compare" else "compare-exported")
+                }
             }
         }
     }

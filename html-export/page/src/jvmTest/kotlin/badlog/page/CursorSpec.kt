@@ -38,20 +38,119 @@ internal class CursorSpec : PageSpec({
         )
     }
 
-    browserTest("on a screen of any width the cursor's time is there to read, with nothing over it") {
+    browserTest("one cursor is read in all graphs, pinned, compared with a second one, and its statistics have histograms") {
         onPage(page) {
-            for (width in listOf(1280, 1000, 960, 900, 800, 761)) {
-                show(Screen(width, 800))
-                graph("Row").hover(0.5)
-                withClue("$width px") {
-                    script(
-                        """
-                        const box = document.querySelector('.cursor-readout').getBoundingClientRect();
-                        return [box.left + 1, box.right - 1].every(x =>
-                            document.elementFromPoint(x, box.top + box.height / 2)?.closest('.cursor-readout'));
-                        """.trimIndent(),
-                    ) shouldBe true
+            step("on a screen of any width the cursor's time is there to read, with nothing over it") {
+                for (width in listOf(1280, 1000, 960, 900, 800, 761)) {
+                    show(Screen(width, 800))
+                    graph("Row").hover(0.5)
+                    withClue("$width px") {
+                        script(
+                            """
+                            const box = document.querySelector('.cursor-readout').getBoundingClientRect();
+                            return [box.left + 1, box.right - 1].every(x =>
+                                document.elementFromPoint(x, box.top + box.height / 2)?.closest('.cursor-readout'));
+                            """.trimIndent(),
+                        ) shouldBe true
+                    }
                 }
+            }
+            show(Screen.WIDE)
+            step("one cursor stands at the same place in all graphs, also in one scrolled to later") {
+                graph("Spike").hover(0.25)
+                val row = graph("Row").value("Row")
+                fun OpenPage.cursorAt(name: String): Double {
+                    val line = graph(name).card.findElement(By.cssSelector(".cursor-line"))
+                    line.isDisplayed shouldBe true
+                    return number("return arguments[0].getBoundingClientRect().x", line) - graph(name).frame.x
+                }
+                val expected = graph("Spike").frame.width * 0.25
+                listOf("Row", "Spike", "Mode").forAll { cursorAt(it) shouldBe (expected plusOrMinus 1.5) }
+                graph("More 8").scrollTo()
+                cursorAt("More 8") shouldBe (expected plusOrMinus 1.5)
+                graph("More 8").value("More 8").toInt() shouldBe row.toInt() % 1000
+            }
+            script("scrollTo(0, 0)")
+            settle()
+            step("values and time at the cursor are those of the very sample, however many share a pixel, also after a zoom, until Escape") {
+                graph("Spike").steepest() shouldBe (SPIKE_ROW / (ROWS - 1.0) plusOrMinus 0.002)
+                for (across in listOf(0.1234, 0.987, 0.5)) {
+                    graph("Row").hover(across)
+                    val row = graph("Row").value("Row").toInt()
+                    val frame = graph("Row").frame
+                    val pixel = frame.at(across).first
+                    row shouldBe ((pixel - frame.x) / frame.width * (ROWS - 1)).roundToInt()
+                    graph("More 1").value("More 1").toInt() shouldBe row % 1000
+                    graph("Mode").value("Mode") shouldBe if (row < 40_000) "armed" else "ready"
+                }
+                val row = graph("Row").value("Row")
+                val (number, unit) = texts(".cursor-readout").single().split(' ')
+                number.toDouble().roundToInt() shouldBe row.toInt()
+                unit shouldBe "s"
+                press("+", "+")
+                graph("Row").value("Row") shouldBe row
+                press(Keys.ESCAPE)
+                graph("Row").value("Row") shouldBe ""
+                texts(".cursor-readout").single().isEmpty() || !element(".cursor-readout").isDisplayed shouldBe true
+            }
+            press("0")
+            step("a click pins the cursor, which the mouse does not move, until a click on it or Escape") {
+                graph("Row").click(0.25)
+                val row = graph("Row").value("Row")
+                graph("Spike").hover(0.75)
+                graph("Row").value("Row") shouldBe row
+                graph("Spike").card.findElement(By.cssSelector(".cursor-line.is-pointer")).isDisplayed shouldBe true
+                press(Keys.ESCAPE)
+                // Values are read under the pointer again, and then nowhere.
+                graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
+                press(Keys.ESCAPE)
+                graph("Row").value("Row") shouldBe ""
+                // Sooner, each would be the second click of a double one.
+                clicks(List(2) { graph("Row").frame.at(0.25) }, pause = 0.5)
+                graph("Row").hover(0.75)
+                graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
+            }
+            step("the histogram of a line is opened from its statistics, and closed again") {
+                script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
+                click(".statistics tbody .icon-button")
+                val painted = "const c = document.querySelector('.histogram'); const d = c.getContext('2d')" +
+                    ".getImageData(0, 0, c.width, c.height).data; return d.reduce((n, v, i) => n + (i % 4 == 3 && v > 0 ? 1 : 0), 0)"
+                number(painted) shouldBeGreaterThan 1000.0
+                element(".histogram").getAttribute("role") shouldBe "img"
+                element(".histogram").getAttribute("aria-label") shouldBe "Histogram of Row"
+                keepScreenshot("histogram")
+                // The table stays, and the keyboard on its button, also when the statistics are those of another range.
+                script("document.querySelector('.statistics table').dataset.mark = 'same'")
+                click(".statistics tbody .icon-button")
+                elements(".histogram").size shouldBe 0
+                script("return document.querySelector('.statistics table').dataset.mark") shouldBe "same"
+                val isFocused = "return document.activeElement === document.querySelector('.statistics tbody .icon-button')"
+                script(isFocused) shouldBe true
+                press("+")
+                await("other statistics") { script("return document.querySelector('.statistics table').dataset.mark ?? null") == null }
+                script(isFocused) shouldBe true
+            }
+            press("0", Keys.ESCAPE, Keys.ESCAPE)
+            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
+            script("scrollTo(0, 0)")
+            step("Shift and a click set a second cursor: values at both, difference, slope, and statistics between them") {
+                graph("Row").click(0.25)
+                graph("Row").click(0.5, withShift = true)
+                val (a, b, change, slope) = Regex("A (.*) · B (.*) · Δ (.*) · (.*) 1/s").matchEntire(graph("Row").value("Row"))!!.destructured
+                b.toInt() - a.toInt() shouldBe change.toInt()
+                change.toInt() shouldBeGreaterThan ROWS / 5
+                slope shouldBe "1"
+                graph("Mode").value("Mode") shouldBe "A armed · B ready"
+                script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
+                texts(".statistics caption").first() shouldStartWith "Between A and B: "
+                texts(".statistics tbody td")[1].toInt() shouldBe b.toInt()
+                press("b")
+                element(".second-readout").isDisplayed shouldBe false
+                graph("Row").value("Row") shouldBe a
+                press(Keys.ARROW_RIGHT)
+                val first = graph("Row").value("Row").toInt()
+                press("b", Keys.ARROW_RIGHT)
+                graph("Row").value("Row") shouldBe "A $first · B ${first + 1} · Δ 1 · 1 1/s"
             }
         }
     }
@@ -74,111 +173,6 @@ internal class CursorSpec : PageSpec({
                     }
                 }
             }
-        }
-    }
-
-    browserTest("values and time at the cursor are those of the very sample, however many share a pixel, also after a zoom, until Escape") {
-        onPage(page) {
-            graph("Spike").steepest() shouldBe (SPIKE_ROW / (ROWS - 1.0) plusOrMinus 0.002)
-            for (across in listOf(0.1234, 0.987, 0.5)) {
-                graph("Row").hover(across)
-                val row = graph("Row").value("Row").toInt()
-                val frame = graph("Row").frame
-                val pixel = frame.at(across).first
-                row shouldBe ((pixel - frame.x) / frame.width * (ROWS - 1)).roundToInt()
-                graph("More 1").value("More 1").toInt() shouldBe row % 1000
-                graph("Mode").value("Mode") shouldBe if (row < 40_000) "armed" else "ready"
-            }
-            val row = graph("Row").value("Row")
-            val (number, unit) = texts(".cursor-readout").single().split(' ')
-            number.toDouble().roundToInt() shouldBe row.toInt()
-            unit shouldBe "s"
-            press("+", "+")
-            graph("Row").value("Row") shouldBe row
-            press(Keys.ESCAPE)
-            graph("Row").value("Row") shouldBe ""
-            texts(".cursor-readout").single().isEmpty() || !element(".cursor-readout").isDisplayed shouldBe true
-        }
-    }
-
-    browserTest("one cursor stands at the same place in all graphs, also in one scrolled to later") {
-        onPage(page) {
-            graph("Spike").hover(0.25)
-            val row = graph("Row").value("Row")
-            fun OpenPage.cursorAt(name: String): Double {
-                val line = graph(name).card.findElement(By.cssSelector(".cursor-line"))
-                line.isDisplayed shouldBe true
-                return number("return arguments[0].getBoundingClientRect().x", line) - graph(name).frame.x
-            }
-            val expected = graph("Spike").frame.width * 0.25
-            listOf("Row", "Spike", "Mode").forAll { cursorAt(it) shouldBe (expected plusOrMinus 1.5) }
-            graph("More 8").scrollTo()
-            cursorAt("More 8") shouldBe (expected plusOrMinus 1.5)
-            graph("More 8").value("More 8").toInt() shouldBe row.toInt() % 1000
-        }
-    }
-
-    browserTest("a click pins the cursor, which the mouse does not move, until a click on it or Escape") {
-        onPage(page) {
-            graph("Row").click(0.25)
-            val row = graph("Row").value("Row")
-            graph("Spike").hover(0.75)
-            graph("Row").value("Row") shouldBe row
-            graph("Spike").card.findElement(By.cssSelector(".cursor-line.is-pointer")).isDisplayed shouldBe true
-            press(Keys.ESCAPE)
-            // Values are read under the pointer again, and then nowhere.
-            graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
-            press(Keys.ESCAPE)
-            graph("Row").value("Row") shouldBe ""
-            // Sooner, each would be the second click of a double one.
-            clicks(List(2) { graph("Row").frame.at(0.25) }, pause = 0.5)
-            graph("Row").hover(0.75)
-            graph("Row").value("Row").toInt() shouldBeGreaterThan row.toInt() + 10_000
-        }
-    }
-
-    browserTest("the histogram of a line is opened from its statistics, and closed again") {
-        onPage(page) {
-            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
-            click(".statistics tbody .icon-button")
-            val painted = "const c = document.querySelector('.histogram'); const d = c.getContext('2d')" +
-                ".getImageData(0, 0, c.width, c.height).data; return d.reduce((n, v, i) => n + (i % 4 == 3 && v > 0 ? 1 : 0), 0)"
-            number(painted) shouldBeGreaterThan 1000.0
-            element(".histogram").getAttribute("role") shouldBe "img"
-            element(".histogram").getAttribute("aria-label") shouldBe "Histogram of Row"
-            keepScreenshot("histogram")
-            // The table stays, and the keyboard on its button, also when the statistics are those of another range.
-            script("document.querySelector('.statistics table').dataset.mark = 'same'")
-            click(".statistics tbody .icon-button")
-            elements(".histogram").size shouldBe 0
-            script("return document.querySelector('.statistics table').dataset.mark") shouldBe "same"
-            val isFocused = "return document.activeElement === document.querySelector('.statistics tbody .icon-button')"
-            script(isFocused) shouldBe true
-            press("+")
-            await("other statistics") { script("return document.querySelector('.statistics table').dataset.mark ?? null") == null }
-            script(isFocused) shouldBe true
-        }
-    }
-
-    browserTest("Shift and a click set a second cursor: values at both, difference, slope, and statistics between them") {
-        onPage(page) {
-            graph("Row").click(0.25)
-            graph("Row").click(0.5, withShift = true)
-            val (a, b, change, slope) = Regex("A (.*) · B (.*) · Δ (.*) · (.*) 1/s").matchEntire(graph("Row").value("Row"))!!.destructured
-            b.toInt() - a.toInt() shouldBe change.toInt()
-            change.toInt() shouldBeGreaterThan ROWS / 5
-            slope shouldBe "1"
-            graph("Mode").value("Mode") shouldBe "A armed · B ready"
-            script("arguments[0].querySelector('.statistics-toggle').click()", graph("Row").card)
-            texts(".statistics caption").first() shouldStartWith "Between A and B: "
-            texts(".statistics tbody td")[1].toInt() shouldBe b.toInt()
-            press("b")
-            element(".second-readout").isDisplayed shouldBe false
-            graph("Row").value("Row") shouldBe a
-            press(Keys.ARROW_RIGHT)
-            val first = graph("Row").value("Row").toInt()
-            press("b", Keys.ARROW_RIGHT)
-            graph("Row").value("Row") shouldBe "A $first · B ${first + 1} · Δ 1 · 1 1/s"
         }
     }
 })

@@ -17,57 +17,40 @@ internal class DownloadSpec : PageSpec({
 
     val whole by lazy { Files.readAllBytes(SAMPLES.resolve("qualification-42.bag")) }
 
-    browserTest("a bag is saved byte for byte, and its CSV is everything after its first line") {
-        onPage(TestPages.ofSample("qualification-42.bag")) {
-            downloaded("download", "qualification-42.bag") shouldBe whole
-            downloaded("download-csv", "qualification-42.bag.csv") shouldBe csvOf(whole)
-        }
-    }
-
-    browserTest("a gzip file is saved byte for byte, and its CSV is inflated") {
-        val packed = gzip(whole)
-        onPage(TestPages.of(packed, "whole.bag.gz")) {
-            downloaded("download", "whole.bag.gz") shouldBe packed
-            downloaded("download-csv", "whole.bag.gz.csv") shouldBe csvOf(whole)
-        }
-    }
-
-    browserTest("a gzip file of several members is saved whole, and its CSV has the rows of all members") {
-        val (one, other) = whole.copyOf(200_000) to whole.copyOfRange(200_000, whole.size)
-        val packed = gzip(one) + gzip(other)
-        onPage(TestPages.of(packed, "members.bag.gz")) {
-            downloaded("download", "members.bag.gz") shouldBe packed
-            downloaded("download-csv", "members.bag.gz.csv") shouldBe csvOf(whole)
-        }
-    }
-
-    listOf<Pair<String, (ByteArray) -> ByteArray>>("" to { it }, ".gz" to ::gzip).forEach { (ending, packed) ->
-        browserTest("both files of a Driver Station log are saved byte for byte, and a table of it: .dslog$ending and .dsevents$ending") {
-            val (log, events) = packed(STATION_LOG.bytes) to packed(STATION_EVENTS.bytes)
-            onPage(TestPages.ofPair("station.dslog$ending" to log, "station.dsevents$ending" to events)) {
-                texts("#download").single() shouldBe ".dslog"
-                texts("#download-second").single() shouldBe ".dsevents"
-                downloaded("download", "station.dslog$ending") shouldBe log
-                downloaded("download-second", "station.dsevents$ending") shouldBe events
-                if (ending.isNotEmpty()) return@onPage
-                val lines = downloaded("download-csv", "station.dslog.csv").decodeToString().trimEnd().lines()
-                lines.first() shouldContain "Battery"
-                lines.size shouldBeGreaterThan 2
+    browserTest("each log is saved byte for byte, and its CSV") {
+        step("a bag is saved byte for byte, and its CSV is everything after its first line") {
+            onPage(TestPages.ofSample("qualification-42.bag")) {
+                downloaded("download", "qualification-42.bag") shouldBe whole
+                downloaded("download-csv", "qualification-42.bag.csv") shouldBe csvOf(whole)
             }
         }
-    }
-
-    browserTest("both downloads of a plain CSV file are the file itself") {
-        val csv = Files.readAllBytes(SAMPLES.resolve("elevator-bench.csv"))
-        onPage(TestPages.ofSample("elevator-bench.csv")) {
-            downloaded("download", "elevator-bench.csv") shouldBe csv
-            downloaded("download-csv", "elevator-bench.csv") shouldBe csv
+        step("a gzip file of several members is saved whole, and its CSV has the rows of all members") {
+            val (one, other) = whole.copyOf(200_000) to whole.copyOfRange(200_000, whole.size)
+            val packed = gzip(one) + gzip(other)
+            onPage(TestPages.of(packed, "members.bag.gz")) {
+                downloaded("download", "members.bag.gz") shouldBe packed
+                downloaded("download-csv", "members.bag.gz.csv") shouldBe csvOf(whole)
+            }
         }
-    }
-
-    browserTest("bytes that are not text are saved unchanged") {
-        val odd = byteArrayOf(-1, -2, 0, 13, 10, -61)
-        val bytes = "Time,A\n0,1\n1,".encodeToByteArray() + odd + "\n2,3\n".encodeToByteArray()
-        onPage(TestPages.of(bytes, "bytes.bag")) { downloaded("download", "bytes.bag") shouldBe bytes }
+        step("both files of a Driver Station log are saved byte for byte, packed or not, and a table of it") {
+            listOf<Pair<String, (ByteArray) -> ByteArray>>("" to { it }, ".gz" to ::gzip).forEach { (ending, packed) ->
+                val (log, events) = packed(STATION_LOG.bytes) to packed(STATION_EVENTS.bytes)
+                onPage(TestPages.ofPair("station.dslog$ending" to log, "station.dsevents$ending" to events)) {
+                    texts("#download").single() shouldBe ".dslog"
+                    texts("#download-second").single() shouldBe ".dsevents"
+                    downloaded("download", "station.dslog$ending") shouldBe log
+                    downloaded("download-second", "station.dsevents$ending") shouldBe events
+                    if (ending.isNotEmpty()) return@onPage
+                    val lines = downloaded("download-csv", "station.dslog.csv").decodeToString().trimEnd().lines()
+                    lines.first() shouldContain "Battery"
+                    lines.size shouldBeGreaterThan 2
+                }
+            }
+        }
+        step("bytes that are not text are saved unchanged") {
+            val odd = byteArrayOf(-1, -2, 0, 13, 10, -61)
+            val bytes = "Time,A\n0,1\n1,".encodeToByteArray() + odd + "\n2,3\n".encodeToByteArray()
+            onPage(TestPages.of(bytes, "bytes.bag")) { downloaded("download", "bytes.bag") shouldBe bytes }
+        }
     }
 })

@@ -12,6 +12,7 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import org.openqa.selenium.Keys
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
@@ -47,63 +48,93 @@ internal class EmptyPageSpec : PageSpec({
         page.readText().contains("connect-src") shouldBe false
     }
 
-    browserTest("it names the logs that it opens, and opens its sample with findings") {
+    browserTest("the page names the logs that it opens, opens its sample and dropped logs, and refuses other files") {
         val dark = Screen.WIDE.copy(isDark = true)
+        val spark = longArrayOf(-16221, 1638, 1092, 35)
+        val bits = (spark[0] and 0xFFFF) or (spark[1] shl 16) or (spark[2] shl 28) or (spark[3] shl 40)
+        val record = ByteBuffer.allocate(20 + 16).order(ByteOrder.LITTLE_ENDIAN)
+        // Two status frames of Spark 3, at 1.5 and 1.52 s.
+        record.put(4).put(2).putShort(32)
+        for (millis in listOf(1500, 1520)) record.putInt(millis).putInt((2 shl 24) or (5 shl 16) or (46 shl 10) or 3).putLong(bits)
         onEmptyPage {
-            for (screen in listOf(Screen.WIDE, Screen.PHONE, dark)) {
-                show(screen)
-                text shouldContain "Open a robot’s log"
-                seriousForReaders() shouldBe emptyList()
-                (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
-                keepScreenshot("empty-${screen.width}-${if (screen.isDark) "dark" else "light"}")
+            step("it names the logs that it opens, and opens its sample with findings") {
+                for (screen in listOf(Screen.WIDE, Screen.PHONE, dark)) {
+                    show(screen)
+                    text shouldContain "Open a robot’s log"
+                    seriousForReaders() shouldBe emptyList()
+                    (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                    keepScreenshot("empty-${screen.width}-${if (screen.isDark) "dark" else "light"}")
+                }
+                click("#try-sample")
+                await("the sample") { texts(".page-title h1").isNotEmpty() }
+                awaitState("ready")
+                text shouldContain "Likely cause: the robot drew more than its battery gives."
             }
-            click("#try-sample")
-            await("the sample") { texts(".page-title h1").isNotEmpty() }
-            awaitState("ready")
-            text shouldContain "Likely cause: the robot drew more than its battery gives."
-        }
-    }
-
-    browserTest("a dropped log is opened, its bytes can be saved, and after the back button another one can be opened") {
-        onEmptyPage {
-            drop("first.bag" to bag)
-            awaitLog("first.bag")
-            number("return document.querySelectorAll('.graph[data-name=\"Volts\"]').length") shouldBe 1.0
-            withClue("the very bytes") { saved("first.bag") { click("#download") } shouldBe bag }
             click("#go-back")
             awaitState("empty")
-            drop("second.csv" to "Time,Amps\n0,1\n1,2\n".encodeToByteArray())
-            awaitLog("second.csv")
-            texts(".graph-title") shouldContain "Amps"
-            press("?")
-            texts("#help[open]").size shouldBe 1
-        }
-    }
-
-    browserTest("on a page with a log, a dropped log is compared, or opened instead") {
-        onPage(TestPages.of(bag, "own.bag")) {
-            drop("other.bag" to bag)
-            choose("Open instead")
-            awaitLog("other.bag")
-            drop("own.bag" to bag)
-            choose("Compare with this log")
-            await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
-            // This loads the page again, so there is nothing to settle.
-            element("#go-back").click()
-            awaitLog("own.bag")
+            step("a dropped log is opened, its bytes can be saved, and after the back button another one can be opened") {
+                drop("first.bag" to bag)
+                awaitLog("first.bag")
+                number("return document.querySelectorAll('.graph[data-name=\"Volts\"]').length") shouldBe 1.0
+                withClue("the very bytes") { saved("first.bag") { click("#download") } shouldBe bag }
+                click("#go-back")
+                awaitState("empty")
+                drop("second.csv" to "Time,Amps\n0,1\n1,2\n".encodeToByteArray())
+                awaitLog("second.csv")
+                texts(".graph-title") shouldContain "Amps"
+                press("?")
+                texts("#help[open]").size shouldBe 1
+            }
+            press(Keys.ESCAPE)
+            click("#go-back")
+            awaitState("empty")
+            step("an unsupported kind of log is refused with the next step, and a file that is not a log with a sentence") {
+                for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
+                    drop(name to byteArrayOf(1, 2, 3))
+                    awaitState("failed")
+                    text shouldContain "This page cannot read $name"
+                    text shouldContain advice
+                    click("#go-back")
+                    awaitState("empty")
+                }
+                drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
+                awaitState("failed")
+                text shouldContain "There is nothing to show in pit.jpg"
+                click("#go-back")
+                awaitState("empty")
+            }
+            step("a log of REV's devices is read as by the other programs") {
+                drop("REV_20260301.revlog" to record.array())
+                awaitState("ready")
+                text shouldContain "MOTOR_TEMPERATURE"
+                text shouldContain "Spark-3"
+                texts(".info dd") shouldContain "REV log: each topic has its own times"
+            }
         }
     }
 
     browserTest("a copy of the page has the opened log, byte for byte, with the board and the notes") {
         val cases = listOf("plain.bag" to bag, "packed.bag.gz" to gzip(bag), "cut.bag.gz" to gzip(bag).let { it.copyOf(it.size * 2 / 3) })
+        val (log, events) = listOf("2026_03_14 10_00_00 Sat.dslog", "2026_03_14 10_00_00 Sat.dsevents")
+        val station = mapOf(log to STATION_LOG.bytes, events to STATION_EVENTS.bytes)
+
+        fun OpenPage.saveCopy(name: String) {
+            val copy = exported("A copy of this page, with your notes and board", name.substringBeforeLast('.') + ".html")
+            (folder / "$name.html").writeBytes(copy)
+            click("#go-back")
+            awaitState("empty")
+        }
         onEmptyPage {
             for ((name, bytes) in cases) {
                 drop(name to bytes)
                 awaitLog(name)
-                val copy = exported("A copy of this page, with your notes and board", name.substringBeforeLast('.') + ".html")
-                (folder / "$name.html").writeBytes(copy)
-                click("#go-back")
-                awaitState("empty")
+                saveCopy(name)
+            }
+            step("both files of a Driver Station log are opened as one log") {
+                drop(*station.toList().reversed().toTypedArray())
+                await("the log") { texts(".page-title h1").size == 1 }
+                awaitState("ready")
+                saveCopy(log)
             }
         }
         for ((name, bytes) in cases) {
@@ -114,122 +145,72 @@ internal class EmptyPageSpec : PageSpec({
                 (elements("#go-back").isEmpty()) shouldBe true
             }
         }
-    }
-
-    browserTest("both files of a Driver Station log are opened as one log, and copied as two") {
-        val (log, events) = listOf("2026_03_14 10_00_00 Sat.dslog", "2026_03_14 10_00_00 Sat.dsevents")
-        val files = mapOf(log to STATION_LOG.bytes, events to STATION_EVENTS.bytes)
-        var copy = ByteArray(0)
-        onEmptyPage {
-            drop(*files.toList().reversed().toTypedArray())
-            await("the log") { texts(".page-title h1").size == 1 }
-            awaitState("ready")
-            copy = exported("A copy of this page, with your notes and board", log.substringBeforeLast('.') + ".html")
-        }
-        val file = folder / "station.html"
-        file.writeBytes(copy)
-        onPage(file) {
-            saved(log) { click("#download") } shouldBe files.getValue(log)
-            saved(events) { click("#download-second") } shouldBe files.getValue(events)
-        }
-    }
-
-    browserTest("the log in another page is opened whatever its name, and nothing of a damaged or foreign page is shown") {
-        val name = "Mödül 1.bag"
-        val whole = TestPages.of(bag, name).readBytes()
-        val at = whole.decodeToString(throwOnInvalidSequence = false).let { text -> text.indexOf("id=\"recording\"") + 200 }
-        val damaged = whole.copyOf().also { it[at] = if (it[at] == 'A'.code.toByte()) 'B'.code.toByte() else 'A'.code.toByte() }
-        onEmptyPage {
-            drop("page.html" to whole)
-            awaitLog(name)
-            saved(name) { click("#download") } shouldBe bag
-            for ((what, bytes, sentence) in listOf(
-                Triple("damaged.html", damaged, "damaged in copying"),
-                Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a badlog page"),
-                Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
-            )) {
-                click("#go-back")
-                awaitState("empty")
-                drop(what to bytes)
-                awaitState("failed")
-                text shouldContain sentence
+        step("they are copied as two files") {
+            onPage(folder / "$log.html") {
+                saved(log) { click("#download") } shouldBe station.getValue(log)
+                saved(events) { click("#download-second") } shouldBe station.getValue(events)
             }
         }
     }
 
-    browserTest("a copy of the page has the compared logs, dropped or not, but none that was removed") {
-        val own = TestPages.ofSamples("wrong-turn.bag", listOf("elevator-bench.csv"))
-        var copy = ByteArray(0)
-        onPage(own) {
-            await("two logs") { texts(".compared-log bdi").size == 2 }
-            compare("other.bag" to bag, "third.bag.gz" to gzip(bag))
-            await("four logs") { texts(".compared-log bdi").size == 4 }
-            copy = exported("A copy of this page, with your notes and board", "wrong-turn.html")
+    browserTest("the log in another page is opened, nothing of a damaged or foreign page is shown, and a page with a log compares a dropped one") {
+        step("on a page with a log, a dropped log is compared, or opened instead") {
+            onPage(TestPages.of(bag, "own.bag")) {
+                drop("other.bag" to bag)
+                choose("Open instead")
+                awaitLog("other.bag")
+                drop("own.bag" to bag)
+                choose("Compare with this log")
+                await("two logs") { texts(".compared-log bdi") == listOf("other.bag", "own.bag") }
+                // This loads the page again, so there is nothing to settle.
+                element("#go-back").click()
+                awaitLog("own.bag")
+            }
         }
-        val file = folder / "compared.html"
-        file.writeBytes(copy)
-        onPage(file) {
-            await("four logs") { texts(".compared-log bdi").size == 4 }
-            texts(".compared-log bdi").drop(2) shouldContainExactly listOf("other.bag", "third.bag.gz")
-            elements(".compared-log .icon-button")[0].click()
-            await("three logs") { texts(".compared-log bdi").size == 3 }
-            copy = exported("A copy of this page, with your notes and board", "wrong-turn.html")
-        }
-        file.writeBytes(copy)
-        onPage(file) {
-            await("three logs") { texts(".compared-log bdi").size == 3 }
-            texts(".compared-log bdi").drop(1) shouldContainExactly listOf("other.bag", "third.bag.gz")
+        step("the log in another page is opened whatever its name, and nothing of a damaged or foreign page is shown") {
+            val name = "Mödül 1.bag"
+            val whole = TestPages.of(bag, name).readBytes()
+            val at = whole.decodeToString(throwOnInvalidSequence = false).let { text -> text.indexOf("id=\"recording\"") + 200 }
+            val damaged = whole.copyOf().also { it[at] = if (it[at] == 'A'.code.toByte()) 'B'.code.toByte() else 'A'.code.toByte() }
+            onEmptyPage {
+                drop("page.html" to whole)
+                awaitLog(name)
+                saved(name) { click("#download") } shouldBe bag
+                for ((what, bytes, sentence) in listOf(
+                    Triple("damaged.html", damaged, "damaged in copying"),
+                    Triple("foreign.html", "<!DOCTYPE html><p>Hello".encodeToByteArray(), "not a badlog page"),
+                    Triple("cut.html", whole.copyOf(at + 100), "damaged in copying"),
+                )) {
+                    click("#go-back")
+                    awaitState("empty")
+                    drop(what to bytes)
+                    awaitState("failed")
+                    text shouldContain sentence
+                }
+            }
         }
     }
 
-    browserTest("a copy has the shown one of two compared logs with one name, and the page's own other log") {
+    browserTest("a copy of the page has the compared logs as they are shown, dropped or not, but none that was removed") {
         val own = TestPages.ofSamples("wrong-turn.bag", listOf("practice.bag", "elevator-bench.csv"))
-        var copy = ByteArray(0)
+        val file = folder / "compared.html"
+
+        fun OpenPage.compared() = texts(".compared-log bdi").drop(1)
+
+        fun OpenPage.saveCopy() = file.writeBytes(exported("A copy of this page, with your notes and board", "wrong-turn.html"))
         onPage(own) {
-            await("three logs") { texts(".compared-log bdi").size == 3 }
-            compare("practice.bag" to bag)
-            await("the other log") { texts(".compared-log bdi").drop(1) == listOf("elevator-bench.csv", "practice.bag") }
-            copy = exported("A copy of this page, with your notes and board", "wrong-turn.html")
+            await("the page's own logs") { compared() == listOf("practice.bag", "elevator-bench.csv") }
+            compare("practice.bag" to bag, "third.bag.gz" to gzip(bag))
+            await("four logs, one for each name") { compared() == listOf("elevator-bench.csv", "practice.bag", "third.bag.gz") }
+            saveCopy()
         }
-        val file = folder / "same.html"
-        file.writeBytes(copy)
         onPage(file) {
-            await("three logs") { texts(".compared-log bdi").size == 3 }
-            texts("script.compared").map { it.length < 1000 } shouldContainExactly listOf(false, true)
+            await("the same four logs") { compared() == listOf("elevator-bench.csv", "practice.bag", "third.bag.gz") }
+            texts("script.compared").map { it.length < 1000 } shouldContainExactly listOf(false, true, true)
+            elements(".compared-log .icon-button")[0].click()
+            await("three logs") { compared().size == 2 }
+            saveCopy()
         }
-    }
-
-    browserTest("an unsupported kind of log is refused with the next step, and a file that is not a log with a sentence") {
-        onEmptyPage {
-            for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
-                drop(name to byteArrayOf(1, 2, 3))
-                awaitState("failed")
-                text shouldContain "This page cannot read $name"
-                text shouldContain advice
-                click("#go-back")
-                awaitState("empty")
-            }
-            drop("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16))
-            awaitState("failed")
-            text shouldContain "There is nothing to show in pit.jpg"
-            click("#go-back")
-            awaitState("empty")
-        }
-    }
-
-    browserTest("a log of REV's devices is read as by the other programs") {
-        val spark = longArrayOf(-16221, 1638, 1092, 35)
-        val bits = (spark[0] and 0xFFFF) or (spark[1] shl 16) or (spark[2] shl 28) or (spark[3] shl 40)
-        val record = ByteBuffer.allocate(20 + 16).order(ByteOrder.LITTLE_ENDIAN)
-        // Two status frames of Spark 3, at 1.5 and 1.52 s.
-        record.put(4).put(2).putShort(32)
-        for (millis in listOf(1500, 1520)) record.putInt(millis).putInt((2 shl 24) or (5 shl 16) or (46 shl 10) or 3).putLong(bits)
-        onEmptyPage {
-            drop("REV_20260301.revlog" to record.array())
-            awaitState("ready")
-            text shouldContain "MOTOR_TEMPERATURE"
-            text shouldContain "Spark-3"
-            texts(".info dd") shouldContain "REV log: each topic has its own times"
-        }
+        onPage(file) { await("the same three logs") { compared() == listOf("practice.bag", "third.bag.gz") } }
     }
 })

@@ -21,8 +21,6 @@ import kotlin.math.abs
 /** From a finding to its reason: all evidence is on one screen. */
 @Tags("InCheck")
 internal class EvidenceSpec : PageSpec({
-    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
-
     fun OpenPage.cursor() = texts(".cursor-readout").single().substringBefore(' ').toDouble()
 
     /** Returns the names of the graphs that are fully on the screen below the bar, with their lines. */
@@ -41,49 +39,73 @@ internal class EvidenceSpec : PageSpec({
 
     val match by lazy { TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)) }
 
-    for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
-        browserTest("the reason for the brownout in Qualification 42 is one click away, ${screen.width}×${screen.height}") {
-            onPage(match, screen) {
-                awaitRules()
-                elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
-                await("four graphs in sight") { elements("#evidence .graph").size == 4 && outOfSight() == 0 }
-                keepScreenshot("evidence-${screen.width}")
-                cursor() shouldBe (93.7 plusOrMinus 0.1)
-                (93.7 in visibleRange) shouldBe true
-                visibleRange.endInclusive - visibleRange.start shouldBeLessThan 20.0
-                for (name in listOf("Battery Voltage", "Total Current", "Left Output", "Right Output")) inSight() shouldContain name
-                element("#evidence .evidence-text").text shouldStartWith "The roboRIO browned out at 93.7"
-                element("#evidence .incident-next").text shouldStartWith "Next: "
-                element(".incident[aria-current]").text shouldContain "browned out"
-            }
-        }
-    }
-
-    browserTest("a link to a finding focuses its row once the rules have found it, unless the reader has moved the focus") {
+    browserTest("evidence is one click, key or link away, and on one screen") {
         val focused = "const e = document.activeElement; return (e.closest('.incident, .finding')?.className ?? '') + '|' + " +
             "(e.closest('p, .finding')?.textContent ?? e.id)"
         onPage(match) {
-            awaitRules()
-            elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
-            settle()
-            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
-            click("#copy-link")
-            val link = "#" + (script("return window.copied") as String).substringAfter('#')
-            link shouldContain "&finding="
-            script("location.hash = arguments[0]; document.activeElement.blur()", link)
-            reload()
-            script(focused) as String shouldContain "browned out"
-            script(focused) as String shouldStartWith "incident|"
-            // The evidence is on the screen, so focusing it scrolls nothing.
-            await("the evidence in sight") { outOfSight() == 0 }
-            press(Keys.ENTER)
-            cursor() shouldBe (93.7 plusOrMinus 0.1)
-            // A reader who began a search while the rules ran can continue it.
-            val begun = "document.addEventListener('DOMContentLoaded', () => " +
-                "new MutationObserver(() => document.querySelector('#search')?.focus()).observe(document.documentElement, {attributes: true, attributeFilter: ['data-state']}))"
-            runFirst(begun)
-            reload()
-            script(focused) shouldBe "|search"
+            step("N opens a whole incident, with more graphs one click away; it can be closed, and a link to its time opens it again") {
+                press("n")
+                val sentences = texts("#evidence .evidence-text").filter { it.isNotEmpty() }
+                sentences.first() shouldContain "Likely cause"
+                texts(".incident p").first() shouldContain sentences.first()
+                texts("#evidence .severity") shouldBe texts(".incident .severity").take(1)
+                texts("#spoken").single() shouldContain " s: error: ${sentences.first()}"
+                press(Keys.ARROW_RIGHT)
+                texts("#spoken").single() shouldContain " V"
+                val before = elements("#evidence .graph").size
+                val offers = elements(".evidence-offers button")
+                withClue(offers.map { it.text }) { offers.isEmpty() shouldBe false }
+                offers.first().click()
+                settle()
+                elements("#evidence .graph").size shouldBe before + 1
+                click("#close-evidence")
+                element("#evidence").isDisplayed shouldBe false
+                elements("#evidence .graph").size shouldBe 0
+                val time = 93.709649
+                script("location.hash = '#t=' + arguments[0]", time)
+                await("the evidence at that moment") { element("#evidence").isDisplayed && abs(cursor() - time) < 0.01 }
+            }
+            click("#close-evidence")
+            press("0")
+            step("the reason for the brownout in Qualification 42 is one click away on each screen") {
+                for (screen in listOf(Screen(1366, 768), Screen.PHONE)) {
+                    show(screen)
+                    elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
+                    await("four graphs in sight") { elements("#evidence .graph").size == 4 && outOfSight() == 0 }
+                    keepScreenshot("evidence-${screen.width}")
+                    cursor() shouldBe (93.7 plusOrMinus 0.1)
+                    (93.7 in visibleRange) shouldBe true
+                    visibleRange.endInclusive - visibleRange.start shouldBeLessThan 20.0
+                    for (name in listOf("Battery Voltage", "Total Current", "Left Output", "Right Output")) inSight() shouldContain name
+                    element("#evidence .evidence-text").text shouldStartWith "The roboRIO browned out at 93.7"
+                    element("#evidence .incident-next").text shouldStartWith "Next: "
+                    element(".incident[aria-current]").text shouldContain "browned out"
+                }
+            }
+            show(Screen.WIDE)
+            press("0")
+            step("a link to a finding focuses its row once the rules have found it, unless the reader has moved the focus") {
+                elements(".incident p").first { "browned out" in it.text }.findElement(By.cssSelector("button")).click()
+                settle()
+                script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
+                click("#copy-link")
+                val link = "#" + (script("return window.copied") as String).substringAfter('#')
+                link shouldContain "&finding="
+                script("location.hash = arguments[0]; document.activeElement.blur()", link)
+                reload()
+                script(focused) as String shouldContain "browned out"
+                script(focused) as String shouldStartWith "incident|"
+                // The evidence is on the screen, so focusing it scrolls nothing.
+                await("the evidence in sight") { outOfSight() == 0 }
+                press(Keys.ENTER)
+                cursor() shouldBe (93.7 plusOrMinus 0.1)
+                // A reader who began a search while the rules ran can continue it.
+                val begun = "document.addEventListener('DOMContentLoaded', () => " +
+                    "new MutationObserver(() => document.querySelector('#search')?.focus()).observe(document.documentElement, {attributes: true, attributeFilter: ['data-state']}))"
+                runFirst(begun)
+                reload()
+                script(focused) shouldBe "|search"
+            }
         }
     }
 
@@ -115,85 +137,58 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("a link and N select the right one of two findings that begin together, and its address names it") {
-        val both = listOf(
-            finding("First", Severity.ERROR, "first of two", 3.0),
-            finding("Second", Severity.WARNING, "second of two", 3.0),
-        )
-        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = both))) {
-            fun sentence() = texts("#evidence .evidence-text").first()
-            fun address() = element(".cursor-readout").getDomAttribute("href")
-            script("location.hash = '#t=3'")
-            settle()
-            sentence() shouldBe "first of two"
-            script("location.hash = '#t=3&finding=Second'")
-            await("the sentence of the other") { sentence() == "second of two" }
-            // The bar above is updated a frame later.
-            settle()
-            address() shouldBe "#t=3&finding=Second"
-            texts(".event-readout").single() shouldContain "second of two"
-            click("#close-evidence")
-            pressShift("n")
-            settle()
-            sentence() shouldBe "first of two"
-            address() shouldBe "#t=3&finding=First"
-            script("location.hash = '#t=3&finding=Gone;Topic'")
-            settle()
-            sentence() shouldBe "first of two"
+    browserTest("evidence of two findings at once, of each place, and of findings without topics") {
+        step("a link and N select the right one of two findings that begin together, and its address names it") {
+            val both = listOf(
+                finding("First", Severity.ERROR, "first of two", 3.0),
+                finding("Second", Severity.WARNING, "second of two", 3.0),
+            )
+            onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = both))) {
+                fun sentence() = texts("#evidence .evidence-text").first()
+                fun address() = element(".cursor-readout").getDomAttribute("href")
+                script("location.hash = '#t=3'")
+                settle()
+                sentence() shouldBe "first of two"
+                script("location.hash = '#t=3&finding=Second'")
+                await("the sentence of the other") { sentence() == "second of two" }
+                // The bar above is updated a frame later.
+                settle()
+                address() shouldBe "#t=3&finding=Second"
+                texts(".event-readout").single() shouldContain "second of two"
+                click("#close-evidence")
+                pressShift("n")
+                settle()
+                sentence() shouldBe "first of two"
+                address() shouldBe "#t=3&finding=First"
+                script("location.hash = '#t=3&finding=Gone;Topic'")
+                settle()
+                sentence() shouldBe "first of two"
+            }
         }
-    }
-
-    browserTest("each place of a finding has its own text and numbers, not those of a worse place nearby") {
-        onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
-            awaitRules()
-            elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
-            settle()
-            texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 5 s."
-            texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 40"
-            click("#evidence .evidence-next")
-            texts("#evidence .evidence-text").first() shouldBe "Down to 2 V at 15 s."
-            texts("#evidence .evidence-steps .unit").single() shouldBe "2 of 40"
-            cursor() shouldBe (15.0 plusOrMinus 0.01)
-            repeat(4) { click("#evidence .evidence-next") }
-            texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 55 s."
-            texts(".event-readout").single() shouldContain "Low: Down to 1 V at 55 s."
-            texts("#evidence .incident-next").single() shouldBe "Next: Look at the battery."
+        step("each place of a finding has its own text and numbers, not those of a worse place nearby") {
+            onPage(TestPages.of(bag, additions = PageAdditions(rules = rules))) {
+                elements(".finding").first { "Low" in it.text }.findElement(By.cssSelector("button")).click()
+                settle()
+                texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 5 s."
+                texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 40"
+                click("#evidence .evidence-next")
+                texts("#evidence .evidence-text").first() shouldBe "Down to 2 V at 15 s."
+                texts("#evidence .evidence-steps .unit").single() shouldBe "2 of 40"
+                cursor() shouldBe (15.0 plusOrMinus 0.01)
+                repeat(4) { click("#evidence .evidence-next") }
+                texts("#evidence .evidence-text").first() shouldBe "Down to 1 V at 55 s."
+                texts(".event-readout").single() shouldContain "Low: Down to 1 V at 55 s."
+                texts("#evidence .incident-next").single() shouldBe "Next: Look at the battery."
+            }
         }
-    }
-
-    browserTest("N opens a whole incident, with more graphs one click away; it can be closed, and a link to its time opens it again") {
-        onPage(match) {
-            awaitRules()
-            press("n")
-            val sentences = texts("#evidence .evidence-text").filter { it.isNotEmpty() }
-            sentences.first() shouldContain "Likely cause"
-            texts(".incident p").first() shouldContain sentences.first()
-            texts("#evidence .severity") shouldBe texts(".incident .severity").take(1)
-            texts("#spoken").single() shouldContain " s: error: ${sentences.first()}"
-            press(Keys.ARROW_RIGHT)
-            texts("#spoken").single() shouldContain " V"
-            val before = elements("#evidence .graph").size
-            val offers = elements(".evidence-offers button")
-            withClue(offers.map { it.text }) { offers.isEmpty() shouldBe false }
-            offers.first().click()
-            settle()
-            elements("#evidence .graph").size shouldBe before + 1
-            click("#close-evidence")
-            element("#evidence").isDisplayed shouldBe false
-            elements("#evidence .graph").size shouldBe 0
-            val time = 93.709649
-            script("location.hash = '#t=' + arguments[0]", time)
-            await("the evidence at that moment") { element("#evidence").isDisplayed && abs(cursor() - time) < 0.01 }
-        }
-    }
-
-    browserTest("a finding without topics in the log has its sentence and no graphs") {
-        val findings = listOf(finding("Hook", Severity.ERROR, "as it said", 3.0, further = listOf(Span(8.0, 9.0))))
-        onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = findings))) {
-            press("n")
-            texts("#evidence .evidence-text").first() shouldBe "as it said"
-            elements("#evidence .graph").size shouldBe 0
-            texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 2"
+        step("a finding without topics in the log has its sentence and no graphs") {
+            val findings = listOf(finding("Hook", Severity.ERROR, "as it said", 3.0, further = listOf(Span(8.0, 9.0))))
+            onPage(TestPages.of(stepBag(graphs = 1), additions = PageAdditions(findings = findings))) {
+                press("n")
+                texts("#evidence .evidence-text").first() shouldBe "as it said"
+                elements("#evidence .graph").size shouldBe 0
+                texts("#evidence .evidence-steps .unit").single() shouldBe "1 of 2"
+            }
         }
     }
 })

@@ -49,91 +49,85 @@ internal class FolderToolsSpec : PageSpec({
 
     fun OpenPage.check(name: String) = click("[aria-label='Compare $name']")
 
-    browserTest("logs are grouped by event with the number of logs, if there are several events") {
+    browserTest("logs of several events are grouped, and the statistics of the checked ones are side by side") {
         onPage(page, state = "empty") {
-            choose(season())
-            click("#sort-FILE")
-            click("#group-events")
-            texts(".event-group span:first-child") shouldContainExactly listOf("Alpha Regional", "Beta District", "No event")
-            texts("[data-column='FILE']") shouldContainExactly listOf("a1.bag", "a2.bag", "b1.bag", "pit.bag")
-            seriousForReaders() shouldBe emptyList()
-            keepScreenshot("folder-events")
-        }
-    }
-
-    browserTest("statistics of the checked logs are side by side, topic by topic, and can be searched") {
-        onPage(page, state = "empty") {
-            choose(season())
-            element(".log-statistics").isDisplayed shouldBe false
-            check("a1.bag")
-            check("b1.bag")
-            settle()
-            script("const s = document.querySelector('#statistic'); s.value = [...s.options].find(o => o.text === 'max').value; s.dispatchEvent(new Event('change'))")
-            settle()
-            texts(".log-statistics tbody th") shouldContainExactly listOf("Time [s]", "Volts [V]", "Arm [m]")
-            texts(".log-statistics tbody tr:nth-child(2) td") shouldContainExactly listOf("12", "13")
-            element("#statistics-search").sendKeys("arm")
-            settle()
-            texts(".log-statistics tbody th") shouldContainExactly listOf("Arm [m]")
-            seriousForReaders() shouldBe emptyList()
-            keepScreenshot("folder-statistics")
-            check("b1.bag")
-            show(Screen.PHONE)
-            (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
-            keepScreenshot("phone-folder-statistics")
+            step("logs are grouped by event with the number of logs, if there are several events") {
+                choose(season())
+                click("#sort-FILE")
+                click("#group-events")
+                texts(".event-group span:first-child") shouldContainExactly listOf("Alpha Regional", "Beta District", "No event")
+                texts("[data-column='FILE']") shouldContainExactly listOf("a1.bag", "a2.bag", "b1.bag", "pit.bag")
+                seriousForReaders() shouldBe emptyList()
+                keepScreenshot("folder-events")
+            }
+            step("statistics of the checked logs are side by side, topic by topic, and can be searched") {
+                element(".log-statistics").isDisplayed shouldBe false
+                check("a1.bag")
+                check("b1.bag")
+                settle()
+                script("const s = document.querySelector('#statistic'); s.value = [...s.options].find(o => o.text === 'max').value; s.dispatchEvent(new Event('change'))")
+                settle()
+                texts(".log-statistics tbody th") shouldContainExactly listOf("Time [s]", "Volts [V]", "Arm [m]")
+                texts(".log-statistics tbody tr:nth-child(2) td") shouldContainExactly listOf("12", "13")
+                element("#statistics-search").sendKeys("arm")
+                settle()
+                texts(".log-statistics tbody th") shouldContainExactly listOf("Arm [m]")
+                seriousForReaders() shouldBe emptyList()
+                keepScreenshot("folder-statistics")
+                check("b1.bag")
+                show(Screen.PHONE)
+                (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                keepScreenshot("phone-folder-statistics")
+            }
         }
     }
 
     val counting = "window.started = 0; const Original = Worker; window.Worker = function (...all) { window.started++; return new Original(...all) }"
 
-    browserTest("the results for a folder are known when the page is opened again, without reading the logs") {
-        val folder = season()
-        onPage(page, state = "empty", script = counting) {
-            choose(folder)
-            number("return window.started").toInt() shouldBeGreaterThan 0
-            val before = texts("[data-column='FINDINGS'], [data-column='NUMBER']")
-            awaitKept()
-            Chromium.driver.navigate().refresh()
-            awaitState("empty")
-            choose(folder)
-            number("return window.started") shouldBe 0.0
-            texts("[data-column='FINDINGS'], [data-column='NUMBER']") shouldBe before
-            // A log that was written again is read again.
-            (folder / "pit.bag").writeBytes(log(9) + "2.1,9,9\n".encodeToByteArray())
-            Chromium.driver.navigate().refresh()
-            awaitState("empty")
-            choose(folder)
-            number("return window.started").toInt() shouldBeGreaterThan 0
+    browserTest("results are known when the page is opened again, where there is storage, and a watched folder shows what changed") {
+        step("the results for a folder are known when the page is opened again, without reading the logs") {
+            val folder = season()
+            onPage(page, state = "empty", script = counting) {
+                choose(folder)
+                number("return window.started").toInt() shouldBeGreaterThan 0
+                val before = texts("[data-column='FINDINGS'], [data-column='NUMBER']")
+                awaitKept()
+                Chromium.driver.navigate().refresh()
+                awaitState("empty")
+                choose(folder)
+                number("return window.started") shouldBe 0.0
+                texts("[data-column='FINDINGS'], [data-column='NUMBER']") shouldBe before
+                // A log that was written again is read again.
+                (folder / "pit.bag").writeBytes(log(9) + "2.1,9,9\n".encodeToByteArray())
+                Chromium.driver.navigate().refresh()
+                awaitState("empty")
+                choose(folder)
+                number("return window.started").toInt() shouldBeGreaterThan 0
+            }
         }
-    }
-
-    browserTest("a browser without storage reads the logs each time") {
-        onPage(page, state = "empty", script = "Object.defineProperty(window, 'indexedDB', {get() { throw new Error('forbidden') }})") {
-            choose(season())
-            texts("[data-column='FILE']").size shouldBe 4
+        step("closing the folder dialog without a choice changes nothing; a browser without storage reads the logs each time") {
+            val forbidden = "Object.defineProperty(window, 'indexedDB', {get() { throw new Error('forbidden') }});" +
+                "window.showDirectoryPicker = async () => { throw new DOMException('', 'AbortError') }"
+            onPage(page, state = "empty", script = forbidden) {
+                click("#open-folder")
+                text shouldContain "Open a robot’s log"
+                consoleMessages() shouldBe emptyList()
+                choose(season())
+                texts("[data-column='FILE']").size shouldBe 4
+            }
         }
-    }
-
-    browserTest("a folder into which the page may look again shows new and grown logs, and no removed ones") {
-        onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
-            click("#open-folder")
-            await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
-            texts(".page-head h1") shouldContainExactly listOf("pit")
-            script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
-            await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
-            // A log is read once it has stopped growing, so not at the first look.
-            await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
-            script(putIntoFolder(mapOf("two.bag" to log(12))))
-            await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }
-        }
-    }
-
-    browserTest("closing the folder dialog without a choice changes nothing") {
-        val picker = "window.showDirectoryPicker = async () => { throw new DOMException('', 'AbortError') }"
-        onPage(page, state = "empty", script = picker) {
-            click("#open-folder")
-            text shouldContain "Open a robot’s log"
-            consoleMessages() shouldBe emptyList()
+        step("a folder into which the page may look again shows new and grown logs, and no removed ones") {
+            onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
+                click("#open-folder")
+                await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
+                texts(".page-head h1") shouldContainExactly listOf("pit")
+                script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
+                await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
+                // A log is read once it has stopped growing, so not at the first look.
+                await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
+                script(putIntoFolder(mapOf("two.bag" to log(12))))
+                await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }
+            }
         }
     }
 })

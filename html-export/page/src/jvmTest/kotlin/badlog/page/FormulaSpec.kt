@@ -18,122 +18,101 @@ internal class FormulaSpec : PageSpec({
     /** Waits until the formula [name] is calculated, which takes several slices on a slow machine. */
     fun OpenPage.awaitGraph(name: String) = await("the graph of $name") { name in graphNames }
 
-    browserTest("the formulas of a page are graphs in their folders, may use each other, and a wrong one is shown with its mistake") {
-        val definitions = listOf("Power/Product [VA] = Voltage * Current", "Bad = Voltge * 2", "Half = Product / 2")
-        onPage(TestPages.of(bag, additions = PageAdditions(definitions))) {
-            graphNames shouldContain "Half"
-            texts(".folder[data-name='Power'] .graph-title") shouldContain "Product"
-            graph("Power/Product").scrollTo().hover(0.5)
-            graph("Power/Product").value("Product") shouldBe "5000"
-            graph("Half").scrollTo().hover(0.5)
-            graph("Half").value("Half") shouldBe "2500"
-            texts(".origin") shouldBe listOf("formula", "formula")
-            element(".problem-list").isDisplayed shouldBe true
-            texts(".problem-text").count { "Did you mean “Power/Voltage”" in it } shouldBe 1
-            texts(".problem .pointer").single() shouldBe "Bad = Voltge * 2\n      ^^^^^^"
-        }
-    }
-
-    browserTest("a new formula has a graph at once and after a reload, does not count as a topic of the log, and can be removed") {
-        onPage(TestPages.of(bag)) {
-            press("f")
-            press("Power/Sum [x] = Voltage + Current")
-            press(Keys.ENTER)
-            element("#formula-dialog").isDisplayed shouldBe false
-            awaitGraph("Power/Sum")
-            graph("Power/Sum").scrollTo().hover(0.5)
-            graph("Power/Sum").value("Sum") shouldBe "150"
-            press("f")
-            press("New folder/Twice = Sum * 2", Keys.ENTER)
-            awaitGraph("New folder/Twice")
-            texts(".folder-link-name") shouldContain "New folder"
-            reload()
-            texts(".fact") shouldContain "4 topics"
-            texts("#info .value-row").single { it.startsWith("Topics") } shouldBe "Topics4"
-            graphNames shouldContain "Power/Sum"
-            graph("New folder/Twice").scrollTo().hover(0.5)
-            graph("New folder/Twice").value("Twice") shouldBe "300"
-            click("#add-formula")
-            elements(".formula-remove").last().click()
-            elements(".formula-remove").last().click()
-            press(Keys.ESCAPE)
-            graphNames shouldNotContain "Power/Sum"
-            texts(".folder-link-name") shouldNotContain "New folder"
-            reload()
-            graphNames shouldNotContain "Power/Sum"
-        }
-    }
-
     fun OpenPage.addFormula(definition: String) {
         click("#add-formula")
         press(definition, Keys.ENTER)
         awaitGraph(definition.substringBefore(" ="))
     }
 
-    browserTest("a change of a formula updates those that use it, and a formula in use can be neither removed nor renamed") {
+    browserTest("formulas are added, changed, removed, mistaken, completed and searched") {
         onPage(TestPages.of(bag)) {
-            addFormula("Sum = Voltage + Current")
-            addFormula("Twice = Sum * 2")
-            click("#add-formula")
-            click(".formula-remove")
-            texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs it; remove that first."
-            click(".formula-list .text-button")
-            script("document.querySelector('#formula').select()")
-            press("Total = Voltage + 1", Keys.ENTER)
-            texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs this name; change that first."
-            script("document.querySelector('#formula').select()")
-            script("arguments[0].isOld = true", graph("Twice").card)
-            press("Sum = Voltage + 1", Keys.ENTER)
-            element("#formula-dialog").isDisplayed shouldBe false
-            await("the graphs to be new ones") { script("return arguments[0].isOld ?? null", graph("Twice").card) == null }
-            for (name in listOf("after the change", "after it was opened again")) {
-                withClue(name) {
-                    graph("Sum").scrollTo().hover(0.5)
-                    graph("Sum").value("Sum") shouldBe "51"
-                    graph("Twice").scrollTo().hover(0.5)
-                    graph("Twice").value("Twice") shouldBe "102"
-                    graphNames.count { it == "Sum" || it == "Twice" } shouldBe 2
-                }
+            step("a new formula has a graph at once and after a reload, does not count as a topic of the log, and can be removed") {
+                press("f")
+                press("Power/Sum [x] = Voltage + Current")
+                press(Keys.ENTER)
+                element("#formula-dialog").isDisplayed shouldBe false
+                awaitGraph("Power/Sum")
+                graph("Power/Sum").scrollTo().hover(0.5)
+                graph("Power/Sum").value("Sum") shouldBe "150"
+                press("f")
+                press("New folder/Twice = Sum * 2", Keys.ENTER)
+                awaitGraph("New folder/Twice")
+                texts(".folder-link-name") shouldContain "New folder"
                 reload()
+                texts(".fact") shouldContain "4 topics"
+                texts("#info .value-row").single { it.startsWith("Topics") } shouldBe "Topics4"
+                graphNames shouldContain "Power/Sum"
+                graph("New folder/Twice").scrollTo().hover(0.5)
+                graph("New folder/Twice").value("Twice") shouldBe "300"
+                click("#add-formula")
+                elements(".formula-remove").last().click()
+                elements(".formula-remove").last().click()
+                press(Keys.ESCAPE)
+                graphNames shouldNotContain "Power/Sum"
+                texts(".folder-link-name") shouldNotContain "New folder"
+                reload()
+                graphNames shouldNotContain "Power/Sum"
             }
-        }
-    }
-
-    browserTest("a mistake is shown while it is typed, and Enter does not accept it; names are suggested, with quotes if necessary") {
-        onPage(TestPages.of(bag)) {
-            click("#add-formula")
-            press("Right = Voltage + ")
-            element(".formula-dialog .pointer").isDisplayed shouldBe true
-            press(Keys.ENTER)
-            element("#formula-dialog").isDisplayed shouldBe true
-            press("Current")
-            element(".formula-dialog .pointer").isDisplayed shouldBe false
-            press(Keys.ENTER)
-            awaitGraph("Right")
-            click("#add-formula")
-            press("Sum = volt")
-            texts(".formula-suggestions button") shouldBe listOf("Power/Voltage")
-            click(".formula-suggestions button")
-            press(" + 9")
-            texts(".formula-suggestions button") shouldBe listOf("\"9 lives\"")
-            click(".formula-suggestions button")
-            press(Keys.ENTER)
-            awaitGraph("Sum")
-            graph("Sum").scrollTo().hover(0.5)
-            graph("Sum").value("Sum") shouldBe "200"
-        }
-    }
-
-    browserTest("adding a formula ends the search, and a search matches formulas like topics") {
-        onPage(TestPages.of(bag)) {
-            press("/")
-            press("current", Keys.TAB)
-            click("#add-formula")
-            press("Sum = Voltage + Current", Keys.ENTER)
-            await("all graphs") { "Power/Voltage" in graphNames && "Sum" in graphNames }
-            press("/")
-            press("sum")
-            graphNames shouldBe listOf("Sum")
+            step("a change of a formula updates those that use it, and a formula in use can be neither removed nor renamed") {
+                addFormula("Sum = Voltage + Current")
+                addFormula("Twice = Sum * 2")
+                click("#add-formula")
+                click(".formula-remove")
+                texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs it; remove that first."
+                click(".formula-list .text-button")
+                script("document.querySelector('#formula').select()")
+                press("Total = Voltage + 1", Keys.ENTER)
+                texts(".formula-message").single() shouldBe "“Twice = Sum * 2” needs this name; change that first."
+                script("document.querySelector('#formula').select()")
+                script("arguments[0].isOld = true", graph("Twice").card)
+                press("Sum = Voltage + 1", Keys.ENTER)
+                element("#formula-dialog").isDisplayed shouldBe false
+                await("the graphs to be new ones") { script("return arguments[0].isOld ?? null", graph("Twice").card) == null }
+                for (name in listOf("after the change", "after it was opened again")) {
+                    withClue(name) {
+                        graph("Sum").scrollTo().hover(0.5)
+                        graph("Sum").value("Sum") shouldBe "51"
+                        graph("Twice").scrollTo().hover(0.5)
+                        graph("Twice").value("Twice") shouldBe "102"
+                        graphNames.count { it == "Sum" || it == "Twice" } shouldBe 2
+                    }
+                    reload()
+                }
+            }
+            startOver()
+            step("a mistake is shown while it is typed, and Enter does not accept it; names are suggested, with quotes if necessary") {
+                click("#add-formula")
+                press("Right = Voltage + ")
+                element(".formula-dialog .pointer").isDisplayed shouldBe true
+                press(Keys.ENTER)
+                element("#formula-dialog").isDisplayed shouldBe true
+                press("Current")
+                element(".formula-dialog .pointer").isDisplayed shouldBe false
+                press(Keys.ENTER)
+                awaitGraph("Right")
+                click("#add-formula")
+                press("Sum = volt")
+                texts(".formula-suggestions button") shouldBe listOf("Power/Voltage")
+                click(".formula-suggestions button")
+                press(" + 9")
+                texts(".formula-suggestions button") shouldBe listOf("\"9 lives\"")
+                click(".formula-suggestions button")
+                press(Keys.ENTER)
+                awaitGraph("Sum")
+                graph("Sum").scrollTo().hover(0.5)
+                graph("Sum").value("Sum") shouldBe "200"
+            }
+            startOver()
+            step("adding a formula ends the search, and a search matches formulas like topics") {
+                press("/")
+                press("current", Keys.TAB)
+                click("#add-formula")
+                press("Sum = Voltage + Current", Keys.ENTER)
+                await("all graphs") { "Power/Voltage" in graphNames && "Sum" in graphNames }
+                press("/")
+                press("sum")
+                graphNames shouldBe listOf("Sum")
+            }
         }
     }
 
@@ -151,50 +130,67 @@ internal class FormulaSpec : PageSpec({
     val five = (1..5).joinToString(";") { "F$it+~003d+Voltage~002a$it" }
     val isAllThere = listOf("F1", "F2", "F3", "F4", "F5")
 
-    browserTest("the formulas of a link are calculated in slices; a long calculation shows its progress, and closing that cancels it") {
+    browserTest("the formulas of a link are calculated in slices, to which another formula can be added") {
         onPage(TestPages.of(bag), script = slow) {
-            script("window.isSlow = true; location.hash = '#f=$five&t=3'")
-            await("a slice") { number("return held.length") > 0 }
-            script("release(3)")
-            texts(".notice p").single() shouldContain "Calculating the formulas: "
-            graphNames shouldNotContain "F1"
-            script("document.querySelector('.notice button').click(); release(99); window.isSlow = false")
-            graphNames shouldNotContain "F1"
-            // The page continues, also with the same formulas.
-            addFormula("F1 = Voltage * 1")
-            graphNames shouldContain "F1"
-            script("location.hash = '#f=$five&t=4'")
-            await("the formulas") { graphNames.containsAll(isAllThere) }
-            graphNames.count { it == "F1" } shouldBe 1
-            await("its moment") { texts(".cursor-readout").single().startsWith("4.0") }
+            step("the formulas of a link are calculated in slices; a long calculation shows its progress, and closing that cancels it") {
+                script("window.isSlow = true; location.hash = '#f=$five&t=3'")
+                await("a slice") { number("return held.length") > 0 }
+                script("release(3)")
+                texts(".notice p").single() shouldContain "Calculating the formulas: "
+                graphNames shouldNotContain "F1"
+                script("document.querySelector('.notice button').click(); release(99); window.isSlow = false")
+                graphNames shouldNotContain "F1"
+                // The page continues, also with the same formulas.
+                addFormula("F1 = Voltage * 1")
+                graphNames shouldContain "F1"
+                script("location.hash = '#f=$five&t=4'")
+                await("the formulas") { graphNames.containsAll(isAllThere) }
+                graphNames.count { it == "F1" } shouldBe 1
+                await("its moment") { texts(".cursor-readout").single().startsWith("4.0") }
+            }
+            startOver()
+            step("a formula added during a calculation does not lose the others") {
+                script("window.isSlow = true; location.hash = '#f=$five'")
+                await("a slice") { number("return held.length") > 0 }
+                script("window.isSlow = false")
+                click("#add-formula")
+                press("Sum = Voltage + Current", Keys.ENTER)
+                script("release(99)")
+                await("all formulas") { graphNames.containsAll(isAllThere + "Sum") }
+                graphNames.filter { it in isAllThere + "Sum" } shouldBe isAllThere + "Sum"
+            }
         }
     }
 
-    browserTest("a page is drawn once its own, its reader's and a link's formulas are calculated") {
-        onPage(TestPages.of(bag, additions = PageAdditions(listOf("Half = Voltage / 2"))), script = slow) {
-            addFormula("Quarter = Half / 2")
-            script("location.hash = '#f=$five'")
-            await("the formulas") { graphNames.containsAll(isAllThere) }
-            reload()
-            graphNames.filter { it in isAllThere + listOf("Half", "Quarter") } shouldBe listOf("Half", "Quarter") + isAllThere
-            // The link's formulas become the reader's own only when the reader changes something.
-            script("history.replaceState(null, '', location.pathname)")
-            reload()
-            graphNames shouldContain "Quarter"
-            graphNames shouldNotContain "F1"
+    browserTest("a page begins with its own formulas, and is drawn once with those of its reader and of a link") {
+        step("the formulas of a page are graphs in their folders, may use each other, and a wrong one is shown with its mistake") {
+            val definitions = listOf("Power/Product [VA] = Voltage * Current", "Bad = Voltge * 2", "Half = Product / 2")
+            onPage(TestPages.of(bag, additions = PageAdditions(definitions))) {
+                graphNames shouldContain "Half"
+                texts(".folder[data-name='Power'] .graph-title") shouldContain "Product"
+                graph("Power/Product").scrollTo().hover(0.5)
+                graph("Power/Product").value("Product") shouldBe "5000"
+                graph("Half").scrollTo().hover(0.5)
+                graph("Half").value("Half") shouldBe "2500"
+                texts(".origin") shouldBe listOf("formula", "formula")
+                element(".problem-list").isDisplayed shouldBe true
+                texts(".problem-text").count { "Did you mean “Power/Voltage”" in it } shouldBe 1
+                texts(".problem .pointer").single() shouldBe "Bad = Voltge * 2\n      ^^^^^^"
+            }
         }
-    }
-
-    browserTest("a formula added during a calculation does not lose the others") {
-        onPage(TestPages.of(bag), script = slow) {
-            script("window.isSlow = true; location.hash = '#f=$five'")
-            await("a slice") { number("return held.length") > 0 }
-            script("window.isSlow = false")
-            click("#add-formula")
-            press("Sum = Voltage + Current", Keys.ENTER)
-            script("release(99)")
-            await("all formulas") { graphNames.containsAll(isAllThere + "Sum") }
-            graphNames.filter { it in isAllThere + "Sum" } shouldBe isAllThere + "Sum"
+        step("a page is drawn once its own, its reader's and a link's formulas are calculated") {
+            onPage(TestPages.of(bag, additions = PageAdditions(listOf("Half = Voltage / 2"))), script = slow) {
+                addFormula("Quarter = Half / 2")
+                script("location.hash = '#f=$five'")
+                await("the formulas") { graphNames.containsAll(isAllThere) }
+                reload()
+                graphNames.filter { it in isAllThere + listOf("Half", "Quarter") } shouldBe listOf("Half", "Quarter") + isAllThere
+                // The link's formulas become the reader's own only when the reader changes something.
+                script("history.replaceState(null, '', location.pathname)")
+                reload()
+                graphNames shouldContain "Quarter"
+                graphNames shouldNotContain "F1"
+            }
         }
     }
 })

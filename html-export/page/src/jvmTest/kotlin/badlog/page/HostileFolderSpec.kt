@@ -32,64 +32,64 @@ internal class HostileFolderSpec : PageSpec({
 
     fun OpenPage.status() = texts(".log-tools [role=status]").single()
 
-    browserTest("a folder of 3,000 files is listed at once and can be searched while its logs are read") {
-        val many = folder("many") { folder -> repeat(3_000) { Files.write(folder / "practice-$it.bag", bag) } }
-        // Workers receive nothing until they are released.
-        val waiting = """
-            window.held = [];
-            window.Worker = class extends Worker {
-                postMessage(...work) { held ? held.push(() => super.postMessage(...work)) : super.postMessage(...work) }
+    browserTest("folders of very many logs, that disappear, and whose logs shrink") {
+        step("a folder of 3,000 files is listed at once and can be searched while its logs are read") {
+            val many = folder("many") { folder -> repeat(3_000) { Files.write(folder / "practice-$it.bag", bag) } }
+            // Workers receive nothing until they are released.
+            val waiting = """
+                window.held = [];
+                window.Worker = class extends Worker {
+                    postMessage(...work) { held ? held.push(() => super.postMessage(...work)) : super.postMessage(...work) }
+                }
+            """
+            onPage(page, state = "empty", script = waiting) {
+                choose(many)
+                status() shouldMatch Regex("0 of 3.?000 logs read")
+                texts("[data-column='FILE']").size shouldBe 300
+                element("#search").sendKeys("practice-2999")
+                await("the one") { texts("[data-column='FILE']") == listOf("practice-2999.bag") }
+                script("for (const work of held) work(); held = null")
+                // Rows are recreated while logs are read.
+                script("document.querySelector(\"[data-column='FILE'] button\").click()")
+                awaitState("ready")
+                click("#go-back")
+                awaitState("empty")
             }
-        """
-        onPage(page, state = "empty", script = waiting) {
-            choose(many)
-            status() shouldMatch Regex("0 of 3.?000 logs read")
-            texts("[data-column='FILE']").size shouldBe 300
-            element("#search").sendKeys("practice-2999")
-            await("the one") { texts("[data-column='FILE']") == listOf("practice-2999.bag") }
-            script("for (const work of held) work(); held = null")
-            // Rows are recreated while logs are read.
-            script("document.querySelector(\"[data-column='FILE'] button\").click()")
-            awaitState("ready")
-            click("#go-back")
-            awaitState("empty")
         }
-    }
-
-    browserTest("logs of a folder that disappears are reported as unreadable, and the page continues") {
-        val gone = folder("gone") { folder -> repeat(40) { Files.write(folder / "$it.bag", bag) } }
-        onPage(page, state = "empty", script = "window.Worker = class { constructor() { throw new Error() } }") {
-            choose(gone)
-            gone.toFile().deleteRecursively()
-            await("all logs") { "read" !in status() }
-            elements("[data-column='FILE'] button").last().click()
-            awaitState("failed")
-            text shouldContain "cannot be read"
-            click("#go-back")
-            awaitState("empty")
-            status() shouldBe "40 logs"
+        step("logs of a folder that disappears are reported as unreadable, and the page continues") {
+            val gone = folder("gone") { folder -> repeat(40) { Files.write(folder / "$it.bag", bag) } }
+            onPage(page, state = "empty", script = "window.Worker = class { constructor() { throw new Error() } }") {
+                choose(gone)
+                gone.toFile().deleteRecursively()
+                await("all logs") { "read" !in status() }
+                elements("[data-column='FILE'] button").last().click()
+                awaitState("failed")
+                text shouldContain "cannot be read"
+                click("#go-back")
+                awaitState("empty")
+                status() shouldBe "40 logs"
+            }
         }
-    }
-
-    browserTest("a log that shrinks after it was chosen is reported as unreadable") {
-        val file = (temporary / "shrinks.bag").also { it.writeBytes(bag) }
-        onPage(page, state = "empty") {
-            element("input[type=file]").sendKeys("$file")
-            awaitState("ready")
-            click("#go-back")
-            awaitState("empty")
-            // The dialog gives the page the current file, which becomes shorter before it is read.
-            script(
-                "window.Worker = class { constructor() { throw new Error() } }; window.waits = true; const read = Blob.prototype.arrayBuffer;" +
-                    "Blob.prototype.arrayBuffer = async function () { while (window.waits) await new Promise(d => setTimeout(d)); return read.call(this) }",
-            )
-            element("input[type=file]").sendKeys("$file")
-            FileChannel.open(file, StandardOpenOption.WRITE).use { it.truncate(40) }
-            script("window.waits = false")
-            awaitState("failed")
-            text shouldContain "shrinks.bag cannot be read"
-            click("#go-back")
-            awaitState("empty")
+        step("a log that shrinks after it was chosen is reported as unreadable") {
+            val file = (temporary / "shrinks.bag").also { it.writeBytes(bag) }
+            onPage(page, state = "empty") {
+                element("input[type=file]").sendKeys("$file")
+                awaitState("ready")
+                click("#go-back")
+                awaitState("empty")
+                // The dialog gives the page the current file, which becomes shorter before it is read.
+                script(
+                    "window.Worker = class { constructor() { throw new Error() } }; window.waits = true; const read = Blob.prototype.arrayBuffer;" +
+                        "Blob.prototype.arrayBuffer = async function () { while (window.waits) await new Promise(d => setTimeout(d)); return read.call(this) }",
+                )
+                element("input[type=file]").sendKeys("$file")
+                FileChannel.open(file, StandardOpenOption.WRITE).use { it.truncate(40) }
+                script("window.waits = false")
+                awaitState("failed")
+                text shouldContain "shrinks.bag cannot be read"
+                click("#go-back")
+                awaitState("empty")
+            }
         }
     }
 })

@@ -45,124 +45,116 @@ internal class HostileTextSpec : PageSpec({
         texts("script:not(#recording):not(#additions):not(#about):not(#packed):not(#unpacking):not(#program)") shouldBe emptyList()
     }
 
-    browserTest("hostile names, units and attributes of topics stay text") {
-        // A slash would make a folder of the text before it, so the graphs are found by their base names.
-        val topics = listOf(TIME) + HOSTILE.map { BagTopic(it, it, listOf(it)) }
-        onPage(TestPages.of(bagOf(topics, 50) { row, column -> row * column }), script = alarm) {
-            checkTame()
-            texts(".graph-title") shouldContainAll HOSTILE.map { it.substringAfterLast('/') }
-            elements(".graph").map { it.getDomAttribute("data-name") } shouldContainAll HOSTILE
-            texts(".graph-unit") shouldContainAll HOSTILE
-            for (name in graphNames) graph(name).scrollTo().hover(0.5)
-            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
-            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
-            click("#info summary")
-            checkTame()
-        }
-    }
-
-    browserTest("a hostile x axis, joined graph and derived graph stay text") {
-        val name = HOSTILE[0].replace("/", "")
-        val topics = listOf(
-            BagTopic(name, HOSTILE[3], listOf("xaxis", "delta")),
-            BagTopic("A", "V", listOf("differentiate", "join:${HOSTILE[3]}")),
-        )
-        onPage(TestPages.of(bagOf(topics, 50) { row, _ -> row }), script = alarm) {
-            for (graph in graphNames) graph(graph).scrollTo()
-            texts(".x-title") shouldContain "$name (${HOSTILE[3]})"
-            checkTame()
-        }
-    }
-
-    browserTest("hostile values stay text, also as the title of the page") {
-        val values = HOSTILE.associateWith { it } + mapOf("Event Name" to HOSTILE[0], "Match Number" to HOSTILE[3])
-        onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5, values) { row, _ -> row }), script = alarm) {
-            texts(".values dd") shouldContainAll HOSTILE
-            driver.title shouldContain HOSTILE[0]
-            texts("h1").single() shouldContain HOSTILE[3]
-            checkTame()
-        }
-    }
-
-    browserTest("hostile events and states stay text, in the list, on the graphs and in the bar") {
-        val topics = listOf(TIME, BagTopic("State"), BagTopic("A"), BagTopic("Log", attributes = listOf("log")))
-        val isText = setOf(1, 3)
-        val bag = bagOf(topics, HOSTILE.size + 1) { row, column -> if (column in isText) HOSTILE.getOrElse(row) { "End" } else row }
-        onPage(TestPages.of(bag), script = alarm) {
-            texts(".event-text") shouldContainAll HOSTILE
-            for (row in HOSTILE.indices) {
-                // A state and an event are read from the last sample at or before the cursor.
-                graph("State").scrollTo().hover((row + 0.1) / HOSTILE.size)
-                graph("State").value("State") shouldBe HOSTILE[row]
-                texts(".event-readout").single() shouldContain HOSTILE[row]
+    browserTest("hostile findings, hooks and formulas stay text") {
+        step("findings, in the list, on the graphs and in the bar") {
+            val findings = HOSTILE.mapIndexed { i, text -> finding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
+            val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
+            onPage(TestPages.of(bag, additions = PageAdditions(findings = findings)), script = alarm) {
+                click(".findings-more button")
+                texts(".finding-source") shouldContainAll HOSTILE
+                for (row in HOSTILE.indices) {
+                    graph("A").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
+                    graph("A").label shouldContain HOSTILE[row]
+                    texts(".event-readout").single() shouldContain HOSTILE[row]
+                }
+                checkTame()
             }
-            checkTame()
-            press("/")
-            press(HOSTILE[0])
-            checkTame()
         }
-    }
-
-    browserTest("hostile findings stay text, in the list, on the graphs and in the bar") {
-        val findings = HOSTILE.mapIndexed { i, text -> finding(text, Severity.entries[i % 3], text, i.toDouble(), Double.NaN) }
-        val bag = bagOf(listOf(TIME, BagTopic("A")), HOSTILE.size) { row, _ -> row }
-        onPage(TestPages.of(bag, additions = PageAdditions(findings = findings)), script = alarm) {
-            click(".findings-more button")
-            texts(".finding-source") shouldContainAll HOSTILE
-            for (row in HOSTILE.indices) {
-                graph("A").scrollTo().hover(row * 0.9995 / (HOSTILE.size - 1))
-                graph("A").label shouldContain HOSTILE[row]
-                texts(".event-readout").single() shouldContain HOSTILE[row]
+        step("names, values, errors and lines of hooks") {
+            val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
+            val hooks = HOSTILE.map { text ->
+                val finding = finding(text, Severity.NOTE, text, 1.0, 2.0)
+                HookPart(text, text, listOf(Value(text, text)), listOf(finding), listOf(PageSeries(text, text, line)))
             }
-            checkTame()
+            val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
+            onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {
+                texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
+                texts(".hook .values dd") shouldBe HOSTILE
+                texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
+                if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+                texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+                for (graph in graphNames) graph(graph).scrollTo()
+                checkTame()
+            }
         }
-    }
-
-    browserTest("hostile names, values, errors and lines of hooks stay text") {
-        val line = Series(doubleArrayOf(0.0, 1.0), doubleArrayOf(0.0, 1.0))
-        val hooks = HOSTILE.map { text ->
-            val finding = finding(text, Severity.NOTE, text, 1.0, 2.0)
-            HookPart(text, text, listOf(Value(text, text)), listOf(finding), listOf(PageSeries(text, text, line)))
-        }
-        val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
-        onPage(TestPages.of(bag, additions = PageAdditions(hooks = hooks)), script = alarm) {
-            texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
-            texts(".hook .values dd") shouldBe HOSTILE
-            texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
-            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
-            texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
-            for (graph in graphNames) graph(graph).scrollTo()
-            checkTame()
-        }
-    }
-
-    browserTest("hostile formulas stay text, whether they are reported as wrong or not") {
-        val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
-        val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
-        onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
-            graphNames.size shouldBe HOSTILE.size + 1
-            if (!element(".problem-list").isDisplayed) click(".problems-toggle")
-            texts(".problem-text").joinToString("\n") shouldContain HOSTILE[0]
-            press("f")
-            press(HOSTILE[0])
-            checkTame()
-        }
-    }
-
-    browserTest("a hostile file name stays text") {
-        val names = listOf("<img src=x onerror=alert(1)>\"><svg onload=alert(1)>a&amp;b", "<!--<script>")
-        for (name in names.map { "$it.bag" }) {
-            onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
-                driver.title shouldBe name
-                texts("h1").single() shouldBe name
+        step("formulas, whether they are reported as wrong or not") {
+            val bag = bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }
+            val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
+            onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
+                graphNames.size shouldBe HOSTILE.size + 1
+                if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+                texts(".problem-text").joinToString("\n") shouldContain HOSTILE[0]
+                press("f")
+                press(HOSTILE[0])
                 checkTame()
             }
         }
     }
 
-    browserTest("a hostile header that is not a bag's stays text in the report") {
-        onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
-            checkTame()
+    browserTest("hostile texts of a log stay text") {
+        step("names, units and attributes of topics, and values, also as the title of the page") {
+            // A slash would make a folder of the text before it, so the graphs are found by their base names.
+            val topics = listOf(TIME) + HOSTILE.map { BagTopic(it, it, listOf(it)) }
+            val values = HOSTILE.associateWith { it } + mapOf("Event Name" to HOSTILE[0], "Match Number" to HOSTILE[3])
+            onPage(TestPages.of(bagOf(topics, 50, values) { row, column -> row * column }), script = alarm) {
+                checkTame()
+                texts(".values dd") shouldContainAll HOSTILE
+                driver.title shouldContain HOSTILE[0]
+                texts("h1").single() shouldContain HOSTILE[3]
+                texts(".graph-title") shouldContainAll HOSTILE.map { it.substringAfterLast('/') }
+                elements(".graph").map { it.getDomAttribute("data-name") } shouldContainAll HOSTILE
+                texts(".graph-unit") shouldContainAll HOSTILE
+                for (name in graphNames) graph(name).scrollTo().hover(0.5)
+                if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+                texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
+                click("#info summary")
+                checkTame()
+            }
+        }
+        step("the x axis, a joined graph and a derived graph") {
+            val name = HOSTILE[0].replace("/", "")
+            val topics = listOf(
+                BagTopic(name, HOSTILE[3], listOf("xaxis", "delta")),
+                BagTopic("A", "V", listOf("differentiate", "join:${HOSTILE[3]}")),
+            )
+            onPage(TestPages.of(bagOf(topics, 50) { row, _ -> row }), script = alarm) {
+                for (graph in graphNames) graph(graph).scrollTo()
+                texts(".x-title") shouldContain "$name (${HOSTILE[3]})"
+                checkTame()
+            }
+        }
+        step("events and states, in the list, on the graphs and in the bar") {
+            val topics = listOf(TIME, BagTopic("State"), BagTopic("A"), BagTopic("Log", attributes = listOf("log")))
+            val isText = setOf(1, 3)
+            val bag = bagOf(topics, HOSTILE.size + 1) { row, column -> if (column in isText) HOSTILE.getOrElse(row) { "End" } else row }
+            onPage(TestPages.of(bag), script = alarm) {
+                texts(".event-text") shouldContainAll HOSTILE
+                for (row in HOSTILE.indices) {
+                    // A state and an event are read from the last sample at or before the cursor.
+                    graph("State").scrollTo().hover((row + 0.1) / HOSTILE.size)
+                    graph("State").value("State") shouldBe HOSTILE[row]
+                    texts(".event-readout").single() shouldContain HOSTILE[row]
+                }
+                checkTame()
+                press("/")
+                press(HOSTILE[0])
+                checkTame()
+            }
+        }
+        step("the name of the file") {
+            val names = listOf("<img src=x onerror=alert(1)>\"><svg onload=alert(1)>a&amp;b", "<!--<script>")
+            for (name in names.map { "$it.bag" }) {
+                onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("A")), 5) { row, _ -> row }, name), script = alarm) {
+                    driver.title shouldBe name
+                    texts("h1").single() shouldBe name
+                    checkTame()
+                }
+            }
+        }
+        step("a header that is not a bag’s, in the report") {
+            onPage(TestPages.of("{\"topics\":[{\"name\":\"${HOSTILE[0]}\nTime,${HOSTILE[0]}\n0,1\n1,2\n"), script = alarm) {
+                checkTame()
+            }
         }
     }
 })

@@ -32,129 +32,123 @@ internal class KeyboardSpec : PageSpec({
         TestPages.of(bag, additions = PageAdditions(listOf("Twice = Angle * 2", "Bad ="), findings = findings, hooks = listOf(hook)))
     }
 
-    browserTest("Tab reaches everything that can be pressed, and its place is visible") {
+    browserTest("Tab reaches everything, the first one skips to the graphs, and each Escape ends one thing") {
         onPage(pageWithAll) {
-            val unseen = ArrayList<String>()
-            var steps = 0
-            do {
-                press(Keys.TAB)
-                val seen = script(
-                    """
-                    const e = document.activeElement;
-                    if (!e || e === document.body) return null;
-                    e.dataset.reached = '1';
-                    const style = getComputedStyle(e), box = e.getBoundingClientRect();
-                    const isMarked = style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2;
-                    const isOnScreen = box.bottom > 0 && box.top < innerHeight && box.width > 0;
-                    return isMarked && isOnScreen ? '' : e.outerHTML.slice(0, 120);
-                    """.trimIndent(),
-                ) as String?
-                if (!seen.isNullOrEmpty()) unseen += seen
-                steps++
-            } while (seen != null && steps < 100)
-            unseen.shouldBeEmpty()
-            script(
-                "return [...document.querySelectorAll('button, input, select, summary, .plot, .events-scroll')]" +
-                    ".filter(e => e.checkVisibility() && !e.disabled && !e.dataset.reached)" +
-                    ".map(e => e.outerHTML.slice(0, 120))",
-            ) shouldBe emptyList<String>()
+            step("Tab reaches everything that can be pressed, and its place is visible") {
+                val unseen = ArrayList<String>()
+                var steps = 0
+                do {
+                    press(Keys.TAB)
+                    val seen = script(
+                        """
+                        const e = document.activeElement;
+                        if (!e || e === document.body) return null;
+                        e.dataset.reached = '1';
+                        const style = getComputedStyle(e), box = e.getBoundingClientRect();
+                        const isMarked = style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2;
+                        const isOnScreen = box.bottom > 0 && box.top < innerHeight && box.width > 0;
+                        return isMarked && isOnScreen ? '' : e.outerHTML.slice(0, 120);
+                        """.trimIndent(),
+                    ) as String?
+                    if (!seen.isNullOrEmpty()) unseen += seen
+                    steps++
+                } while (seen != null && steps < 100)
+                unseen.shouldBeEmpty()
+                script(
+                    "return [...document.querySelectorAll('button, input, select, summary, .plot, .events-scroll')]" +
+                        ".filter(e => e.checkVisibility() && !e.disabled && !e.dataset.reached)" +
+                        ".map(e => e.outerHTML.slice(0, 120))",
+                ) shouldBe emptyList<String>()
+            }
+            startOver()
+            step("the first Tab offers the link to the graphs, and every button and field has an accessible name") {
+                script(
+                    "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
+                        ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",
+                ) shouldBe emptyList<String>()
+                element(".skip").rect.let { it.width > 0 && it.height > 0 } shouldBe true
+                press(Keys.TAB, Keys.ENTER)
+                script("return document.activeElement.className") shouldBe "plot"
+                graph(graphNames.first()).isOnScreen shouldBe true
+            }
+            step("each Escape ends one thing: the search, the evidence, the second cursor, the pin, the cursor") {
+                press("n")
+                act { sendKeys("b").sendKeys(Keys.ARROW_RIGHT) }
+                click("#search")
+                press("arm")
+                script("document.activeElement.blur()")
+                val search = { element("#search").getDomProperty("value") }
+                val isOpen = { element("#evidence").isDisplayed }
+                fun cursors() = elements(".second-readout").count { it.isDisplayed } to element(".cursor-readout").isDisplayed
+                press(Keys.ESCAPE)
+                listOf(search(), isOpen(), cursors()) shouldBe listOf("", true, 1 to true)
+                press(Keys.ESCAPE)
+                listOf(isOpen(), cursors()) shouldBe listOf(false, 1 to true)
+                press(Keys.ESCAPE)
+                cursors() shouldBe (0 to true)
+                press(Keys.ESCAPE)
+                cursors() shouldBe (0 to false)
+            }
         }
     }
 
-    browserTest("the first Tab offers the link to the graphs, and every button and field has an accessible name") {
-        onPage(pageWithAll) {
-            script(
-                "return [...document.querySelectorAll('button, input, select')].filter(e => e.checkVisibility())" +
-                    ".filter(e => !(e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)",
-            ) shouldBe emptyList<String>()
-            element(".skip").rect.let { it.width > 0 && it.height > 0 } shouldBe true
-            press(Keys.TAB, Keys.ENTER)
-            script("return document.activeElement.className") shouldBe "plot"
-            graph(graphNames.first()).isOnScreen shouldBe true
-        }
-    }
-
-    browserTest("arrows move the cursor by samples; plus, minus, 0 and Backspace zoom, and Shift with Backspace goes forward again") {
+    browserTest("keys move the cursor, zoom, open the help, and press what has the focus") {
         onPage(page) {
-            press(Keys.ARROW_RIGHT)
-            val start = graph("Arm/Angle").value("Angle").toInt()
-            press(Keys.ARROW_RIGHT)
-            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 1
-            pressShift(Keys.ARROW_RIGHT)
-            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 11
-            press(Keys.ARROW_LEFT)
-            graph("Arm/Angle").value("Angle").toInt() shouldBe start + 10
-            press("+")
-            val zoomed = visibleRange
-            zoomed.endInclusive - zoomed.start shouldBeLessThan 100.0
-            press("+")
-            val further = visibleRange
-            press(Keys.BACK_SPACE)
-            visibleRange shouldBe zoomed
-            pressShift(Keys.BACK_SPACE)
-            visibleRange shouldBe further
-            press("0")
-            visibleRange shouldBe 0.0..100.0
-            press("+", "-")
-            visibleRange shouldBe 0.0..100.0
-            press("+")
-            press(Keys.HOME)
-            visibleRange shouldBe 0.0..100.0
-        }
-    }
-
-    browserTest("a question mark opens the help, which keeps the focus, and Escape closes it") {
-        onPage(page) {
-            press("?")
-            element("#help").isDisplayed shouldBe true
-            script("return document.getElementById('help').contains(document.activeElement)") shouldBe true
-            press(Keys.ARROW_RIGHT)
-            graph("Arm/Angle").value("Angle") shouldBe ""
+            step("arrows move the cursor by samples; plus, minus, 0 and Backspace zoom, and Shift with Backspace goes forward again") {
+                press(Keys.ARROW_RIGHT)
+                val start = graph("Arm/Angle").value("Angle").toInt()
+                press(Keys.ARROW_RIGHT)
+                graph("Arm/Angle").value("Angle").toInt() shouldBe start + 1
+                pressShift(Keys.ARROW_RIGHT)
+                graph("Arm/Angle").value("Angle").toInt() shouldBe start + 11
+                press(Keys.ARROW_LEFT)
+                graph("Arm/Angle").value("Angle").toInt() shouldBe start + 10
+                press("+")
+                val zoomed = visibleRange
+                zoomed.endInclusive - zoomed.start shouldBeLessThan 100.0
+                press("+")
+                val further = visibleRange
+                press(Keys.BACK_SPACE)
+                visibleRange shouldBe zoomed
+                pressShift(Keys.BACK_SPACE)
+                visibleRange shouldBe further
+                press("0")
+                visibleRange shouldBe 0.0..100.0
+                press("+", "-")
+                visibleRange shouldBe 0.0..100.0
+                press("+")
+                press(Keys.HOME)
+                visibleRange shouldBe 0.0..100.0
+            }
             press(Keys.ESCAPE)
-            element("#help").isDisplayed shouldBe false
-            click("#help-button")
-            element("#help").isDisplayed shouldBe true
-            press("?")
-            element("#help").isDisplayed shouldBe false
-        }
-    }
-
-    browserTest("each Escape ends one thing: the search, the evidence, the second cursor, the pin, the cursor") {
-        onPage(pageWithAll) {
-            press("n")
-            act { sendKeys("b").sendKeys(Keys.ARROW_RIGHT) }
-            click("#search")
-            press("arm")
-            script("document.activeElement.blur()")
-            val search = { element("#search").getDomProperty("value") }
-            val isOpen = { element("#evidence").isDisplayed }
-            fun cursors() = elements(".second-readout").count { it.isDisplayed } to element(".cursor-readout").isDisplayed
-            press(Keys.ESCAPE)
-            listOf(search(), isOpen(), cursors()) shouldBe listOf("", true, 1 to true)
-            press(Keys.ESCAPE)
-            listOf(isOpen(), cursors()) shouldBe listOf(false, 1 to true)
-            press(Keys.ESCAPE)
-            cursors() shouldBe (0 to true)
-            press(Keys.ESCAPE)
-            cursors() shouldBe (0 to false)
-        }
-    }
-
-    browserTest("a folder, the problems and an event react to Enter and Space") {
-        onPage(page) {
-            fun focus(selector: String) = script("document.querySelector(arguments[0]).focus()", selector)
-            focus(".folder[data-name='Arm'] .folder-toggle")
-            press(Keys.ENTER)
-            graphNames shouldBe listOf("Odd?")
-            press(Keys.SPACE)
-            graphNames shouldContain "Arm/Angle"
-            focus(".problems-toggle")
-            val before = element(".problem-list").isDisplayed
-            press(Keys.SPACE)
-            element(".problem-list").isDisplayed shouldNotBe before
-            focus(".event-go")
-            press(Keys.ENTER)
-            graph("Arm/Angle").scrollTo().value("Angle") shouldBe "60"
+            step("a question mark opens the help, which keeps the focus, and Escape closes it") {
+                press("?")
+                element("#help").isDisplayed shouldBe true
+                script("return document.getElementById('help').contains(document.activeElement)") shouldBe true
+                press(Keys.ARROW_RIGHT)
+                graph("Arm/Angle").value("Angle") shouldBe ""
+                press(Keys.ESCAPE)
+                element("#help").isDisplayed shouldBe false
+                click("#help-button")
+                element("#help").isDisplayed shouldBe true
+                press("?")
+                element("#help").isDisplayed shouldBe false
+            }
+            step("a folder, the problems and an event react to Enter and Space") {
+                fun focus(selector: String) = script("document.querySelector(arguments[0]).focus()", selector)
+                focus(".folder[data-name='Arm'] .folder-toggle")
+                press(Keys.ENTER)
+                graphNames shouldBe listOf("Odd?")
+                press(Keys.SPACE)
+                graphNames shouldContain "Arm/Angle"
+                focus(".problems-toggle")
+                val before = element(".problem-list").isDisplayed
+                press(Keys.SPACE)
+                element(".problem-list").isDisplayed shouldNotBe before
+                focus(".event-go")
+                press(Keys.ENTER)
+                graph("Arm/Angle").scrollTo().value("Angle") shouldBe "60"
+            }
         }
     }
 })

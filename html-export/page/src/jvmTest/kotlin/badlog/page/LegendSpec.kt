@@ -25,53 +25,49 @@ internal class LegendSpec : PageSpec({
         )
     }
 
-    browserTest("a click on a line's name removes exactly its pixels, another restores them, and the keyboard does the same") {
+    browserTest("lines are hidden and shown by their names, which screen readers get with the value") {
         onPage(page) {
-            val graph = graph("Arm/Both").scrollTo()
-            val shown = graph.canvas
-            graph.pixelsOfLine(0) shouldBeGreaterThan 500
-            graph.pixelsOfLine(1) shouldBeGreaterThan 500
-            graph.legend("Low").click()
-            settle()
-            graph.pixelsOfLine(0) shouldBe 0
-            graph.pixelsOfLine(1) shouldBeGreaterThan 500
-            graph.legend("Low").getDomAttribute("aria-pressed") shouldBe "false"
-            graph.legend("Low").click()
-            settle()
-            graph.canvas shouldBe shown
-            script("arguments[0].focus()", graph.legend("High"))
-            press(Keys.SPACE)
-            graph.pixelsOfLine(1) shouldBe 0
-            press(Keys.ENTER)
-            graph.pixelsOfLine(1) shouldBeGreaterThan 500
-        }
-    }
-
-    browserTest("screen readers get a line's name and its value at the cursor, even if the title already has the name") {
-        onPage(page) {
-            graph("Step 1").scrollTo().hover(0.9)
-            graph("Step 1").legend("Step 1").accessibleName shouldBe "Step 1 1"
-            graph("Arm/Both").scrollTo().hover(0.5)
-            graph("Arm/Both").legend("High").accessibleName shouldBe "High " + graph("Arm/Both").value("High")
-        }
-    }
-
-    browserTest("a hidden line stays hidden after a zoom and after scrolling; a graph without lines is empty") {
-        onPage(page) {
-            val graph = graph("Arm/Both").scrollTo()
-            graph.legend("Low").click()
-            graph.drag(0.2, 0.6)
-            graph.pixelsOfLine(0) shouldBe 0
-            graph("Step 1").scrollTo()
-            graph("Step 10").scrollTo()
-            script("window.scrollTo(0, 1e6)")
-            settle()
-            graph.scrollTo().pixelsOfLine(0) shouldBe 0
-            graph.pixelsOfLine(1) shouldBeGreaterThan 500
-            graph.legend("High").click()
-            settle()
-            graph.pixelsOfLine(0) + graph.pixelsOfLine(1) shouldBe 0
-            graph.drag(0.2, 0.6)
+            step("a click on a line's name removes exactly its pixels, another restores them, and the keyboard does the same") {
+                val graph = graph("Arm/Both").scrollTo()
+                val shown = graph.canvas
+                graph.pixelsOfLine(0) shouldBeGreaterThan 500
+                graph.pixelsOfLine(1) shouldBeGreaterThan 500
+                graph.legend("Low").click()
+                settle()
+                graph.pixelsOfLine(0) shouldBe 0
+                graph.pixelsOfLine(1) shouldBeGreaterThan 500
+                graph.legend("Low").getDomAttribute("aria-pressed") shouldBe "false"
+                graph.legend("Low").click()
+                settle()
+                graph.canvas shouldBe shown
+                script("arguments[0].focus()", graph.legend("High"))
+                press(Keys.SPACE)
+                graph.pixelsOfLine(1) shouldBe 0
+                press(Keys.ENTER)
+                graph.pixelsOfLine(1) shouldBeGreaterThan 500
+            }
+            step("screen readers get a line's name and its value at the cursor, even if the title already has the name") {
+                graph("Step 1").scrollTo().hover(0.9)
+                graph("Step 1").legend("Step 1").accessibleName shouldBe "Step 1 1"
+                graph("Arm/Both").scrollTo().hover(0.5)
+                graph("Arm/Both").legend("High").accessibleName shouldBe "High " + graph("Arm/Both").value("High")
+            }
+            step("a hidden line stays hidden after a zoom and after scrolling; a graph without lines is empty") {
+                val graph = graph("Arm/Both").scrollTo()
+                graph.legend("Low").click()
+                graph.drag(0.2, 0.6)
+                graph.pixelsOfLine(0) shouldBe 0
+                graph("Step 1").scrollTo()
+                graph("Step 10").scrollTo()
+                script("window.scrollTo(0, 1e6)")
+                settle()
+                graph.scrollTo().pixelsOfLine(0) shouldBe 0
+                graph.pixelsOfLine(1) shouldBeGreaterThan 500
+                graph.legend("High").click()
+                settle()
+                graph.pixelsOfLine(0) + graph.pixelsOfLine(1) shouldBe 0
+                graph.drag(0.2, 0.6)
+            }
         }
     }
 

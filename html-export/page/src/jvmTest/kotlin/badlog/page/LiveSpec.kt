@@ -22,6 +22,12 @@ import kotlin.io.path.writeText
 /** A log that is followed while a robot writes it. */
 @Tags("InCheck")
 internal class LiveSpec : RunningLogSpec({
+    /** Waits until all rows of [robot] are shown. */
+    fun OpenPage.awaitRows(robot: WritingRobot) {
+        await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
+        awaitReady()
+    }
+
     browserTest("a growing log is followed at its newest moment until the reader goes elsewhere in it; Live follows it again") {
         onRunningLog("follow", screen = Screen.PHONE) { robot ->
             visibleRange.endInclusive shouldBe (9.98 plusOrMinus 0.02)
@@ -82,56 +88,91 @@ internal class LiveSpec : RunningLogSpec({
         }
     }
 
-    browserTest("another mouse button, or a press that ends outside the window, does not delay new rows") {
-        onFollowedLog("menu") { robot ->
-            fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
-            pressed(button = 2)
-            robot.write(50)
-            await("11 s") { visibleRange.endInclusive > 10.9 }
-            awaitReady()
-            for (end in listOf("document.querySelector('.page-title').dispatchEvent(new MouseEvent('contextmenu', {bubbles: true}))", "window.dispatchEvent(new Event('blur'))")) {
-                pressed(button = 0)
-                script(end)
-                val before = visibleRange.endInclusive
+    browserTest("a reader of a growing log is not interrupted by buttons, keys, gaps and findings") {
+        onFollowedLog("reader") { robot ->
+            step("another mouse button, or a press that ends outside the window, does not delay new rows") {
+                fun pressed(button: Int) = script("document.querySelector('.page-title').dispatchEvent(new PointerEvent('pointerdown', {bubbles: true, button: $button}))")
+                pressed(button = 2)
                 robot.write(50)
-                await("another second") { visibleRange.endInclusive > before + 0.9 }
-                awaitReady()
-            }
-            isLive() shouldBe true
-        }
-    }
-
-    browserTest("a growing log does not interrupt a reader who begins a formula or opens the help") {
-        onRunningLog("begun") { robot ->
-            // Rows written meanwhile recreate the page, with other buttons.
-            fun follow() {
-                element("#live").click()
-                await("all rows") { visibleRange.endInclusive > robot.rows / 50.0 - 0.1 }
-                awaitReady()
-            }
-            for (begin in listOf("#add-formula", "#help-button")) {
-                follow()
+                awaitRows(robot)
+                for (end in listOf("document.querySelector('.page-title').dispatchEvent(new MouseEvent('contextmenu', {bubbles: true}))", "window.dispatchEvent(new Event('blur'))")) {
+                    pressed(button = 0)
+                    script(end)
+                    robot.write(50)
+                    awaitRows(robot)
+                }
                 isLive() shouldBe true
-                element(begin).click()
-                isLive() shouldBe false
-                robot.write(50)
-                settle()
-                elements("dialog[open]").size shouldBe 1
-                press(Keys.ESCAPE)
-                settle()
             }
-            follow()
-            press("f")
-            robot.write(50)
-            await("a pause") { !isLive() }
-            elements("dialog[open]").size shouldBe 1
+            step("following survives a gap of a second in the Wi-Fi") {
+                val lost = "Promise.reject(new TypeError('Failed to fetch'))"
+                script("const real = fetch; let left = 3; window.fetch = (...asked) => left-- > 0 ? $lost : real(...asked)")
+                robot.write(250)
+                awaitRows(robot)
+                isLive() shouldBe true
+            }
+            step("a slow click on Live stops it while the log grows") {
+                val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
+                script("const set = setTimeout; window.looks = 0; window.setTimeout = (work, delay, ...more) => { if (delay === 10) looks++; return set(work, delay, ...more) }")
+                act { mouseTo(x, y).mouseDown() }
+                robot.write(250)
+                await("what is new to be held up") { number("return looks") > 3 }
+                settle()
+                act { mouseUp() }
+                isLive() shouldBe false
+            }
+            step("a growing log does not interrupt a reader who begins a formula or opens the help") {
+                // Rows written meanwhile recreate the page, with other buttons.
+                fun follow() {
+                    element("#live").click()
+                    awaitRows(robot)
+                }
+                for (begin in listOf("#add-formula", "#help-button")) {
+                    follow()
+                    isLive() shouldBe true
+                    element(begin).click()
+                    isLive() shouldBe false
+                    robot.write(50)
+                    settle()
+                    elements("dialog[open]").size shouldBe 1
+                    press(Keys.ESCAPE)
+                    settle()
+                }
+                follow()
+                press("f")
+                robot.write(50)
+                await("a pause") { !isLive() }
+                elements("dialog[open]").size shouldBe 1
+            }
+            press(Keys.ESCAPE)
+            step("findings in a followed log appear as they happen, and the board stays") {
+                (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
+                script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
+                settle()
+                texts("#board .graph-title") shouldBe listOf("Battery Voltage")
+                element("#live").click()
+                robot.volts = 6.1
+                robot.write(100)
+                await("the finding") { texts(".findings-list").any { "Low battery" in it } || texts(".incidents").any { "Low battery" in it } }
+                // It stays while the page follows.
+                repeat(5) {
+                    robot.write(20)
+                    settle()
+                    (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
+                    texts("#board .graph-title") shouldBe listOf("Battery Voltage")
+                }
+                (visibleRange.endInclusive > 10.0) shouldBe true
+            }
         }
     }
 
-    browserTest("a row that arrives in parts is shown once it is complete, so that 12.4 is never read as 1") {
+    browserTest("a log is followed wherever its parts end: a row is shown once it is complete, so that 12.4 is never read as 1") {
         // In a table whose x axis is the row number, the last row needs no line end.
         val file = logs("parts") / "running.csv"
         file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
+        val binary = file.resolveSibling("binary.dslog")
+        val bytes = TestDslog().records(750).bytes
+        val written = TestDslog().records(500).bytes.size
+        binary.writeBytes(bytes.copyOf(written))
         onLogIn(file.parent) {
             element("#live").click()
             for (part in listOf("10,", "12", ".4")) {
@@ -145,55 +186,42 @@ internal class LiveSpec : RunningLogSpec({
             awaitReady()
             graph("Volts").value("Volts") shouldBe "12.4"
             isLive() shouldBe true
-        }
-    }
-
-    browserTest("a binary log is followed wherever its parts end") {
-        val file = logs("binary") / "running.dslog"
-        val bytes = TestDslog().records(750).bytes
-        val written = TestDslog().records(500).bytes.size
-        file.writeBytes(bytes.copyOf(written))
-        onLogIn(file.parent) {
+            click("#go-back")
+            openRunning("binary")
             val end = visibleRange.endInclusive
             element("#live").click()
-            file.appendBytes(bytes.copyOfRange(written, bytes.size))
+            binary.appendBytes(bytes.copyOfRange(written, bytes.size))
             await("5 s more") { visibleRange.endInclusive > end + 4.9 }
             isLive() shouldBe true
         }
     }
 
-    browserTest("a slow click on Live stops it while the log grows") {
-        onFollowedLog("click") { robot ->
-            awaitReady()
-            val (x, y) = element("#live").rect.let { it.x + it.width / 2 to it.y + it.height / 2 }
-            script("const set = setTimeout; window.looks = 0; window.setTimeout = (work, delay, ...more) => { if (delay === 10) looks++; return set(work, delay, ...more) }")
-            act { mouseTo(x, y).mouseDown() }
-            robot.write(250)
-            await("what is new to be held up") { number("return looks") > 3 }
-            settle()
-            act { mouseUp() }
-            isLive() shouldBe false
-        }
-    }
-
-    browserTest("findings in a followed log appear as they happen, and the board stays") {
-        onRunningLog("rules") { robot ->
-            (texts(".findings-list") + texts(".incidents")).any { "Low battery" in it } shouldBe false
-            script("arguments[0].querySelector('.pin').click()", graph("Battery Voltage").card)
-            settle()
-            texts("#board .graph-title") shouldBe listOf("Battery Voltage")
-            element("#live").click()
-            robot.volts = 6.1
-            robot.write(100)
-            await("the finding") { texts(".findings-list").any { "Low battery" in it } || texts(".incidents").any { "Low battery" in it } }
-            // It stays while the page follows.
-            repeat(5) {
-                robot.write(20)
-                settle()
-                (texts(".findings-list") + texts(".incidents")).joinToString() shouldContain "Low battery"
-                texts("#board .graph-title") shouldBe listOf("Battery Voltage")
+    browserTest("Live reports when it is too far behind an enabled robot, and ends on the field with the reason on the button") {
+        val options = LogServerOptions()
+        onRunningLog("behind", options, says = listOf("ERR_")) { robot ->
+            step("Live reports when it is too far behind an enabled robot, and continues at the newest moment once the robot is disabled") {
+                options.isEnabled = BooleanSupplier { true }
+                robot.write(5000)
+                element("#live").click()
+                await("the reason") { "Live is more than a megabyte behind" in texts("#live").single() }
+                isLive() shouldBe false
+                options.isEnabled = BooleanSupplier { false }
+                element("#live").click()
+                // The earlier problem is no longer shown.
+                texts("#live") shouldBe listOf("Live")
+                await("110 s") { visibleRange.endInclusive > 109.9 }
+                isLive() shouldBe true
             }
-            (visibleRange.endInclusive > 10.0) shouldBe true
+            step("following continues while the robot is enabled, and ends on the field with the reason on the button") {
+                // The log of an enabled robot is sent if it was written in the last ten seconds.
+                robot.write(1)
+                options.isEnabled = BooleanSupplier { true }
+                robot.write(249)
+                awaitRows(robot)
+                options.isFieldAttached = BooleanSupplier { true }
+                await("the reason") { "connected to the field" in texts("#live").single() }
+                isLive() shouldBe false
+            }
         }
     }
 
@@ -211,48 +239,6 @@ internal class LiveSpec : RunningLogSpec({
                 element("#live").click()
                 isLive() shouldBe false
             }
-        }
-    }
-
-    browserTest("following continues while the robot is enabled, and ends on the field with the reason on the button") {
-        val options = LogServerOptions()
-        onFollowedLog("end", options, says = listOf("ERR_")) { robot ->
-            // The log of an enabled robot is sent if it was written in the last ten seconds.
-            robot.write(1)
-            options.isEnabled = BooleanSupplier { true }
-            robot.write(249)
-            await("15 s") { visibleRange.endInclusive > 14.9 }
-            awaitReady()
-            options.isFieldAttached = BooleanSupplier { true }
-            await("the reason") { "connected to the field" in texts("#live").single() }
-            isLive() shouldBe false
-        }
-    }
-
-    browserTest("Live reports when it is too far behind an enabled robot, and continues at the newest moment once the robot is disabled") {
-        val options = LogServerOptions()
-        onRunningLog("behind", options) { robot ->
-            options.isEnabled = BooleanSupplier { true }
-            robot.write(5000)
-            element("#live").click()
-            await("the reason") { "Live is more than a megabyte behind" in texts("#live").single() }
-            isLive() shouldBe false
-            options.isEnabled = BooleanSupplier { false }
-            element("#live").click()
-            // The earlier problem is no longer shown.
-            texts("#live") shouldBe listOf("Live")
-            await("110 s") { visibleRange.endInclusive > 109.9 }
-            isLive() shouldBe true
-        }
-    }
-
-    browserTest("following survives a gap of a second in the Wi-Fi") {
-        onFollowedLog("gap") { robot ->
-            val lost = "Promise.reject(new TypeError('Failed to fetch'))"
-            script("const real = fetch; let left = 3; window.fetch = (...asked) => left-- > 0 ? $lost : real(...asked)")
-            robot.write(250)
-            await("15 s") { visibleRange.endInclusive > 14.9 }
-            isLive() shouldBe true
         }
     }
 

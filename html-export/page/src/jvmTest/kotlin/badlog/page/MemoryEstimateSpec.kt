@@ -51,34 +51,37 @@ internal class MemoryEstimateSpec : PageSpec({
 
     fun OpenPage.choose(file: Path) = element("input[type=file]").sendKeys("$file")
 
-    for ((name, file) in listOf("bag" to { bag }, "WPILOG" to { wpilog })) {
-        browserTest("before a $name that is too large for the device, the page asks, and offers only the topics that rules use") {
+    browserTest("before a log that is too large for the device, the page asks, and offers only the topics that rules use") {
+        step("a device of 256 MB") {
             onPage(page, state = "empty", script = device("0.25")) {
-                choose(file())
-                awaitState("failed")
-                text shouldMatch Regex("(?s).*large.* needs about \\d+ MB of memory.*")
-                keepScreenshot("large-log-asks")
-                click("#open-few")
-                awaitState("ready")
-                text shouldContain "Battery Voltage"
-                text shouldContain "Low battery"
-                text shouldNotContain "Joint"
-                click("#go-back")
-                awaitState("empty")
-                choose(file())
-                awaitState("failed")
-                click("#open-all")
-                awaitState("ready")
-                text shouldContain "40 topics"
+                for (file in listOf(bag, wpilog)) step("${file.fileName}") {
+                    choose(file)
+                    awaitState("failed")
+                    text shouldMatch Regex("(?s).*large.* needs about \\d+ MB of memory.*")
+                    keepScreenshot("large-log-asks")
+                    click("#open-few")
+                    awaitState("ready")
+                    text shouldContain "Battery Voltage"
+                    text shouldContain "Low battery"
+                    text shouldNotContain "Joint"
+                    click("#go-back")
+                    awaitState("empty")
+                    choose(file)
+                    awaitState("failed")
+                    click("#open-all")
+                    awaitState("ready")
+                    text shouldContain "40 topics"
+                    click("#go-back")
+                    awaitState("empty")
+                }
             }
         }
-    }
-
-    browserTest("a device with enough memory opens the same log without a question") {
-        onPage(page, state = "empty", script = device("8")) {
-            choose(bag)
-            awaitState("ready")
-            elements("#open-few").size shouldBe 0
+        step("a device with enough memory opens the same log without a question") {
+            onPage(page, state = "empty", script = device("8")) {
+                choose(bag)
+                awaitState("ready")
+                elements("#open-few").size shouldBe 0
+            }
         }
     }
 })

@@ -31,54 +31,60 @@ internal class ModulesPanelSpec : PageSpec({
 
     fun OpenPage.picture() = script("return document.querySelector('#modules canvas').toDataURL()") as String
 
-    browserTest("W opens the modules with the worst module and a link to its largest error, and the picture follows the cursor") {
+    browserTest("the modules are opened by key, button and link, follow cursor and range, and fit a phone") {
         onPage(page) {
+            step("W opens the modules with the worst module and a link to its largest error, and the picture follows the cursor") {
+                press("w")
+                await("the errors") { texts(".module-error").size == 4 }
+                element(".modules-worst").text shouldBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
+                texts(".module-error b") shouldBe List(4) { "Module $it" }
+                val before = picture()
+                elements(".module-error")[1].findElement(By.tagName("button")).click()
+                settle()
+                element(".cursor-readout").text shouldStartWith "3.00"
+                picture() shouldNotBe before
+                keepScreenshot("modules")
+                press("w")
+                element("#modules").isDisplayed shouldBe false
+            }
+            step("the errors are those in the visible range, and the values at the cursor replace the modules") {
+                click("#modules-button")
+                graph("Measured[0]/speed").drag(0.25, 0.4)
+                await("the errors of the range") { element(".modules-worst").text.let { it.isNotEmpty() && it != "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°." } }
+                press("v")
+                element("#modules").isDisplayed shouldBe false
+                element("#cursor-values").isDisplayed shouldBe true
+                press("w")
+                element("#modules").isDisplayed shouldBe true
+                element("#cursor-values").isDisplayed shouldBe false
+            }
+            click("#reset")
+            step("moving the cursor does not change the list, a resized picture is redrawn, and links open the modules") {
+                script("location.hash = '#open=modules'")
+                await("the errors") { texts(".module-error").size == 4 }
+                element("#modules").isDisplayed shouldBe true
+                element("#modules canvas").getAttribute("role") shouldBe "img"
+                element("#modules canvas").getAttribute("aria-label") shouldBe "Modules at the cursor"
+                script("document.querySelector('.module-error').dataset.mark = 'same'")
+                val before = picture()
+                graph("Measured[0]/speed").click(0.7)
+                settle()
+                picture() shouldNotBe before
+                script("return document.querySelector('.module-error').dataset.mark") shouldBe "same"
+                script("document.querySelector('#modules').style.width = '240px'")
+                val isWhole = "return Number(document.querySelector('#modules canvas').clientWidth < 240 && " +
+                    "Math.abs(document.querySelector('#modules canvas').width / devicePixelRatio - document.querySelector('#modules canvas').clientWidth) < 1)"
+                await("the picture in its new size") { script(isWhole) == 1L }
+            }
+            script("document.querySelector('#modules').style.width = ''")
             press("w")
-            await("the errors") { texts(".module-error").size == 4 }
-            element(".modules-worst").text shouldBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
-            texts(".module-error b") shouldBe List(4) { "Module $it" }
-            val before = picture()
-            elements(".module-error")[1].findElement(By.tagName("button")).click()
-            settle()
-            element(".cursor-readout").text shouldStartWith "3.00"
-            picture() shouldNotBe before
-            keepScreenshot("modules")
-            press("w")
-            element("#modules").isDisplayed shouldBe false
-        }
-    }
-
-    browserTest("the errors are those in the visible range, and the values at the cursor replace the modules") {
-        onPage(page) {
-            click("#modules-button")
-            graph("Measured[0]/speed").drag(0.25, 0.4)
-            await("the errors of the range") { element(".modules-worst").text.let { it.isNotEmpty() && it != "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°." } }
-            press("v")
-            element("#modules").isDisplayed shouldBe false
-            element("#cursor-values").isDisplayed shouldBe true
-            press("w")
-            element("#modules").isDisplayed shouldBe true
-            element("#cursor-values").isDisplayed shouldBe false
-        }
-    }
-
-    browserTest("moving the cursor does not change the list, a resized picture is redrawn, and links open the modules") {
-        onPage(page) {
-            script("location.hash = '#open=modules'")
-            await("the errors") { texts(".module-error").size == 4 }
-            element("#modules").isDisplayed shouldBe true
-            element("#modules canvas").getAttribute("role") shouldBe "img"
-            element("#modules canvas").getAttribute("aria-label") shouldBe "Modules at the cursor"
-            script("document.querySelector('.module-error').dataset.mark = 'same'")
-            val before = picture()
-            graph("Measured[0]/speed").click(0.7)
-            settle()
-            picture() shouldNotBe before
-            script("return document.querySelector('.module-error').dataset.mark") shouldBe "same"
-            script("document.querySelector('#modules').style.width = '240px'")
-            val isWhole = "return Number(document.querySelector('#modules canvas').clientWidth < 240 && " +
-                "Math.abs(document.querySelector('#modules canvas').width / devicePixelRatio - document.querySelector('#modules canvas').clientWidth) < 1)"
-            await("the picture in its new size") { script(isWhole) == 1L }
+            show(Screen.PHONE)
+            step("on a phone the modules are a sheet over the foot of the page") {
+                click("#modules-button")
+                number("return document.querySelector('#modules').getBoundingClientRect().bottom") shouldBe 844.0
+                number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
+                keepScreenshot("phone-modules")
+            }
         }
     }
 
@@ -88,15 +94,6 @@ internal class ModulesPanelSpec : PageSpec({
             press("w")
             element("#modules").isDisplayed shouldBe false
             texts(".notice").single().startsWith("This log has no swerve modules") shouldBe true
-        }
-    }
-
-    browserTest("on a phone the modules are a sheet over the foot of the page") {
-        onPage(page, Screen.PHONE) {
-            click("#modules-button")
-            number("return document.querySelector('#modules').getBoundingClientRect().bottom") shouldBe 844.0
-            number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
-            keepScreenshot("phone-modules")
         }
     }
 })

@@ -41,151 +41,130 @@ internal class PageLinkSpec : PageSpec({
         settle()
     }
 
-    browserTest("the first graphs drawn after a link are those in it") {
-        onPage(page) {
-            val whatIsDrawn = """
-                const mark = performance.mark
-                performance.mark = name => {
-                    window.first = [...document.querySelectorAll('.graph')].filter(e => e.querySelector('canvas')).map(e => e.dataset.name)
-                    return mark.call(performance, name)
-                }
-            """
-            runFirst(whatIsDrawn)
-            script("location.hash = '#board=Current'")
-            reload()
-            script("return window.first[0]") shouldBe "Current"
-        }
+    fun OpenPage.copied(): String {
+        script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}, configurable: true})")
+        click("#copy-link")
+        await("the notice") { notice() == "Link copied." }
+        return (script("return window.copied") as String).substringAfter('#', "")
     }
 
-    browserTest("a copied link contains moment, range, board and formulas, and shows them on another page") {
-        var link = ""
+    browserTest("a link brings moment, range, board, formulas, search and panels to another page; a layout brings a board") {
         onPage(page) {
-            press("f")
-            press("Power [W] = Voltage * Current", Keys.ENTER)
-            await("the formula’s graph") { "Power" in graphNames }
-            for (name in listOf("Current", "Power")) script("arguments[0].querySelector('.pin').click()", graph(name).card)
-            graph("Current").scrollTo().drag(0.2, 0.6)
-            script("location.hash = '#t=4'")
-            settle()
-            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
-            click("#copy-link")
-            await("the notice") { notice() == "Link copied." }
-            link = "#" + (script("return window.copied") as String).substringAfter('#')
-            link shouldContain "t=4"
-            link shouldContain "x="
-            link shouldContain "board=Current;Power"
-            link shouldContain "f=Power+"
-        }
-        onPage(page) {
-            titles() shouldBe emptyList()
-            script("location.hash = arguments[0]", link)
-            // Formulas may take several slices, and the rest of the link waits for them.
-            await("the board of the link") { titles() == listOf("Current", "Power") }
-            await("its moment") { texts(".cursor-readout").single() == "4.0000 s" }
-            visibleRange.start shouldBe (link.substringAfter("x=").substringBefore(':').toDouble() plusOrMinus 0.001)
-            reload()
-            titles() shouldBe listOf("Current", "Power")
-            val remembered = "return Object.keys(localStorage).filter(key => /:(formulas|board):/.test(key)).map(key => localStorage[key]).join()"
-            script(remembered) shouldBe ""
-            click("#undo")
-            titles() shouldBe emptyList()
-            reload()
-            titles() shouldBe emptyList()
-            // Formulas that use them may be the reader's own by now.
-            script(remembered) as String shouldContain "Power [W] = Voltage * Current"
-        }
-        onPage(page) {
-            script("location.hash = arguments[0]", link)
-            settle()
-            script("history.replaceState(null, '', location.pathname)")
-            reload()
-            graphNames shouldBe listOf("Voltage", "Current")
-        }
-    }
-
-    browserTest("the keyboard stays on the button that copies a link, also where a page may not use the clipboard") {
-        onPage(page) {
-            script("Object.defineProperty(navigator, 'clipboard', {value: null})")
-            click("#copy-link")
-            await("the notice") { notice() == "Link copied." || notice() == "Copy the link from the address bar." }
-            script("return document.activeElement.closest('#copy-link') !== null") shouldBe true
-        }
-    }
-
-    browserTest("a link contains the second cursor, the search, the values and the statistics, and is empty for an untouched page") {
-        fun OpenPage.copied(): String {
-            script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}, configurable: true})")
-            click("#copy-link")
-            await("the notice") { notice() == "Link copied." }
-            return (script("return window.copied") as String).substringAfter('#', "")
-        }
-        var link = ""
-        onPage(page) {
-            copied() shouldBe ""
-            script("arguments[0].querySelector('.pin').click()", graph("Current").card)
-            script("location.hash = '#t=4&b=5.5'")
-            settle()
-            press("v")
-            script("document.querySelector('#board .statistics-toggle').click()")
-            script("const box = document.querySelector('#search'); box.value = 'curr'; box.dispatchEvent(new Event('input'))")
-            settle()
-            link = copied()
-        }
-        link shouldBe "t=4&b=5.5&board=Current&q=curr&open=values;1"
-        onPage(page) {
-            script("localStorage.clear()")
-            script("location.hash = arguments[0]", "#$link")
-            settle()
-            script("return document.querySelector('#search').value") shouldBe "curr"
-            script("return document.querySelector('#cursor-values').hidden") shouldBe false
-            script("return document.querySelector('#board .statistics-toggle').getAttribute('aria-expanded')") shouldBe "true"
-            copied() shouldBe link
-        }
-    }
-
-    browserTest("a damaged link is reported without further effect; a link of another log lists the missing topics") {
-        onPage(page) {
-            script("location.hash = '#t=3&board=~12'")
-            await("the notice") { notice().isNotEmpty() }
-            notice() shouldBe "This link’s board is damaged; copy the link again."
-            await("its moment") { texts(".cursor-readout").single() == "3.000 s" }
-            script("location.hash = '#board=Voltage;Nothing'")
-            await("the notice") { "Nothing" in notice() }
-            notice() shouldBe "1 graph hidden: topics not in this log (“Nothing”)."
-            titles() shouldBe listOf("Voltage")
-        }
-    }
-
-    browserTest("a formula of a link is skipped with a notice if its name is in use") {
-        onPage(page) {
-            press("f")
-            press("Power [W] = Voltage * Current", Keys.ENTER)
-            await("the formula’s graph") { "Power" in graphNames }
-            script("location.hash = '#f=' + 'Power = Voltage * 2'.replaceAll(' ', '+').replace('=', '~003d').replace('*', '~002a')")
-            await("the notice") { notice().isNotEmpty() }
-            notice() shouldContain "Skipped “Power = Voltage * 2”"
-            script("location.hash = '#f=' + 'Power [W] = Voltage * Current'.replaceAll(' ', '+').replace('=', '~003d')")
-            settle()
-            graphNames.count { it == "Power" } shouldBe 1
-        }
-    }
-
-    browserTest("a layout is saved, and applied when it is dropped on the page") {
-        var layout = ""
-        onPage(page) {
-            script("arguments[0].querySelector('.pin').click()", graph("Current").card)
-            settle()
-            val file = Chromium.downloads.resolve("test.bag.badlog-layout.json")
-            file.deleteIfExists()
-            click("#download-layout")
-            await("the download") { file.exists() && !Path.of("$file.crdownload").exists() }
-            layout = Files.readString(file)
-        }
-        onPage(page) {
-            drop("photo.json", "{}", says = "photo.json is not a layout, or is damaged; select a file that badlog has saved.")
-            titles() shouldBe emptyList()
-            drop("mine.badlog-layout.json", layout, says = "Opened the layout.")
-            titles() shouldBe listOf("Current")
+            step("a copied link contains moment, range, board and formulas, and shows them on another page") {
+                press("f")
+                press("Power [W] = Voltage * Current", Keys.ENTER)
+                await("the formula’s graph") { "Power" in graphNames }
+                for (name in listOf("Current", "Power")) script("arguments[0].querySelector('.pin').click()", graph(name).card)
+                graph("Current").scrollTo().drag(0.2, 0.6)
+                script("location.hash = '#t=4'")
+                settle()
+                script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
+                click("#copy-link")
+                await("the notice") { notice() == "Link copied." }
+                val link = "#" + (script("return window.copied") as String).substringAfter('#')
+                link shouldContain "t=4"
+                link shouldContain "x="
+                link shouldContain "board=Current;Power"
+                link shouldContain "f=Power+"
+                startOver()
+                titles() shouldBe emptyList()
+                script("location.hash = arguments[0]", link)
+                // Formulas may take several slices, and the rest of the link waits for them.
+                await("the board of the link") { titles() == listOf("Current", "Power") }
+                await("its moment") { texts(".cursor-readout").single() == "4.0000 s" }
+                visibleRange.start shouldBe (link.substringAfter("x=").substringBefore(':').toDouble() plusOrMinus 0.001)
+                reload()
+                titles() shouldBe listOf("Current", "Power")
+                val remembered = "return Object.keys(localStorage).filter(key => /:(formulas|board):/.test(key)).map(key => localStorage[key]).join()"
+                script(remembered) shouldBe ""
+                click("#undo")
+                titles() shouldBe emptyList()
+                reload()
+                titles() shouldBe emptyList()
+                // Formulas that use them may be the reader's own by now.
+                script(remembered) as String shouldContain "Power [W] = Voltage * Current"
+                startOver()
+                script("location.hash = arguments[0]", link)
+                settle()
+                script("history.replaceState(null, '', location.pathname)")
+                reload()
+                graphNames shouldBe listOf("Voltage", "Current")
+            }
+            startOver()
+            step("a link contains the second cursor, the search, the values and the statistics, and is empty for an untouched page") {
+                copied() shouldBe ""
+                script("arguments[0].querySelector('.pin').click()", graph("Current").card)
+                script("location.hash = '#t=4&b=5.5'")
+                settle()
+                press("v")
+                script("document.querySelector('#board .statistics-toggle').click()")
+                script("const box = document.querySelector('#search'); box.value = 'curr'; box.dispatchEvent(new Event('input'))")
+                settle()
+                val link = copied()
+                link shouldBe "t=4&b=5.5&board=Current&q=curr&open=values;1"
+                startOver()
+                script("location.hash = arguments[0]", "#$link")
+                settle()
+                script("return document.querySelector('#search').value") shouldBe "curr"
+                script("return document.querySelector('#cursor-values').hidden") shouldBe false
+                script("return document.querySelector('#board .statistics-toggle').getAttribute('aria-expanded')") shouldBe "true"
+                copied() shouldBe link
+            }
+            startOver()
+            step("the keyboard stays on the button that copies a link, also where a page may not use the clipboard") {
+                script("Object.defineProperty(navigator, 'clipboard', {value: null})")
+                click("#copy-link")
+                await("the notice") { notice() == "Link copied." || notice() == "Copy the link from the address bar." }
+                script("return document.activeElement.closest('#copy-link') !== null") shouldBe true
+            }
+            step("a damaged link is reported without further effect; a link of another log lists the missing topics") {
+                script("location.hash = '#t=3&board=~12'")
+                await("the notice") { notice() == "This link’s board is damaged; copy the link again." }
+                await("its moment") { texts(".cursor-readout").single() == "3.000 s" }
+                script("location.hash = '#board=Voltage;Nothing'")
+                await("the notice") { "Nothing" in notice() }
+                notice() shouldBe "1 graph hidden: topics not in this log (“Nothing”)."
+                titles() shouldBe listOf("Voltage")
+            }
+            step("a formula of a link is skipped with a notice if its name is in use") {
+                press("f")
+                press("Power [W] = Voltage * Current", Keys.ENTER)
+                await("the formula’s graph") { "Power" in graphNames }
+                script("location.hash = '#f=' + 'Power = Voltage * 2'.replaceAll(' ', '+').replace('=', '~003d').replace('*', '~002a')")
+                await("the notice") { "Skipped “Power = Voltage * 2”" in notice() }
+                script("location.hash = '#f=' + 'Power [W] = Voltage * Current'.replaceAll(' ', '+').replace('=', '~003d')")
+                settle()
+                graphNames.count { it == "Power" } shouldBe 1
+            }
+            startOver()
+            step("a layout is saved, and applied when it is dropped on the page") {
+                script("arguments[0].querySelector('.pin').click()", graph("Current").card)
+                settle()
+                val file = Chromium.downloads.resolve("test.bag.badlog-layout.json")
+                file.deleteIfExists()
+                click("#download-layout")
+                await("the download") { file.exists() && !Path.of("$file.crdownload").exists() }
+                val layout = Files.readString(file)
+                startOver()
+                drop("photo.json", "{}", says = "photo.json is not a layout, or is damaged; select a file that badlog has saved.")
+                titles() shouldBe emptyList()
+                drop("mine.badlog-layout.json", layout, says = "Opened the layout.")
+                titles() shouldBe listOf("Current")
+            }
+            startOver()
+            step("the first graphs drawn after a link are those in it") {
+                val whatIsDrawn = """
+                    const mark = performance.mark
+                    performance.mark = name => {
+                        window.first = [...document.querySelectorAll('.graph')].filter(e => e.querySelector('canvas')).map(e => e.dataset.name)
+                        return mark.call(performance, name)
+                    }
+                """
+                runFirst(whatIsDrawn)
+                script("location.hash = '#board=Current'")
+                reload()
+                script("return window.first[0]") shouldBe "Current"
+            }
         }
     }
 

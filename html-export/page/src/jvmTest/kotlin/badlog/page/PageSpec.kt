@@ -15,6 +15,15 @@ internal abstract class PageSpec(body: PageSpec.() -> Unit) : FunSpec() {
         test(name).config(enabledOrReasonIf = { Chromium.enabled }) { test() }
     }
 
+    /** Runs [test], a part of a test that shows [what]. A failure names it, because a test may have many steps. */
+    fun step(what: String, test: () -> Unit) {
+        try {
+            test()
+        } catch (e: Throwable) {
+            throw AssertionError("Step “$what”: ${e.message}", e)
+        }
+    }
+
     /**
      * Opens [page] on its own [screen], waits for its state, and runs [test]. Every page must write nothing to the console and request
      * nothing from the network.

@@ -21,151 +21,146 @@ import javax.imageio.ImageIO
 internal class PathSpec : PageSpec({
     val page by lazy { TestPages.ofSample("wrong-turn.bag") }
 
-    browserTest("a log with poses begins with its path, driven and planned, and the robot at the cursor") {
-        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
-            onPage(page, screen) {
-                texts("#board .graph-title") shouldContainExactly listOf("Path")
-                texts("#board .legend-name") shouldContainExactly listOf("Drive/Pose", "Target Pose", "Vision/Pose")
-                for (line in 0..2) pathPixels(line) shouldBeGreaterThan 60
-                pathPixels(0, layer = 1) shouldBe 0
-                hoverPath(0.47, 0.45)
-                pathValues()[0] shouldContain "m · "
-                pathPixels(0, layer = 1) shouldBeGreaterThan 60
-                keepScreenshot("path-${screen.width}")
-            }
-        }
-    }
-
-    browserTest("Escape cancels a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
+    browserTest("a path is drawn with the robot at the cursor, zoomed, pinned, compared at two places, hidden and linked") {
         onPage(page) {
-            val (x, y, width, height) = pathBox()
-            fun picture() = script("return document.querySelector('.xy').toDataURL()")
-            fun pictures() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
-            val untouched = pictures()
-            // A drag draws a frame; with Shift, it moves the plane.
-            for (key in listOf("", Keys.SHIFT)) {
-                act {
-                    if (key.isNotEmpty()) keyDown(key)
-                    mouseTo((x + width * 0.3).toInt(), (y + height * 0.3).toInt()).mouseDown()
-                    mouseTo((x + width * 0.6).toInt(), (y + height * 0.6).toInt())
-                    sendKeys(Keys.ESCAPE).mouseTo((x + width * 0.99).toInt(), (y + height * 0.99).toInt()).mouseUp()
-                    if (key.isNotEmpty()) keyUp(key)
-                    this
+            step("a log with poses begins with its path, driven and planned, and the robot at the cursor") {
+                for (screen in listOf(Screen.PHONE, Screen.WIDE)) {
+                    show(screen)
+                    texts("#board .graph-title") shouldContainExactly listOf("Path")
+                    texts("#board .legend-name") shouldContainExactly listOf("Drive/Pose", "Target Pose", "Vision/Pose")
+                    for (line in 0..2) pathPixels(line) shouldBeGreaterThan 60
+                    pathPixels(0, layer = 1) shouldBe 0
+                    hoverPath(0.47, 0.45)
+                    pathValues()[0] shouldContain "m · "
+                    pathPixels(0, layer = 1) shouldBeGreaterThan 60
+                    keepScreenshot("path-${screen.width}")
+                    act { mouseTo(3, 3) }
+                    press(Keys.ESCAPE, Keys.ESCAPE)
                 }
-                act { mouseTo(3, 3) }
-                pictures() shouldBe untouched
             }
-            hoverPath(0.47, 0.45)
-            act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
-            elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
-            val before = picture()
-            script(
-                "const at = {clientX: arguments[0], clientY: arguments[1]};" +
-                    "document.querySelectorAll('.xy')[1].dispatchEvent(new WheelEvent('wheel', {deltaY: -60, ctrlKey: true, ...at}))",
-                x + width / 2,
-                y + height / 2,
-            )
-            settle()
-            picture() shouldNotBe before
-            doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
-            picture() shouldBe before
+            step("Escape cancels a drag over a path, a click pins the cursor, the wheel with Ctrl zooms, a double click shows everything") {
+                val (x, y, width, height) = pathBox()
+                fun picture() = script("return document.querySelector('.xy').toDataURL()")
+                fun pictures() = script("return [...document.querySelectorAll('.xy')].map(canvas => canvas.toDataURL())")
+                val untouched = pictures()
+                // A drag draws a frame; with Shift, it moves the plane.
+                for (key in listOf("", Keys.SHIFT)) {
+                    act {
+                        if (key.isNotEmpty()) keyDown(key)
+                        mouseTo((x + width * 0.3).toInt(), (y + height * 0.3).toInt()).mouseDown()
+                        mouseTo((x + width * 0.6).toInt(), (y + height * 0.6).toInt())
+                        sendKeys(Keys.ESCAPE).mouseTo((x + width * 0.99).toInt(), (y + height * 0.99).toInt()).mouseUp()
+                        if (key.isNotEmpty()) keyUp(key)
+                        this
+                    }
+                    act { mouseTo(3, 3) }
+                    pictures() shouldBe untouched
+                }
+                hoverPath(0.47, 0.45)
+                act { mouseTo((x + width * 0.47).toInt(), (y + height * 0.45).toInt()).mouseDown().mouseUp() }
+                elements(".cursor-line.is-pinned").size shouldBeGreaterThan 0
+                val before = picture()
+                script(
+                    "const at = {clientX: arguments[0], clientY: arguments[1]};" +
+                        "document.querySelectorAll('.xy')[1].dispatchEvent(new WheelEvent('wheel', {deltaY: -60, ctrlKey: true, ...at}))",
+                    x + width / 2,
+                    y + height / 2,
+                )
+                settle()
+                picture() shouldNotBe before
+                doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
+                picture() shouldBe before
+            }
+            press(Keys.ESCAPE, Keys.ESCAPE, Keys.ESCAPE)
+            step("Shift+click on the path sets the second cursor with a ring, and the legend has both places") {
+                val (x, y, width, height) = pathBox()
+                fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
+                at(0.47).let { (toX, toY) -> act { mouseTo(toX, toY).mouseDown().mouseUp() } }
+                val one = pathPixels(0, layer = 1)
+                at(0.3).let { (toX, toY) -> act { keyDown(Keys.SHIFT).mouseTo(toX, toY).mouseDown().mouseUp().keyUp(Keys.SHIFT) } }
+                texts(".second-readout").single() shouldContain "B "
+                texts("#board .legend-entry .value").first() shouldContain " → "
+                pathPixels(0, layer = 1) shouldBeGreaterThan one
+            }
+            press(Keys.ESCAPE, Keys.ESCAPE, Keys.ESCAPE)
+            step("a click in the legend hides a trace, which is remembered") {
+                // The wall of the red alliance has nearly the same color.
+                val planned = pathPixels(1)
+                elements("#board .legend-entry")[1].click()
+                settle()
+                pathPixels(1) shouldBeLessThan planned - 150
+                reload()
+                pathPixels(1) shouldBeLessThan planned - 150
+            }
+            step("the visible part of a path and its origin are in the link, and a double click shows everything") {
+                fun picture() = script("return document.querySelector('.xy').toDataURL()")
+                val whole = picture()
+                script("location.hash = '#board=Drive/Pose+X,Drive/Pose+Y,y=3:5,p=,w=2:6'")
+                reload()
+                val zoomed = picture()
+                zoomed shouldNotBe whole
+                click("#board .graph-menu")
+                elements("#board .menu button").first { "Red origin" in it.text }.click()
+                settle()
+                val flipped = picture()
+                flipped shouldNotBe zoomed
+                val (x, y, width, height) = pathBox()
+                doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
+                picture() shouldNotBe flipped
+                keepScreenshot("path-red-origin")
+            }
         }
     }
 
-    browserTest("Shift+click on the path sets the second cursor with a ring, and the legend has both places") {
-        onPage(page) {
-            val (x, y, width, height) = pathBox()
-            fun at(share: Double) = (x + width * share).toInt() to (y + height * 0.45).toInt()
-            at(0.47).let { (toX, toY) -> act { mouseTo(toX, toY).mouseDown().mouseUp() } }
-            val one = pathPixels(0, layer = 1)
-            at(0.3).let { (toX, toY) -> act { keyDown(Keys.SHIFT).mouseTo(toX, toY).mouseDown().mouseUp().keyUp(Keys.SHIFT) } }
-            texts(".second-readout").single() shouldContain "B "
-            texts("#board .legend-entry .value").first() shouldContain " → "
-            pathPixels(0, layer = 1) shouldBeGreaterThan one
+    browserTest("a path over the picture of a field, with states, and two topics over each other") {
+        step("the picture of the field is behind the path, in the size given by its corners") {
+            val picture = ByteArrayOutputStream().also { out ->
+                // Nothing else on the page has this green.
+                val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
+                for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
+                ImageIO.write(image, "png", out)
+            }.toByteArray()
+            val source = "data:image/png;base64," + Base64.getEncoder().encodeToString(picture)
+            val field = "{\"field-image\":\"$source\",\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[200,100]},\"field-size\":[16.5,8],\"field-unit\":\"meter\"}"
+            onPage(TestPages.ofSample("wrong-turn.bag", PageAdditions(field = field))) {
+                fun greenShare() = number(
+                    """
+                    const canvas = document.querySelector('.xy')
+                    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
+                    let green = 0
+                    for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 200 && data[i] < 60 && data[i + 2] < 60) green++
+                    return green / canvas.width / canvas.height
+                    """.trimIndent(),
+                )
+                await("the picture") { greenShare() > 0.4 }
+                keepScreenshot("path-picture")
+            }
         }
-    }
-
-    browserTest("the visible part of a path and its origin are in the link, and a double click shows everything") {
-        onPage(page) {
-            fun picture() = script("return document.querySelector('.xy').toDataURL()")
-            val whole = picture()
-            script("location.hash = '#board=Drive/Pose+X,Drive/Pose+Y,y=3:5,p=,w=2:6'")
-            reload()
-            val zoomed = picture()
-            zoomed shouldNotBe whole
-            click("#board .graph-menu")
-            elements("#board .menu button").first { "Red origin" in it.text }.click()
-            settle()
-            val flipped = picture()
-            flipped shouldNotBe zoomed
-            val (x, y, width, height) = pathBox()
-            doubleClick((x + width * 0.5).toInt(), (y + height * 0.5).toInt())
-            picture() shouldNotBe flipped
-            keepScreenshot("path-red-origin")
+        step("a graph with a path and states draws the path once, and the states as lanes") {
+            val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
+            val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
+            onPage(TestPages.of(log)) {
+                script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
+                reload()
+                texts("#board .graph-title").size shouldBe 2
+                // The cursors have their own canvas.
+                elements("#board .xy").size shouldBe 2
+                elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
+            }
         }
-    }
-
-    browserTest("the picture of the field is behind the path, in the size given by its corners") {
-        val picture = ByteArrayOutputStream().also { out ->
-            // Nothing else on the page has this green.
-            val image = BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB)
-            for (x in 0 until 200) for (y in 0 until 100) image.setRGB(x, y, 0x00FF00)
-            ImageIO.write(image, "png", out)
-        }.toByteArray()
-        val source = "data:image/png;base64," + Base64.getEncoder().encodeToString(picture)
-        val field = "{\"field-image\":\"$source\",\"field-corners\":{\"top-left\":[0,0],\"bottom-right\":[200,100]},\"field-size\":[16.5,8],\"field-unit\":\"meter\"}"
-        onPage(TestPages.ofSample("wrong-turn.bag", PageAdditions(field = field))) {
-            fun greenShare() = number(
-                """
-                const canvas = document.querySelector('.xy')
-                const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data
-                let green = 0
-                for (let i = 0; i < data.length; i += 4) if (data[i + 1] > 200 && data[i] < 60 && data[i + 2] < 60) green++
-                return green / canvas.width / canvas.height
-                """.trimIndent(),
-            )
-            await("the picture") { greenShare() > 0.4 }
-            keepScreenshot("path-picture")
-        }
-    }
-
-    browserTest("a click in the legend hides a trace, which is remembered") {
-        onPage(page) {
-            // The wall of the red alliance has nearly the same color.
-            val planned = pathPixels(1)
-            elements("#board .legend-entry")[1].click()
-            settle()
-            pathPixels(1) shouldBeLessThan planned - 150
-            reload()
-            pathPixels(1) shouldBeLessThan planned - 150
-        }
-    }
-
-    browserTest("a graph with a path and states draws the path once, and the states as lanes") {
-        val topics = listOf(TIME, BagTopic("Pose X", "m"), BagTopic("Pose Y", "m"), BagTopic("Mode"))
-        val log = bagOf(topics, rows = 101) { row, column -> if (column == 3) if (row < 50) "drive" else "climb" else row / 10.0 }
-        onPage(TestPages.of(log)) {
-            script("location.hash = '#board=Pose+X,Pose+Y,Mode,p='")
-            reload()
-            texts("#board .graph-title").size shouldBe 2
-            // The cursors have their own canvas.
-            elements("#board .xy").size shouldBe 2
-            elements("#board [data-kind='states'] .plot-frame").size shouldBe 1
-        }
-    }
-
-    browserTest("the menu draws two topics of the board over each other") {
-        onPage(TestPages.ofSample("qualification-42.bag")) {
-            script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
-            reload()
-            texts("#board .graph-title") shouldContainExactly listOf("Total Current")
-            pathPixels(0) shouldBeGreaterThan 500
-            keepScreenshot("resistance")
-            click("#board .graph-menu")
-            elements("#board .menu button").first { "XY plot" in it.text }.click()
-            settle()
-            elements(".xy").size shouldBe 0
-            number("return document.querySelectorAll('#board canvas').length") shouldBeLessThan 2.5
+        step("the menu draws two topics of the board over each other") {
+            onPage(TestPages.ofSample("qualification-42.bag")) {
+                script("location.hash = '#board=PDP/Total+Current,System/Battery+Voltage,p='")
+                reload()
+                texts("#board .graph-title") shouldContainExactly listOf("Total Current")
+                pathPixels(0) shouldBeGreaterThan 500
+                keepScreenshot("resistance")
+                click("#board .graph-menu")
+                elements("#board .menu button").first { "XY plot" in it.text }.click()
+                settle()
+                elements(".xy").size shouldBe 0
+                number("return document.querySelectorAll('#board canvas').length") shouldBeLessThan 2.5
+            }
         }
     }
 })

@@ -17,28 +17,61 @@ internal class PicturesSpec : PageSpec({
 
     val colors = mapOf("light" to false, "dark" to true)
 
-    browserTest("a match on a wide screen, light and dark") {
+    browserTest("pictures of a match: wide and on a phone, light and dark, zoomed, with cursors, statistics, info, help and searches") {
         onPage(TestPages.ofSample(match)) {
-            for ((color, isDark) in colors) {
-                show(Screen.WIDE.copy(isDark = isDark))
-                script("scrollTo(0, 0)")
-                settle()
-                keepScreenshot("wide-$color")
-                graph("System/Battery Voltage").scrollTo().hover(0.6)
-                keepScreenshot("wide-$color-cursor")
+            step("a match, light and dark, on a wide screen and on a phone") {
+                for ((color, isDark) in colors) {
+                    show(Screen.WIDE.copy(isDark = isDark))
+                    script("scrollTo(0, 0)")
+                    settle()
+                    keepScreenshot("wide-$color")
+                    graph("System/Battery Voltage").scrollTo().hover(0.6)
+                    keepScreenshot("wide-$color-cursor")
+                }
+                for ((color, isDark) in colors) {
+                    show(Screen.PHONE.copy(isDark = isDark))
+                    script("scrollTo(0, 0)")
+                    settle()
+                    keepScreenshot("phone-$color")
+                    graph("System/Battery Voltage").scrollTo()
+                    press(Keys.ARROW_RIGHT)
+                    keepScreenshot("phone-$color-cursor")
+                    click("#values-button")
+                    keepScreenshot("phone-$color-values")
+                    click("#values-button")
+                }
+                show(Screen.WIDE)
             }
-        }
-    }
-
-    for ((color, isDark) in colors) {
-        browserTest("a match on a phone, $color") {
-            onPage(TestPages.ofSample(match), Screen.PHONE.copy(isDark = isDark)) {
-                keepScreenshot("phone-$color")
-                graph("System/Battery Voltage").scrollTo()
-                press(Keys.ARROW_RIGHT)
-                keepScreenshot("phone-$color-cursor")
-                click("#values-button")
-                keepScreenshot("phone-$color-values")
+            step("the statistics and the info, the help, a search, and a search without matches") {
+                val graph = graph("System/Battery Voltage").scrollTo()
+                script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)
+                keepScreenshot("statistics")
+                script("window.scrollTo(0, 1e6)")
+                settle()
+                keepScreenshot("info")
+                script("window.scrollTo(0, 0)")
+                press("?")
+                keepScreenshot("help")
+                press(Keys.ESCAPE)
+                press("/")
+                press("current")
+                keepScreenshot("search")
+                press("xyz")
+                keepScreenshot("search-nothing")
+            }
+            press(Keys.ESCAPE)
+            script("document.activeElement.blur()")
+            step("the brownout, zoomed in") {
+                graph("System/Battery Voltage").scrollTo().drag(0.56, 0.66)
+                graph("System/Battery Voltage").hover(0.4)
+                keepScreenshot("zoomed")
+                graph("Drivetrain/Velocities").scrollTo()
+                keepScreenshot("zoomed-drivetrain")
+                press("v")
+                graph("System/Battery Voltage").scrollTo().click(0.3)
+                graph("System/Battery Voltage").click(0.7, withShift = true)
+                graph("System/Battery Voltage").hover(0.5)
+                keepScreenshot("cursors")
             }
         }
     }
@@ -61,11 +94,14 @@ internal class PicturesSpec : PageSpec({
         TestPages.ofSample(match, PageAdditions(formulas, findings = findings, hooks = listOf(hook, HookPart("slow.R", "it took longer than 30 s"))))
     }
 
-    for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
-        for (isDark in listOf(false, true)) {
-            val name = (if (screen.isPhone) "phone" else "wide") + if (isDark) "-dark" else "-light"
-            browserTest("findings, a formula and a hook's section, $name") {
-                onPage(additions, screen.copy(isDark = isDark)) {
+    browserTest("findings, a formula and a hook's section, wide and on a phone, light and dark, and a file that was cut by a loss of power") {
+        onPage(additions) {
+            for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
+                for ((color, isDark) in colors) {
+                    val name = (if (screen.isPhone) "phone-" else "wide-") + color
+                    show(screen.copy(isDark = isDark))
+                    script("scrollTo(0, 0)")
+                    settle()
                     keepScreenshot("findings-$name")
                     press("n", "n")
                     keepScreenshot("finding-$name")
@@ -74,47 +110,11 @@ internal class PicturesSpec : PageSpec({
                     press("f")
                     press("Mean = (left velocity + righ")
                     keepScreenshot("formula-$name")
+                    press(Keys.ESCAPE)
+                    press(Keys.ESCAPE)
                 }
             }
         }
-    }
-
-    browserTest("the brownout, zoomed in") {
-        onPage(TestPages.ofSample(match)) {
-            graph("System/Battery Voltage").scrollTo().drag(0.56, 0.66)
-            graph("System/Battery Voltage").hover(0.4)
-            keepScreenshot("zoomed")
-            graph("Drivetrain/Velocities").scrollTo()
-            keepScreenshot("zoomed-drivetrain")
-            press("v")
-            graph("System/Battery Voltage").scrollTo().click(0.3)
-            graph("System/Battery Voltage").click(0.7, withShift = true)
-            graph("System/Battery Voltage").hover(0.5)
-            keepScreenshot("cursors")
-        }
-    }
-
-    browserTest("a file that was cut by a loss of power") {
         onPage(TestPages.ofSample("practice.bag")) { keepScreenshot("cut") }
-    }
-
-    browserTest("the statistics and the info, the help, a search, and a search without matches") {
-        onPage(TestPages.ofSample(match)) {
-            val graph = graph("System/Battery Voltage").scrollTo()
-            script("arguments[0].querySelector('.statistics-toggle').click()", graph.card)
-            keepScreenshot("statistics")
-            script("window.scrollTo(0, 1e6)")
-            settle()
-            keepScreenshot("info")
-            script("window.scrollTo(0, 0)")
-            press("?")
-            keepScreenshot("help")
-            press(Keys.ESCAPE)
-            press("/")
-            press("current")
-            keepScreenshot("search")
-            press("xyz")
-            keepScreenshot("search-nothing")
-        }
     }
 })

@@ -32,44 +32,48 @@ internal class PrintSpec : PageSpec({
         enabledOrReasonIf = { if (hasPoppler) Chromium.enabled else Enabled.disabled("pdftotext and pdftoppm (poppler-utils) are missing") },
     ) { test() }
 
-    fun OpenPage.awaitRules() = await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
-
-    printTest("findings and the whole board are printed, every graph as wide as the paper and on one page with its axis") {
+    printTest("findings, the board and all graphs are printed, with the part of the log and the values at the cursor") {
         onPage(match, Screen(1366, 768)) {
-            awaitRules()
-            val titles = texts(".board .graph-title")
-            titles.size shouldBeGreaterThan 4
-            val pdf = print()
-            val text = pdf.pages.joinToString("\n")
-            text.indexOf("The roboRIO browned out") shouldBeGreaterThan -1
-            text.indexOf(titles.first(), text.indexOf("Board")) shouldBeGreaterThan text.indexOf("The roboRIO browned out")
-            for (page in pdf.pages) {
-                val graphs = titles.filter { title -> page.lines().any { it.trim().startsWith("$title (") || it.trim() == title } }
-                withClue("$graphs on a page, and the titles of their x axes:\n$page") {
-                    page.lines().count { it.trim() == "Time (s)" } shouldBe graphs.size
+            step("findings and the whole board are printed, every graph as wide as the paper and on one page with its axis") {
+                val titles = texts(".board .graph-title")
+                titles.size shouldBeGreaterThan 4
+                val pdf = print()
+                val text = pdf.pages.joinToString("\n")
+                text.indexOf("The roboRIO browned out") shouldBeGreaterThan -1
+                text.indexOf(titles.first(), text.indexOf("Board")) shouldBeGreaterThan text.indexOf("The roboRIO browned out")
+                for (page in pdf.pages) {
+                    val graphs = titles.filter { title -> page.lines().any { it.trim().startsWith("$title (") || it.trim() == title } }
+                    withClue("$graphs on a page, and the titles of their x axes:\n$page") {
+                        page.lines().count { it.trim() == "Time (s)" } shouldBe graphs.size
+                    }
                 }
+                titles.filter { title -> pdf.pages.any { title in it } } shouldHaveSize titles.size
+                pdf.pictures.forEach { it.requireMargin() }
+                // The voltage of the first graph goes from the left of the paper to its right.
+                val picture = pdf.pictures[pdf.pages.indexOfFirst { titles.first() in it }]
+                val columns = (0 until picture.width).filter { x -> (0 until picture.height).any { y -> isBlue(picture.getRGB(x, y)) } }
+                columns.size.toDouble() / picture.width shouldBeGreaterThan 0.7
+                columns.last().toDouble() / picture.width shouldBe (0.92 plusOrMinus 0.06)
             }
-            titles.filter { title -> pdf.pages.any { title in it } } shouldHaveSize titles.size
-            pdf.pictures.forEach { it.requireMargin() }
-            // The voltage of the first graph goes from the left of the paper to its right.
-            val picture = pdf.pictures[pdf.pages.indexOfFirst { titles.first() in it }]
-            val columns = (0 until picture.width).filter { x -> (0 until picture.height).any { y -> isBlue(picture.getRGB(x, y)) } }
-            columns.size.toDouble() / picture.width shouldBeGreaterThan 0.7
-            columns.last().toDouble() / picture.width shouldBe (0.92 plusOrMinus 0.06)
-        }
-    }
-
-    printTest("all graphs are printed on request, and only once") {
-        onPage(match, Screen(1366, 768)) {
-            awaitRules()
-            // A test cannot answer the browser's own dialog.
-            script("window.print = () => {}")
-            selectIn("#export", "Print all graphs")
-            val drawn = number("return document.querySelectorAll('.graph').length").toInt()
-            val all = print().pages.joinToString("\n")
-            all.lines().count { it.trim() == "Time (s)" } shouldBe drawn
-            texts(".graph-title").filter { it !in all.replace(Regex("\\s+"), " ") } shouldBe emptyList()
-            print().pages.joinToString("\n").lines().count { it.trim() == "Time (s)" } shouldBe texts(".board .graph-title").size
+            step("all graphs are printed on request, and only once") {
+                // A test cannot answer the browser's own dialog.
+                script("window.print = () => {}")
+                selectIn("#export", "Print all graphs")
+                val drawn = number("return document.querySelectorAll('.graph').length").toInt()
+                val all = print().pages.joinToString("\n")
+                all.lines().count { it.trim() == "Time (s)" } shouldBe drawn
+                texts(".graph-title").filter { it !in all.replace(Regex("\\s+"), " ") } shouldBe emptyList()
+                print().pages.joinToString("\n").lines().count { it.trim() == "Time (s)" } shouldBe texts(".board .graph-title").size
+            }
+            show(Screen.PHONE)
+            step("the printed page names its part of the log, and has the values at the cursor") {
+                script("location.hash = '#t=93.7&x=90:100'")
+                settle()
+                val text = print().pages.joinToString("\n")
+                text shouldContain "qualification-42.bag · 90.000 – 100.000 s · cursor at 93.700 s"
+                text shouldContain "Battery Voltage ${texts(".board .value").first()} V"
+                text shouldNotContain "Reset zoom"
+            }
         }
     }
 
@@ -82,18 +86,6 @@ internal class PrintSpec : PageSpec({
             color("--surface") shouldBe before
             elements(".paper svg, svg.paper").size shouldBe 0
             elements("[data-print]").size shouldBe 0
-        }
-    }
-
-    printTest("the printed page names its part of the log, and has the values at the cursor") {
-        onPage(match, Screen.PHONE) {
-            awaitRules()
-            script("location.hash = '#t=93.7&x=90:100'")
-            settle()
-            val text = print().pages.joinToString("\n")
-            text shouldContain "qualification-42.bag · 90.000 – 100.000 s · cursor at 93.700 s"
-            text shouldContain "Battery Voltage ${texts(".board .value").first()} V"
-            text shouldNotContain "Reset zoom"
         }
     }
 })

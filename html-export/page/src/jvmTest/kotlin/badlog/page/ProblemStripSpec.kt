@@ -11,65 +11,51 @@ import java.nio.file.Files
 
 @Tags("InCheck")
 internal class ProblemStripSpec : PageSpec({
-    browserTest("the losses of a cut bag are listed at once with line and text, counted, and fold by mouse") {
-        onPage(TestPages.ofSample("practice.bag")) {
-            element(".problem-list").isDisplayed shouldBe true
-            elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll listOf("NUL_HOLE", "ROW_CUT")
-            val lastLine = Files.readAllBytes(SAMPLES.resolve("practice.bag")).count { it == '\n'.code.toByte() } + 1
-            val cut = elements(".problem[data-kind='ROW_CUT']").map { it.text }
-            cut.forAtLeastOne { it shouldContain "line $lastLine" }
-            cut.forAtLeastOne { it shouldContain "45.382" }
-            element("#problems").getDomAttribute("data-errors")!!.toInt() shouldBe
-                texts(".problem .severity").count { it == "lost" }
-            click(".problems-toggle")
-            element(".problem-list").isDisplayed shouldBe false
-            click(".problems-toggle")
-            element(".problem-list").isDisplayed shouldBe true
+    browserTest("what a file has lost is listed, also on paper, and hints are quiet") {
+        step("the losses of a cut bag are listed at once with line and text, counted, and fold by mouse") {
+            onPage(TestPages.ofSample("practice.bag")) {
+                element(".problem-list").isDisplayed shouldBe true
+                elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll listOf("NUL_HOLE", "ROW_CUT")
+                val lastLine = Files.readAllBytes(SAMPLES.resolve("practice.bag")).count { it == '\n'.code.toByte() } + 1
+                val cut = elements(".problem[data-kind='ROW_CUT']").map { it.text }
+                cut.forAtLeastOne { it shouldContain "line $lastLine" }
+                cut.forAtLeastOne { it shouldContain "45.382" }
+                element("#problems").getDomAttribute("data-errors")!!.toInt() shouldBe
+                    texts(".problem .severity").count { it == "lost" }
+                click(".problems-toggle")
+                element(".problem-list").isDisplayed shouldBe false
+                click(".problems-toggle")
+                element(".problem-list").isDisplayed shouldBe true
+            }
         }
-    }
-
-    browserTest("a cut gzip file is reported, and its cut last row") {
-        onPage(TestPages.ofSample("qualification-57.bag.gz")) {
-            element(".problem-list").isDisplayed shouldBe true
-            elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll
-                listOf("GZIP_CUT", "ROW_CUT")
-            texts(".problem[data-kind='GZIP_CUT']").single() shouldContain "bytes before that were read"
+        step("the problems that a phone folds are listed on paper, and folded again afterwards") {
+            onPage(TestPages.ofSample("practice.bag"), Screen.PHONE) {
+                val isListed = { element(".problem-list").isDisplayed }
+                isListed() shouldBe false
+                script("dispatchEvent(new Event('beforeprint'))")
+                isListed() shouldBe true
+                texts(".problem").forAtLeastOne { it shouldContain "45.382" }
+                script("dispatchEvent(new Event('afterprint'))")
+                isListed() shouldBe false
+                click(".problems-toggle")
+                for (type in listOf("beforeprint", "afterprint")) script("dispatchEvent(new Event('$type'))")
+                isListed() shouldBe true
+            }
         }
-    }
-
-    browserTest("the problems that a phone folds are listed on paper, and folded again afterwards") {
-        onPage(TestPages.ofSample("practice.bag"), Screen.PHONE) {
-            val isListed = { element(".problem-list").isDisplayed }
-            isListed() shouldBe false
-            script("dispatchEvent(new Event('beforeprint'))")
-            isListed() shouldBe true
-            texts(".problem").forAtLeastOne { it shouldContain "45.382" }
-            script("dispatchEvent(new Event('afterprint'))")
-            isListed() shouldBe false
-            click(".problems-toggle")
-            for (type in listOf("beforeprint", "afterprint")) script("dispatchEvent(new Event('$type'))")
-            isListed() shouldBe true
+        step("a phone lists the mistake in a page's formula at once, unless the file's losses would be listed with it") {
+            val wrong = PageAdditions(listOf("Bad ="))
+            for ((page, isListed) in listOf(TestPages.of(stepBag(graphs = 1), additions = wrong) to true, TestPages.ofSample("practice.bag", wrong) to false)) {
+                onPage(page, Screen.PHONE) { element(".problem-list").isDisplayed shouldBe isListed }
+            }
         }
-    }
-
-    browserTest("a phone lists the mistake in a page's formula at once, unless the file's losses would be listed with it") {
-        val wrong = PageAdditions(listOf("Bad ="))
-        for ((page, isListed) in listOf(TestPages.of(stepBag(graphs = 1), additions = wrong) to true, TestPages.ofSample("practice.bag", wrong) to false)) {
-            onPage(page, Screen.PHONE) { element(".problem-list").isDisplayed shouldBe isListed }
+        step("hints alone are one quiet line") {
+            onPage(TestPages.of("Time,A\n0,true\n1,false\n\n2,true\n", "hints.csv")) {
+                element("#problems").getDomAttribute("data-errors") shouldBe "0"
+                element("#problems").getDomAttribute("data-warnings") shouldBe "0"
+                element("#problems").text shouldContain "hint"
+                element("#problems").size.height shouldBeLessThan 30
+                element(".problem-list").isDisplayed shouldBe false
+            }
         }
-    }
-
-    browserTest("hints alone are one quiet line") {
-        onPage(TestPages.of("Time,A\n0,true\n1,false\n\n2,true\n", "hints.csv")) {
-            element("#problems").getDomAttribute("data-errors") shouldBe "0"
-            element("#problems").getDomAttribute("data-warnings") shouldBe "0"
-            element("#problems").text shouldContain "hint"
-            element("#problems").size.height shouldBeLessThan 30
-            element(".problem-list").isDisplayed shouldBe false
-        }
-    }
-
-    browserTest("an undamaged bag has no strip") {
-        onPage(TestPages.of(stepBag(graphs = 1))) { element("#problems").isDisplayed shouldBe false }
     }
 })

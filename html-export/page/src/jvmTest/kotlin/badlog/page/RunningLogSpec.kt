@@ -32,9 +32,9 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
         await("the rules") { script("return document.documentElement.dataset.rules ?? null") != null }
     }
 
-    fun OpenPage.openRunning() {
+    fun OpenPage.openRunning(name: String = "running") {
         await("the list") { elements(".log-table").isNotEmpty() }
-        elements("[data-column='FILE'] button").first { "running" in it.text }.click()
+        elements("[data-column='FILE'] button").first { name in it.text }.click()
         awaitReady()
     }
 

@@ -42,57 +42,53 @@ internal class SignalChoiceSpec : PageSpec({
 
     fun OpenPage.rulesFound() = texts(".finding-text, .incident p > span").joinToString("\n")
 
-    browserTest("a topic assigned to the battery is used by the rules, also when the page is opened again, until it is removed") {
+    browserTest("topics are assigned to signals, refused with a reason, removed and saved") {
         onPage(TestPages.of(bag, additions = additions)) {
-            awaitRules()
-            rulesFound() shouldNotContain "The battery voltage dropped"
-            say("battery", "Power/My Volts")
-            awaitRules()
-            rulesFound() shouldContain "The battery voltage dropped to 6 V"
-            texts(".signals-chosen").single() shouldContain "“battery” is “Power/My Volts” in this browser."
-            keepScreenshot("signal-chosen")
-            reload()
-            awaitRules()
-            rulesFound() shouldContain "The battery voltage dropped to 6 V"
-            click(".signals-chosen button")
-            awaitRules()
-            rulesFound() shouldNotContain "The battery voltage dropped"
-            elements(".signals-chosen").isEmpty() shouldBe true
-        }
-    }
-
-    browserTest("the dialog lists the log's topics, and refuses with a reason a topic that cannot be the signal, or is not a topic") {
-        onPage(TestPages.of(bag, additions = additions)) {
-            awaitRules()
-            click(".findings-skipped summary")
-            say("battery", "Arm")
-            texts(".notice p").single() shouldBe "“Arm” cannot be “battery”, which is a number in V; choose another topic."
-            keepScreenshot("signal-refused")
-            elements("datalist option").map { it.getAttribute("value") } shouldContain "Power/My Volts"
-            say("battery", "Volts")
-            texts(".notice p").single() shouldBe "“Volts” is not a topic of this log; choose another one."
-            elements(".signals-chosen").isEmpty() shouldBe true
-        }
-    }
-
-    browserTest("assignments are saved as the file for the folder of logs, and in a copy of the page") {
-        onPage(TestPages.of(bag, additions = additions)) {
-            awaitRules()
-            say("battery", "Power/My Volts")
-            awaitRules()
-            val file = saved("badlog-signals.toml") { click(".signals-saved button") }
-            SignalsFile.parse(file.decodeToString()).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf("Power/My Volts")
-            val copy = Files.createTempFile("badlog-copy", ".html")
-            copy.writeBytes(exported("A copy of this page, with your notes and board", "test.html"))
-            click(".signals-chosen button")
-            awaitRules()
-            onPage(copy) {
+            step("a topic assigned to the battery is used by the rules, also when the page is opened again, until it is removed") {
+                awaitRules()
+                rulesFound() shouldNotContain "The battery voltage dropped"
+                say("battery", "Power/My Volts")
                 awaitRules()
                 rulesFound() shouldContain "The battery voltage dropped to 6 V"
-                click(".findings-skipped summary")
-                texts(".signals-lacking").map { it.trim() } shouldNotContain "“battery” is"
+                texts(".signals-chosen").single() shouldContain "“battery” is “Power/My Volts” in this browser."
+                keepScreenshot("signal-chosen")
+                reload()
+                awaitRules()
+                rulesFound() shouldContain "The battery voltage dropped to 6 V"
+                click(".signals-chosen button")
+                awaitRules()
+                rulesFound() shouldNotContain "The battery voltage dropped"
+                elements(".signals-chosen").isEmpty() shouldBe true
             }
-            copy.deleteExisting()
+            step("the dialog lists the log's topics, and refuses with a reason a topic that cannot be the signal, or is not a topic") {
+                awaitRules()
+                click(".findings-skipped summary")
+                say("battery", "Arm")
+                texts(".notice p").single() shouldBe "“Arm” cannot be “battery”, which is a number in V; choose another topic."
+                keepScreenshot("signal-refused")
+                elements("datalist option").map { it.getAttribute("value") } shouldContain "Power/My Volts"
+                say("battery", "Volts")
+                texts(".notice p").single() shouldBe "“Volts” is not a topic of this log; choose another one."
+                elements(".signals-chosen").isEmpty() shouldBe true
+            }
+            step("assignments are saved as the file for the folder of logs, and in a copy of the page") {
+                awaitRules()
+                say("battery", "Power/My Volts")
+                awaitRules()
+                val file = saved("badlog-signals.toml") { click(".signals-saved button") }
+                SignalsFile.parse(file.decodeToString()).find("battery")?.topics?.map { it.pattern.text } shouldBe listOf("Power/My Volts")
+                val copy = Files.createTempFile("badlog-copy", ".html")
+                copy.writeBytes(exported("A copy of this page, with your notes and board", "test.html"))
+                click(".signals-chosen button")
+                awaitRules()
+                onPage(copy) {
+                    awaitRules()
+                    rulesFound() shouldContain "The battery voltage dropped to 6 V"
+                    click(".findings-skipped summary")
+                    texts(".signals-lacking").map { it.trim() } shouldNotContain "“battery” is"
+                }
+                copy.deleteExisting()
+            }
         }
     }
 

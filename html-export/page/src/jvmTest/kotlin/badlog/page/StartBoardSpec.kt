@@ -1,6 +1,5 @@
 package badlog.page
 
-import badlog.core.bag.BagTopic
 import badlog.protocol.PageAdditions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
@@ -15,66 +14,57 @@ import org.openqa.selenium.Keys
 internal class StartBoardSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")
 
-    browserTest("a board keeps the changes of two tabs, also after this tab's undo, and a graph that this tab cannot draw") {
+    browserTest("a board keeps the changes of two tabs, and the start board can be restored") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
-            val key = "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes; "
-            script(
-                key + "localStorage.setItem(key, arguments[0])",
-                """{"graphs":[{"title":"Step 3","lines":["Step 3"]},{"title":"Twice","lines":["Twice"]}]}""",
-            )
-            graph("Step 2").scrollTo().hover(0.5)
-            press("p")
-            texts(".board .graph-title") shouldBe listOf("Step 2", "Step 3")
-            click("#undo")
-            texts(".board .graph-title") shouldBe listOf("Step 3")
-            reload()
-            texts(".board .graph-title") shouldBe listOf("Step 3")
-            // Like another tab that has the same graph.
-            val (before, after) = listOf("[\"Step 3\"]", "[\"Step 3\",\"Step 1\"]").map { "\"lines\":$it" }
-            script(key + "localStorage.setItem(key, localStorage.getItem(key).replace(arguments[0], arguments[1]))", before, after)
-            graph("Step 2").scrollTo().hover(0.5)
-            press("p")
-            texts(".board .graph-title") shouldBe listOf("Step 3", "Step 2")
-            texts(".board .legend-name") shouldContain "Step 1"
-            act { keyDown(Keys.CONTROL).sendKeys("z").keyUp(Keys.CONTROL) }
-            settle()
-            texts(".board .graph-title") shouldBe listOf("Step 3")
-            texts(".board .legend-name") shouldContain "Step 1"
-            script(key + "return localStorage.getItem(key)").toString() shouldContain "Twice"
+            step("a board keeps the changes of two tabs, also after this tab's undo, and a graph that this tab cannot draw") {
+                val key = "const key = 'badlog:board:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes; "
+                script(
+                    key + "localStorage.setItem(key, arguments[0])",
+                    """{"graphs":[{"title":"Step 3","lines":["Step 3"]},{"title":"Twice","lines":["Twice"]}]}""",
+                )
+                graph("Step 2").scrollTo().hover(0.5)
+                press("p")
+                texts(".board .graph-title") shouldBe listOf("Step 2", "Step 3")
+                click("#undo")
+                texts(".board .graph-title") shouldBe listOf("Step 3")
+                reload()
+                texts(".board .graph-title") shouldBe listOf("Step 3")
+                // Like another tab that has the same graph.
+                val (before, after) = listOf("[\"Step 3\"]", "[\"Step 3\",\"Step 1\"]").map { "\"lines\":$it" }
+                script(key + "localStorage.setItem(key, localStorage.getItem(key).replace(arguments[0], arguments[1]))", before, after)
+                graph("Step 2").scrollTo().hover(0.5)
+                press("p")
+                texts(".board .graph-title") shouldBe listOf("Step 3", "Step 2")
+                texts(".board .legend-name") shouldContain "Step 1"
+                act { keyDown(Keys.CONTROL).sendKeys("z").keyUp(Keys.CONTROL) }
+                settle()
+                texts(".board .graph-title") shouldBe listOf("Step 3")
+                texts(".board .legend-name") shouldContain "Step 1"
+                script(key + "return localStorage.getItem(key)").toString() shouldContain "Twice"
+            }
+            startOver()
+            step("the start board restores the page's first board, and can be undone like any change") {
+                val before = texts(".board .graph-title")
+                graph("Step 2").scrollTo().hover(0.5)
+                press("p")
+                val own = texts(".board .graph-title")
+                (own != before) shouldBe true
+                click("#start-board")
+                texts(".board .graph-title") shouldBe before
+                click("#undo")
+                texts(".board .graph-title") shouldBe own
+            }
         }
     }
 
-    browserTest("the start board restores the page's first board, and can be undone like any change") {
-        onPage(TestPages.of(stepBag(graphs = 3))) {
-            val before = texts(".board .graph-title")
-            graph("Step 2").scrollTo().hover(0.5)
-            press("p")
-            val own = texts(".board .graph-title")
-            (own != before) shouldBe true
-            click("#start-board")
-            texts(".board .graph-title") shouldBe before
-            click("#undo")
-            texts(".board .graph-title") shouldBe own
-        }
-    }
-
-    browserTest("a large log begins with a board of the usual graphs, a small one with an empty board") {
-        val many = listOf(TIME, BagTopic("Battery Voltage", "V")) + List(70) { BagTopic("Topic $it", "V") }
-        val large = bagOf(many, 101) { row, column -> if (column == 0) row / 10.0 else row % 7 + 8 }
-        onPage(TestPages.of(large, additions = PageAdditions(rules = RuleSet.BUILT_IN))) {
-            titles().first() shouldBe "Battery Voltage"
-            titles().size shouldBe 24
-        }
-        // A log with a board of usual graphs of a match, and the topics of its findings.
+    browserTest("a match begins with a board of the usual graphs and the topics of its findings, unless the reader has emptied it") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
-            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
             settle()
             keepScreenshot("board-first")
             titles().take(3) shouldBe listOf("Battery and current", "System: Enabled, Autonomous…", "Loop Time")
             elements("#board .legend-entry").mapNotNull { it.getDomAttribute("data-series") } shouldContain "Left Output"
             click("#clear-board")
             reload()
-            await("the rules") { script("return document.documentElement.dataset.rules") == "done" }
             titles() shouldBe emptyList()
         }
     }

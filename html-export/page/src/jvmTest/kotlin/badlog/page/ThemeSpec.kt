@@ -45,10 +45,11 @@ internal class ThemeSpec : PageSpec({
         selector,
     )?.let { (it as Number).toDouble() }
 
-    for (isDark in listOf(false, true)) {
-        val name = if (isDark) "dark" else "light"
-        browserTest("a $name system gets a $name page with a contrast of texts of at least 4.5 to 1") {
-            onPage(TestPages.ofSample("practice.bag"), Screen.WIDE.copy(isDark = isDark)) {
+    browserTest("a dark system gets a dark page, a light one a light page, with a contrast of texts of at least 4.5 to 1") {
+        onPage(TestPages.ofSample("practice.bag"), Screen.WIDE.copy(isDark = true)) {
+            for (isDark in listOf(true, false)) {
+                val name = if (isDark) "dark" else "light"
+                show(Screen.WIDE.copy(isDark = isDark))
                 element("html").getDomAttribute("data-theme") shouldBe name
                 graph(graphNames.first()).scrollTo().hover(0.5)
                 withClue(name) {
@@ -60,28 +61,27 @@ internal class ThemeSpec : PageSpec({
         }
     }
 
-    browserTest("the page follows a change of the system's theme, and redraws its graphs in the new colors") {
+    browserTest("the page follows the system’s theme until the button selects another") {
         onPage(TestPages.of(stepBag(graphs = 3))) {
-            val light = graph("Step 1").canvas
-            show(Screen.WIDE.copy(isDark = true))
-            element("html").getDomAttribute("data-theme") shouldBe "dark"
-            graph("Step 1").canvas shouldNotBe light
-            graph("Step 1").steepest()
-            show(Screen.WIDE)
-            graph("Step 1").canvas shouldBe light
-        }
-    }
-
-    browserTest("the button selects light and dark, also after a reload") {
-        onPage(TestPages.of(stepBag(graphs = 1))) {
-            click("#theme")
-            element("html").getDomAttribute("data-theme") shouldBe "light"
-            click("#theme")
-            element("html").getDomAttribute("data-theme") shouldBe "dark"
-            reload()
-            element("html").getDomAttribute("data-theme") shouldBe "dark"
-            click("#theme")
-            element("html").getDomAttribute("data-theme") shouldBe "light"
+            step("the page follows a change of the system's theme, and redraws its graphs in the new colors") {
+                val light = graph("Step 1").canvas
+                show(Screen.WIDE.copy(isDark = true))
+                element("html").getDomAttribute("data-theme") shouldBe "dark"
+                graph("Step 1").canvas shouldNotBe light
+                graph("Step 1").steepest()
+                show(Screen.WIDE)
+                graph("Step 1").canvas shouldBe light
+            }
+            step("the button selects light and dark, also after a reload") {
+                click("#theme")
+                element("html").getDomAttribute("data-theme") shouldBe "light"
+                click("#theme")
+                element("html").getDomAttribute("data-theme") shouldBe "dark"
+                reload()
+                element("html").getDomAttribute("data-theme") shouldBe "dark"
+                click("#theme")
+                element("html").getDomAttribute("data-theme") shouldBe "light"
+            }
         }
     }
 })

@@ -16,68 +16,67 @@ internal class TimeLinkSpec : PageSpec({
 
     fun OpenPage.cursor() = texts(".cursor-readout").single()
 
-    browserTest("an address with a time moves the cursor there, when the page opens and when it changes; the time links to itself") {
-        onPage(TestPages.of(stepBag(graphs = 2))) {
-            follow("t=2.5")
-            cursor() shouldBe "2.500 s"
-            graph("Step 1").value("Step 1") shouldBe "0"
-            reload()
-            cursor() shouldBe "2.500 s"
-            follow("t=7")
-            cursor() shouldBe "7.000 s"
-            graph("Step 1").value("Step 1") shouldBe "1"
-            follow("t=4.5")
-            element(".cursor-readout").getDomAttribute("href") shouldBe "#t=4.5"
-        }
-    }
-
-    browserTest("the view and the page scroll to a time that is out of sight") {
-        onPage(TestPages.of(stepBag(graphs = 20))) {
-            graph("Step 1").drag(0.0, 0.3)
-            script("window.scrollTo(0, 1e6)")
-            settle()
-            follow("t=9")
-            9.0 shouldBeIn visibleRange
-            (1..20).any { graph("Step $it").isOnScreen } shouldBe true
-        }
-    }
-
-    browserTest("a link to a time focuses the first graph on the screen without scrolling") {
+    browserTest("a link moves the cursor, the view and the focus to a time, and the mouse alone makes none") {
         val focused = "const e = document.activeElement; return e.className + ' ' + e.closest('.graph')?.dataset.name"
         onPage(TestPages.of(stepBag(graphs = 20))) {
-            follow("t=2.5")
-            script("document.activeElement.blur()")
-            reload()
-            script(focused) shouldBe "plot Step 1"
-            number("return scrollY") shouldBe 0.0
-            graph("Step 15").scrollTo()
-            val top = number("return scrollY")
-            follow("t=7")
-            number("return scrollY") shouldBe top
-            (graph(script("return document.activeElement.closest('.graph').dataset.name") as String).isOnScreen) shouldBe true
-            // The next keys start there, and the place is spoken.
-            press(Keys.ARROW_RIGHT)
-            texts("#spoken").single() shouldContain "7."
-        }
-        onPage(TestPages.of(stepBag(graphs = 2))) {
-            click("#search")
-            script("return document.activeElement.id") shouldBe "search"
-            reload()
-            script("return document.activeElement.tagName") shouldBe "BODY"
-        }
-    }
-
-    browserTest("anything but a time is ignored, and later times go to the recording's end") {
-        onPage(TestPages.of(stepBag(graphs = 1))) {
-            follow("t=<img src=x>")
-            cursor() shouldBe ""
-            follow("t=1e308")
-            cursor() shouldBe "10.000 s"
-            visibleRange shouldBe 0.0..10.0
-        }
-        onPage(TestPages.of("Time,A\n", "empty.csv")) {
-            follow("t=3")
-            cursor() shouldBe ""
+            step("anything but a time is ignored, and later times go to the recording's end") {
+                follow("t=<img src=x>")
+                cursor() shouldBe ""
+                follow("t=1e308")
+                cursor() shouldBe "10.000 s"
+                visibleRange shouldBe 0.0..10.0
+            }
+            press(Keys.ESCAPE)
+            step("the link stays at the pinned time while the mouse moves over graphs, and the mouse alone makes no link") {
+                graph("Step 1").hover(0.2)
+                element(".cursor-readout").getDomAttribute("href") shouldBe null
+                graph("Step 1").click(0.2)
+                val link = element(".cursor-readout").getDomAttribute("href")
+                graph("Step 2").hover(0.9)
+                element(".cursor-readout").getDomAttribute("href") shouldBe link
+                link.orEmpty().removePrefix("#t=").toDouble() shouldBeIn 1.9..2.1
+            }
+            step("an address with a time moves the cursor there, when the page opens and when it changes; the time links to itself") {
+                follow("t=2.5")
+                cursor() shouldBe "2.500 s"
+                graph("Step 1").value("Step 1") shouldBe "0"
+                reload()
+                cursor() shouldBe "2.500 s"
+                follow("t=7")
+                cursor() shouldBe "7.000 s"
+                graph("Step 1").value("Step 1") shouldBe "1"
+                follow("t=4.5")
+                element(".cursor-readout").getDomAttribute("href") shouldBe "#t=4.5"
+            }
+            step("the view and the page scroll to a time that is out of sight") {
+                graph("Step 1").drag(0.0, 0.3)
+                script("window.scrollTo(0, 1e6)")
+                settle()
+                follow("t=9")
+                9.0 shouldBeIn visibleRange
+                (1..20).any { graph("Step $it").isOnScreen } shouldBe true
+            }
+            startOver()
+            step("a link to a time focuses the first graph on the screen without scrolling") {
+                follow("t=2.5")
+                script("document.activeElement.blur()")
+                reload()
+                script(focused) shouldBe "plot Step 1"
+                number("return scrollY") shouldBe 0.0
+                graph("Step 15").scrollTo()
+                val top = number("return scrollY")
+                follow("t=7")
+                number("return scrollY") shouldBe top
+                (graph(script("return document.activeElement.closest('.graph').dataset.name") as String).isOnScreen) shouldBe true
+                // The next keys start there, and the place is spoken.
+                press(Keys.ARROW_RIGHT)
+                texts("#spoken").single() shouldContain "7."
+                script("history.replaceState(null, '', location.pathname); scrollTo(0, 0)")
+                click("#search")
+                script("return document.activeElement.id") shouldBe "search"
+                reload()
+                script("return document.activeElement.tagName") shouldBe "BODY"
+            }
         }
     }
 
@@ -100,18 +99,6 @@ internal class TimeLinkSpec : PageSpec({
             it.driver.switchTo().defaultContent()
             it.number("return scrollY") shouldBe 0.0
             it.script("return document.activeElement.tagName") shouldBe "BODY"
-        }
-    }
-
-    browserTest("the link stays at the pinned time while the mouse moves over graphs, and the mouse alone makes no link") {
-        onPage(TestPages.of(stepBag(graphs = 2))) {
-            graph("Step 1").hover(0.2)
-            element(".cursor-readout").getDomAttribute("href") shouldBe null
-            graph("Step 1").click(0.2)
-            val link = element(".cursor-readout").getDomAttribute("href")
-            graph("Step 2").hover(0.9)
-            element(".cursor-readout").getDomAttribute("href") shouldBe link
-            link.orEmpty().removePrefix("#t=").toDouble() shouldBeIn 1.9..2.1
         }
     }
 })

@@ -1,6 +1,7 @@
 package badlog.page
 
 import badlog.core.bag.BagTopic
+import badlog.exporter.EmptyPage
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
@@ -8,6 +9,8 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import java.nio.file.Files
+import kotlin.io.path.div
 
 private const val HEADER =
     """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"A","unit":"V","attrs":[]}],"values":[]}"""
@@ -15,6 +18,23 @@ private const val HEADER =
 /** Files that no robot should write, but robots write. The page opens, and reports their problems. */
 @Tags("InCheck")
 internal class UnusualFilesSpec : PageSpec({
+    val folder by lazy { Files.createTempDirectory("badlog-unusual") }
+    val page by lazy { (folder / EmptyPage.NAME).also { EmptyPage().write(it) } }
+
+    afterSpec { folder.toFile().deleteRecursively() }
+
+    /** Drops a log with this [text] on the page. */
+    fun OpenPage.open(text: String, name: String = "test.bag") {
+        drop(name to text.encodeToByteArray())
+        await("the log") { texts(".page-title h1").size == 1 }
+        awaitState("ready")
+    }
+
+    fun OpenPage.leave() {
+        click("#go-back")
+        awaitState("empty")
+    }
+
     /** Returns the kinds of the problems that the page shows. */
     fun OpenPage.problems(): List<String> {
         if (!element("#problems").isDisplayed) return emptyList()
@@ -22,108 +42,108 @@ internal class UnusualFilesSpec : PageSpec({
         return elements(".problem").map { it.getDomAttribute("data-kind").orEmpty() }
     }
 
-    browserTest("a file without bytes is reported") {
-        onPage(TestPages.of("")) { problems() shouldContain "EMPTY_FILE" }
-    }
-
-    browserTest("a file with only a header shows its topics") {
-        onPage(TestPages.of("$HEADER\n")) { text shouldContain "A" }
-    }
-
-    browserTest("a file with a header and titles, but no row, is reported, and its graphs have no data") {
-        onPage(TestPages.of("$HEADER\nTime,A\n")) {
-            problems() shouldContain "NO_ROWS"
-            texts(".plot") shouldContain "No data"
-        }
-    }
-
-    browserTest("a file with one row shows its value, and no range") {
-        onPage(TestPages.of("$HEADER\nTime,A\n5.0,3.0\n")) {
-            graph("A").scrollTo().hover(0.5)
-            graph("A").value("A") shouldBe "3"
-            graph("A").pixelsOfLine(0) shouldBeGreaterThan 0
-            graph("A").drag(0.2, 0.6)
-            texts(".fact").none { it.endsWith(" s") } shouldBe true
-            texts(".range-readout .range").single() shouldNotContain "–"
-        }
-    }
-
-    browserTest("a unit in right-to-left writing is isolated from the text beside it") {
-        onPage(TestPages.of("{\"topics\":[{\"name\":\"A\",\"unit\":\"متر\"}],\"values\":[]}\nA\n1\n2\n", "متر.bag")) {
-            (elements(".fact") + elements(".graph-unit")).map { it.tagName }.toSet() shouldBe setOf("bdi")
-        }
-    }
-
-    browserTest("infinities are labeled, a single sample among gaps is visible, and topics of only NaN or gaps have no data") {
-        val topics = listOf("Broken", "Gaps", "A", "One").joinToString("") { ",{\"name\":\"$it\",\"unit\":\"V\"}" }
-        val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\",\"hide\"]}$topics],\"values\":[]}"
-        val rows = listOf("0,NaN,,1,", "1,NaN,,Infinity,", "2,NaN,,NaN,7", "3,NaN,,-Infinity,", "4,NaN,,2,")
-        onPage(TestPages.of("$header\nTime,Broken,Gaps,A,One\n${rows.joinToString("\n")}\n")) {
-            graphNames shouldBe listOf("Broken", "Gaps", "A", "One")
-            await("two graphs without data") { texts(".plot").count { it == "No data" } == 2 }
-            graph("A").scrollTo().hover(0.25)
-            graph("A").value("A") shouldBe "∞"
-            graph("A").hover(0.75)
-            graph("A").value("A") shouldBe "-∞"
-            graph("One").scrollTo().hover(0.5)
-            graph("One").value("One") shouldBe "7"
-            graph("One").pixelsOfLine(0) shouldBeGreaterThan 0
-        }
-    }
-
-    browserTest("a log whose clock goes backwards is reported and drawn, and its values can be read") {
-        val rows = (0..50).joinToString("") { "${100 + it},1\n" } + (0..50).joinToString("") { "$it,2\n" }
-        onPage(TestPages.of("$HEADER\nTime,A\n$rows")) {
-            problems() shouldContain "X_BACKWARDS"
-            val graph = graph("A").scrollTo()
-            graph.pixelsOfLine(0) shouldBeGreaterThan 0
-            graph.hover(0.1)
-            graph.value("A") shouldBe "2"
-            graph.hover(0.9)
-            graph.value("A") shouldBe "1"
-            graph.drag(0.2, 0.6)
-        }
-    }
-
-    browserTest("a sparse CSV file has each column's values at their own rows, and two columns of one name are two graphs") {
-        val csv = "Timestamp,A,A,Mode\n" + (0 until 300).joinToString("") { row ->
-            val a = if (row % 10 == 0) "$row" else ""
-            val b = if (row % 100 == 5) "$row" else ""
-            "$row,$a,$b,${if (row == 150) "auto" else ""}\n"
-        }
-        onPage(TestPages.of(csv, "sparse.csv")) {
-            graph("A").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
-            graph("A (2)").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
-        }
-    }
-
-    browserTest("names of 500 letters do not make the page wider than the window") {
-        val long = "Very".repeat(125)
-        val joined = BagTopic("A", attributes = listOf("join:$long B"))
-        val topics = listOf(TIME, BagTopic(long, long), BagTopic("$long/$long"), joined)
-        val values = mapOf(long to long, "Event Name" to long)
-        for (screen in listOf(Screen.WIDE, Screen.PHONE)) {
-            onPage(TestPages.of(bagOf(topics, 50, values) { row, _ -> row }), screen) {
+    browserTest("files that no robot should write are shown with their problems") {
+        onPage(page, state = "empty") {
+            step("a file with only a header shows its topics") {
+                open("$HEADER\n")
+                text shouldContain "A"
+            }
+            leave()
+            step("a file with a header and titles, but no row, is reported, and its graphs have no data") {
+                open("$HEADER\nTime,A\n")
+                problems() shouldContain "NO_ROWS"
+                texts(".plot") shouldContain "No data"
+            }
+            leave()
+            step("a file with one row shows its value, and no range") {
+                open("$HEADER\nTime,A\n5.0,3.0\n")
+                graph("A").scrollTo().hover(0.5)
+                graph("A").value("A") shouldBe "3"
+                graph("A").pixelsOfLine(0) shouldBeGreaterThan 0
+                graph("A").drag(0.2, 0.6)
+                texts(".fact").none { it.endsWith(" s") } shouldBe true
+                texts(".range-readout .range").single() shouldNotContain "–"
+            }
+            leave()
+            step("a unit in right-to-left writing is isolated from the text beside it") {
+                open("{\"topics\":[{\"name\":\"A\",\"unit\":\"متر\"}],\"values\":[]}\nA\n1\n2\n", "متر.bag")
+                (elements(".fact") + elements(".graph-unit")).map { it.tagName }.toSet() shouldBe setOf("bdi")
+            }
+            leave()
+            step("infinities are labeled, a single sample among gaps is visible, and topics of only NaN or gaps have no data") {
+                val topics = listOf("Broken", "Gaps", "A", "One").joinToString("") { ",{\"name\":\"$it\",\"unit\":\"V\"}" }
+                val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[\"xaxis\",\"hide\"]}$topics],\"values\":[]}"
+                val rows = listOf("0,NaN,,1,", "1,NaN,,Infinity,", "2,NaN,,NaN,7", "3,NaN,,-Infinity,", "4,NaN,,2,")
+                open("$header\nTime,Broken,Gaps,A,One\n${rows.joinToString("\n")}\n")
+                graphNames shouldBe listOf("Broken", "Gaps", "A", "One")
+                await("two graphs without data") { texts(".plot").count { it == "No data" } == 2 }
+                graph("A").scrollTo().hover(0.25)
+                graph("A").value("A") shouldBe "∞"
+                graph("A").hover(0.75)
+                graph("A").value("A") shouldBe "-∞"
+                graph("One").scrollTo().hover(0.5)
+                graph("One").value("One") shouldBe "7"
+                graph("One").pixelsOfLine(0) shouldBeGreaterThan 0
+            }
+            leave()
+            step("a log whose clock goes backwards is reported and drawn, and its values can be read") {
+                val rows = (0..50).joinToString("") { "${100 + it},1\n" } + (0..50).joinToString("") { "$it,2\n" }
+                open("$HEADER\nTime,A\n$rows")
+                problems() shouldContain "X_BACKWARDS"
+                val graph = graph("A").scrollTo()
+                graph.pixelsOfLine(0) shouldBeGreaterThan 0
+                graph.hover(0.1)
+                graph.value("A") shouldBe "2"
+                graph.hover(0.9)
+                graph.value("A") shouldBe "1"
+                graph.drag(0.2, 0.6)
+            }
+            leave()
+            step("a sparse CSV file has each column's values at their own rows, and two columns of one name are two graphs") {
+                val csv = "Timestamp,A,A,Mode\n" + (0 until 300).joinToString("") { row ->
+                    val a = if (row % 10 == 0) "$row" else ""
+                    val b = if (row % 100 == 5) "$row" else ""
+                    "$row,$a,$b,${if (row == 150) "auto" else ""}\n"
+                }
+                open(csv, "sparse.csv")
+                graph("A").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
+                graph("A (2)").scrollTo().pixelsOfLine(0) shouldBeGreaterThan 0
+            }
+            leave()
+            step("names of 500 letters do not make the page wider than the window") {
+                val long = "Very".repeat(125)
+                val joined = BagTopic("A", attributes = listOf("join:$long B"))
+                val topics = listOf(TIME, BagTopic(long, long), BagTopic("$long/$long"), joined)
+                val values = mapOf(long to long, "Event Name" to long)
+                open(bagOf(topics, 50, values) { row, _ -> row }.decodeToString())
                 graphNames shouldContain long
-                number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
+                for (screen in listOf(Screen.PHONE, Screen.WIDE)) {
+                    show(screen)
+                    number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
+                }
             }
         }
     }
 
-    browserTest("300 topics in 20 folders open, the first ones as graphs, and only those near the screen are drawn") {
-        val topics = listOf(TIME) + List(300) { BagTopic("Folder ${it % 20}/Topic $it", "V") }
-        onPage(TestPages.of(bagOf(topics, 200) { row, column -> row * column })) {
-            elements(".folder .graph").size shouldBe 36
-            elements(".folder").size shouldBe 20
-            val drawn = elements("canvas").size
-            drawn shouldBeGreaterThan 2
-            (drawn < 20) shouldBe true
-            click("#search")
-            press("topic 297")
-            settle()
-            graph("Folder 17/Topic 297").scrollTo().hover(0.999)
-            graph("Folder 17/Topic 297").value("Topic 297").toInt() shouldBe 199 * 298
-            elements("canvas").size.let { it < 20 } shouldBe true
+    browserTest("an exported file without bytes, or with 300 topics in 20 folders") {
+        step("an exported file without bytes is reported") {
+            onPage(TestPages.of("")) { problems() shouldContain "EMPTY_FILE" }
+        }
+        step("300 topics in 20 folders open, the first ones as graphs, and only those near the screen are drawn") {
+            val topics = listOf(TIME) + List(300) { BagTopic("Folder ${it % 20}/Topic $it", "V") }
+            onPage(TestPages.of(bagOf(topics, 200) { row, column -> row * column })) {
+                elements(".folder .graph").size shouldBe 36
+                elements(".folder").size shouldBe 20
+                val drawn = elements("canvas").size
+                drawn shouldBeGreaterThan 2
+                (drawn < 20) shouldBe true
+                click("#search")
+                press("topic 297")
+                settle()
+                graph("Folder 17/Topic 297").scrollTo().hover(0.999)
+                graph("Folder 17/Topic 297").value("Topic 297").toInt() shouldBe 199 * 298
+                elements("canvas").size.let { it < 20 } shouldBe true
+            }
         }
     }
 })

@@ -12,7 +12,6 @@ import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
-import java.nio.file.Path
 import kotlin.math.abs
 import kotlin.math.floor
 
@@ -72,206 +71,167 @@ internal class VideoSpec : PageSpec({
     /** Returns whether the cursor is within a frame of the picture, and the video is paused. */
     fun OpenPage.isAtCursor() = abs((cursor() - 5) * CountedVideo.FRAMES_PER_SECOND - shown()) <= 1 && script("return video().seeking") == false
 
-    fun videoTest(name: String, page: () -> Path, screen: Screen = Screen.WIDE, test: OpenPage.() -> Unit) = browserTest(name) {
-        onPage(page(), screen, script = REPORTS, test = test)
-    }
-
-    videoTest("one button marks the frame in which the robot is enabled; from then on, video and cursor move each other", { page }) {
-        element("#video").isDisplayed shouldBe false
-        pick()
-        element("#video").isDisplayed shouldBe true
-        texts("#video h2").single() shouldBe "match.webm"
-        // The end of a long name distinguishes videos.
-        script("document.querySelector('#video h2 bdi').textContent = 'match-'.repeat(40) + '42.webm'")
-        number(
-            """const [all, name] = ['h2', 'h2 bdi'].map(it => document.querySelector('#video ' + it).getBoundingClientRect());
-            return name.right - all.right""",
-        ) shouldBe (0.0 plusOrMinus 1.0)
-        goToFrame(60)
-        texts(".cursor-readout").single() shouldBe ""
-        click("#video-enabled")
-        cursor() shouldBe (7.0 plusOrMinus 0.02)
-        for (frame in 0 until CountedVideo.FRAMES step 37) {
-            goToFrame(frame)
-            await("the cursor at frame $frame") { abs(cursor() - 5 - frame / 30.0) < 0.02 }
-        }
-        // 30 s across.
-        for (across in listOf(0.9, 0.2, 0.201, 0.5, 0.7)) {
-            graph("Ramp").click(across)
-            val frame = floor((cursor() - 5) * 30).toInt().coerceIn(0, CountedVideo.FRAMES - 1)
-            await("the frame at ${cursor()} s") { abs(shown() - frame) <= 1 }
-        }
-        keepScreenshot("video")
-    }
-
-    videoTest("frame and cursor differ by at most one frame over the whole video, at four times and a quarter of its speed", { page }) {
-        openAligned()
-        for ((speed, halts) in listOf("4" to listOf(2.0, 5.0, 9.0, 13.0, 17.0, 19.0), "1" to listOf(0.7, 1.4), "0.25" to listOf(0.4, 0.8))) {
-            goToFrame(0)
-            setSpeed(speed)
-            number("return document.querySelector('#video video').playbackRate") shouldBe speed.toDouble()
-            script("window.samples = []")
-            for (halt in halts) {
-                script("window.isOver = false; sample(); video().play()")
-                await("second $halt at $speed times") { number("return video().currentTime") >= halt }
-                script("video().pause(); window.isOver = true")
-                await("picture and cursor after $halt s at $speed times") { isAtCursor() }
+    browserTest("video and cursor move each other, frame by frame and while it plays, and the alignment is remembered") {
+        onPage(page, script = REPORTS) {
+            step("one button marks the frame in which the robot is enabled; from then on, video and cursor move each other") {
+                element("#video").isDisplayed shouldBe false
+                pick()
+                element("#video").isDisplayed shouldBe true
+                texts("#video h2").single() shouldBe "match.webm"
+                // The end of a long name distinguishes videos.
+                script("document.querySelector('#video h2 bdi').textContent = 'match-'.repeat(40) + '42.webm'")
+                number(
+                    """const [all, name] = ['h2', 'h2 bdi'].map(it => document.querySelector('#video ' + it).getBoundingClientRect());
+                    return name.right - all.right""",
+                ) shouldBe (0.0 plusOrMinus 1.0)
+                goToFrame(60)
+                texts(".cursor-readout").single() shouldBe ""
+                click("#video-enabled")
+                cursor() shouldBe (7.0 plusOrMinus 0.02)
+                for (frame in 0 until CountedVideo.FRAMES step 37) {
+                    goToFrame(frame)
+                    await("the cursor at frame $frame") { abs(cursor() - 5 - frame / 30.0) < 0.02 }
+                }
+                // 30 s across.
+                for (across in listOf(0.9, 0.2, 0.201, 0.5, 0.7)) {
+                    graph("Ramp").click(across)
+                    val frame = floor((cursor() - 5) * 30).toInt().coerceIn(0, CountedVideo.FRAMES - 1)
+                    await("the frame at ${cursor()} s") { abs(shown() - frame) <= 1 }
+                }
+                keepScreenshot("video")
             }
-            val samples = (script("return window.samples") as List<*>).map { pair -> (pair as List<*>).map { it.toString().toDouble() } }
-            samples.shouldNotBeEmpty()
-            for ((frame, cursor) in samples) {
-                withClue("$speed times, frame at $frame s, cursor at $cursor s") {
-                    (cursor - 5 - frame) * CountedVideo.FRAMES_PER_SECOND shouldBe (0.0 plusOrMinus 1.0)
+            step("frame and cursor differ by at most one frame over the whole video, at four times and a quarter of its speed") {
+                for ((speed, halts) in listOf("4" to listOf(2.0, 5.0, 9.0, 13.0, 17.0, 19.0), "1" to listOf(0.7, 1.4), "0.25" to listOf(0.4, 0.8))) {
+                    goToFrame(0)
+                    setSpeed(speed)
+                    number("return document.querySelector('#video video').playbackRate") shouldBe speed.toDouble()
+                    script("window.samples = []")
+                    for (halt in halts) {
+                        script("window.isOver = false; sample(); video().play()")
+                        await("second $halt at $speed times") { number("return video().currentTime") >= halt }
+                        script("video().pause(); window.isOver = true")
+                        await("picture and cursor after $halt s at $speed times") { isAtCursor() }
+                    }
+                    val samples = (script("return window.samples") as List<*>).map { pair -> (pair as List<*>).map { it.toString().toDouble() } }
+                    samples.shouldNotBeEmpty()
+                    for ((frame, cursor) in samples) {
+                        withClue("$speed times, frame at $frame s, cursor at $cursor s") {
+                            (cursor - 5 - frame) * CountedVideo.FRAMES_PER_SECOND shouldBe (0.0 plusOrMinus 1.0)
+                        }
+                    }
                 }
             }
+            script("reports.areLost = false; reports.delay = 0; video().pause()")
+            setSpeed("1")
+            step("the keys , and . and their buttons step by exactly one frame, and the cursor follows") {
+                goToFrame(100)
+                for ((key, frame) in listOf("." to 101, "." to 102, "." to 103, "," to 102, "," to 101, "." to 102)) {
+                    press(key)
+                    awaitFrame(frame)
+                    await("the cursor") { abs(cursor() - 5 - frame / 30.0) < 0.02 }
+                }
+                click("#next-frame")
+                awaitFrame(103)
+                click("#previous-frame")
+                awaitFrame(102)
+            }
+            step("a step goes by exactly one frame, even if a busy browser reports frames late") {
+                script("reports.delay = 200")
+                goToFrame(100)
+                for (frame in listOf(101, 102)) {
+                    press(".")
+                    await("the cursor at frame $frame") { abs(cursor() - 5 - frame / 30.0) < 0.002 }
+                    shown() shouldBe frame
+                }
+            }
+            script("reports.areLost = false; reports.delay = 0; video().pause()")
+            setSpeed("1")
+            step("a pause puts the cursor at the displayed frame, even if a busy browser has not reported that frame") {
+                goToFrame(30)
+                await("the cursor at frame 30") { isAtCursor() }
+                script("reports.areLost = true; video().play()")
+                await("half a second more") { number("return video().currentTime") >= 1.5 }
+                cursor() shouldBe (6.0 plusOrMinus 0.02)
+                script("video().pause()")
+                await("picture, cursor and report") {
+                    isAtCursor() && cursor() >= 6.4 && abs(number("return reports.last") * CountedVideo.FRAMES_PER_SECOND - shown()) < 0.5
+                }
+            }
+            step("at its end the video and the cursor are at the last frame, and it plays again from its start") {
+                goToFrame(585)
+                // Most frames are skipped, so the page cannot know the length of a frame, and the last one is not reported.
+                setSpeed("4")
+                script("reports.areLost = true; video().play()")
+                await("the last picture and cursor") { shown() == CountedVideo.FRAMES - 1 && abs(cursor() - 5 - (CountedVideo.FRAMES - 1) / 30.0) < 0.002 }
+                await("the end") { script("return video().ended") == true }
+                script("video().play()")
+                await("the first pictures") { number("return video().currentTime") < 10 }
+            }
+            script("reports.areLost = false; reports.delay = 0; video().pause()")
+            setSpeed("1")
+            step("video and cursor are unlinked and aligned again at this frame, which is remembered and part of the link") {
+                goToFrame(90)
+                await("the cursor at 8 s") { abs(cursor() - 8) < 0.02 }
+                click("#video-link")
+                graph("Ramp").click(0.5)
+                script("return video().seeking") shouldBe false
+                shown() shouldBe 90
+                click("#video-link")
+                val at = cursor()
+                goToFrame(120)
+                await("the cursor a second later") { abs(cursor() - at - 1) < 0.02 }
+                script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
+                click("#copy-link")
+                await("the link") { script("return window.copied") != null }
+                (script("return window.copied") as String).substringAfter("&v=").toDouble() shouldBe (at - 3 plusOrMinus 0.02)
+                script("location.hash = ''")
+                reload()
+                pick()
+                element("#video-link").getAttribute("aria-pressed") shouldBe "true"
+                goToFrame(90)
+                await("the cursor where it was put") { abs(cursor() - at) < 0.02 }
+            }
         }
     }
 
-    videoTest("a pause puts the cursor at the displayed frame, even if a busy browser has not reported that frame", { page }) {
-        openAligned()
-        goToFrame(30)
-        await("the cursor at frame 30") { isAtCursor() }
-        script("reports.areLost = true; video().play()")
-        await("half a second more") { number("return video().currentTime") >= 1.5 }
-        cursor() shouldBe (6.0 plusOrMinus 0.02)
-        script("video().pause()")
-        await("picture, cursor and report") {
-            isAtCursor() && cursor() >= 6.4 && abs(number("return reports.last") * CountedVideo.FRAMES_PER_SECOND - shown()) < 0.5
-        }
-    }
-
-    videoTest("at its end the video and the cursor are at the last frame, and it plays again from its start", { page }) {
-        openAligned()
-        goToFrame(585)
-        // Most frames are skipped, so the page cannot know the length of a frame, and the last one is not reported.
-        setSpeed("4")
-        script("reports.areLost = true; video().play()")
-        await("the last picture and cursor") { shown() == CountedVideo.FRAMES - 1 && abs(cursor() - 5 - (CountedVideo.FRAMES - 1) / 30.0) < 0.002 }
-        await("the end") { script("return video().ended") == true }
-        script("video().play()")
-        await("the first pictures") { number("return video().currentTime") < 10 }
-    }
-
-    videoTest("a step goes by exactly one frame, even if a busy browser reports frames late", { page }) {
-        openAligned()
-        script("reports.delay = 200")
-        goToFrame(100)
-        for (frame in listOf(101, 102)) {
-            press(".")
-            await("the cursor at frame $frame") { abs(cursor() - 5 - frame / 30.0) < 0.002 }
-            shown() shouldBe frame
-        }
-    }
-
-    videoTest("the displayed frame is aligned, even if a busy browser has not reported it yet", { page }) {
-        pick()
-        goToFrame(30)
-        script("reports.areLost = 'for long'; video().currentTime = 35.5 / 30")
-        await("frame 35") { shown() == 35 && script("return video().seeking") == false }
-        click("#video-enabled")
-        script("reports.areLost = false")
-        goToFrame(65)
-        await("the cursor a second after the robot was enabled") { abs(cursor() - 8) < 0.035 }
-    }
-
-    videoTest("the keys , and . and their buttons step by exactly one frame, and the cursor follows", { page }) {
-        openAligned()
-        goToFrame(100)
-        for ((key, frame) in listOf("." to 101, "." to 102, "." to 103, "," to 102, "," to 101, "." to 102)) {
-            press(key)
-            awaitFrame(frame)
-            await("the cursor") { abs(cursor() - 5 - frame / 30.0) < 0.02 }
-        }
-        click("#next-frame")
-        awaitFrame(103)
-        click("#previous-frame")
-        awaitFrame(102)
-    }
-
-    videoTest("video and cursor are unlinked and aligned again at this frame, which is remembered and part of the link", { page }) {
-        openAligned()
-        goToFrame(90)
-        await("the cursor at 8 s") { abs(cursor() - 8) < 0.02 }
-        click("#video-link")
-        graph("Ramp").click(0.5)
-        script("return video().seeking") shouldBe false
-        shown() shouldBe 90
-        click("#video-link")
-        val at = cursor()
-        goToFrame(120)
-        await("the cursor a second later") { abs(cursor() - at - 1) < 0.02 }
-        script("Object.defineProperty(navigator, 'clipboard', {value: {writeText: async text => { window.copied = text }}})")
-        click("#copy-link")
-        await("the link") { script("return window.copied") != null }
-        (script("return window.copied") as String).substringAfter("&v=").toDouble() shouldBe (at - 3 plusOrMinus 0.02)
-        script("location.hash = ''")
-        reload()
-        pick()
-        element("#video-link").getAttribute("aria-pressed") shouldBe "true"
-        goToFrame(90)
-        await("the cursor where it was put") { abs(cursor() - at) < 0.02 }
-    }
-
-    videoTest("the alignment of each of two videos is remembered", { page }) {
-        script(
-            "const key = 'badlog:video:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
-                "localStorage.setItem(key, '3 pit.webm')",
-        )
-        pick()
-        click("#video-link")
-        element("#video-link").getAttribute("aria-pressed") shouldBe "false"
-        graph("Ramp").click(0.5)
-        click("#video-link")
-        script("return Object.keys(localStorage).filter(k => k.startsWith('badlog:video:')).map(k => localStorage[k]).join()")
-            .toString().lines().map { it.substringAfter(' ') } shouldBe listOf("pit.webm", "match.webm")
-    }
-
-    browserTest("a video that the browser cannot play is reported, also a dropped one, and a layout is still opened") {
-        onPage(page) {
-            script(DROP)
-            await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
-            texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
-            // A playable video takes its place.
-            pick()
-            texts("#video [role=status]").single() shouldContain "Find the first frame"
-        }
-    }
-
-    browserTest("on a phone the video is a sheet over the foot of the page, and leaves room for the graphs") {
-        onPage(page, Screen.PHONE) {
-            openAligned()
-            val box = "const b = document.querySelector('#video').getBoundingClientRect(); return "
-            number(box + "b.bottom") shouldBe 844.0
-            (number(box + "b.top") > 400) shouldBe true
-            number("return document.documentElement.scrollWidth") shouldBe 390.0
-            keepScreenshot("phone-video")
-        }
-    }
-
-    browserTest("on a phone held sideways, the video and the values at the cursor are beside the graphs") {
-        onPage(page, Screen(844, 390, density = 2.0, isPhone = true, isDark = true)) {
-            openAligned()
-            press("v")
-            settle()
-            val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
-            (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
-            (number(box + "b('#video').left - b('#cursor-values').right") >= 0) shouldBe true
-            (number(box + "390 - b('#video').bottom") >= 0) shouldBe true
-            number("return document.documentElement.scrollWidth") shouldBe 844.0
-            keepScreenshot("phone-sideways-video")
+    browserTest("a video is aligned by the displayed frame, and each of two videos has its own alignment") {
+        onPage(page, script = REPORTS) {
+            step("the displayed frame is aligned, even if a busy browser has not reported it yet") {
+                pick()
+                goToFrame(30)
+                script("reports.areLost = 'for long'; video().currentTime = 35.5 / 30")
+                await("frame 35") { shown() == 35 && script("return video().seeking") == false }
+                click("#video-enabled")
+                script("reports.areLost = false")
+                goToFrame(65)
+                await("the cursor a second after the robot was enabled") { abs(cursor() - 8) < 0.035 }
+            }
+            startOver()
+            step("the alignment of each of two videos is remembered") {
+                script(
+                    "const key = 'badlog:video:test.bag:' + JSON.parse(document.getElementById('about').textContent).inflatedBytes;" +
+                        "localStorage.setItem(key, '3 pit.webm')",
+                )
+                pick()
+                click("#video-link")
+                element("#video-link").getAttribute("aria-pressed") shouldBe "false"
+                graph("Ramp").click(0.5)
+                click("#video-link")
+                script("return Object.keys(localStorage).filter(k => k.startsWith('badlog:video:')).map(k => localStorage[k]).join()")
+                    .toString().lines().map { it.substringAfter(' ') } shouldBe listOf("pit.webm", "match.webm")
+            }
         }
     }
 
     browserTest("video and values at the cursor share the right side, and nothing covers the graphs or the bar’s texts") {
-        val match = TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))
-        for (isDark in listOf(false, true)) {
-            onPage(match, Screen(1366, 768, isDark = isDark)) {
-                script("location.hash = '#v=85&t=93.7&x=85:105'")
-                pick()
-                settle()
-                keepScreenshot(if (isDark) "video-dark" else "video-light")
-                press("v")
-                settle()
+        onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN)), Screen(1366, 768)) {
+            script("location.hash = '#v=85&t=93.7&x=85:105'")
+            pick()
+            settle()
+            keepScreenshot("video-light")
+            press("v")
+            for (isDark in listOf(false, true)) step("dark: $isDark") {
+                show(Screen(1366, 768, isDark = isDark))
                 val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
                 (number(box + "b('#cursor-values').top - b('#video').bottom") >= 0) shouldBe true
                 (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
@@ -283,11 +243,45 @@ internal class VideoSpec : PageSpec({
         }
     }
 
-    browserTest("a page without time on x offers no video, and gives the reason when one is dropped") {
-        onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
-            element("#video-button").isDisplayed shouldBe false
-            script(DROP)
-            await("the sentence") { VideoAlignment.NO_TIME in texts(".notice").joinToString() }
+    browserTest("a phone shows the video below or beside the graphs, and an unplayable one, or one without time, is reported") {
+        step("a phone shows the video below or beside the graphs; an unplayable one is reported") {
+            onPage(page) {
+                step("a video that the browser cannot play is reported, also a dropped one, and a layout is still opened") {
+                    script(DROP)
+                    await("the sentence") { texts("#video [role=status]").single().isNotEmpty() && "cannot" in texts("#video [role=status]").single() }
+                    texts("#video [role=status]").single() shouldStartWith "This browser cannot play phone.mov."
+                    // A playable video takes its place.
+                    pick()
+                    texts("#video [role=status]").single() shouldContain "Find the first frame"
+                }
+                step("on a phone the video is a sheet over the foot of the page, and leaves room for the graphs") {
+                    show(Screen.PHONE)
+                    openAligned()
+                    val box = "const b = document.querySelector('#video').getBoundingClientRect(); return "
+                    number(box + "b.bottom") shouldBe 844.0
+                    (number(box + "b.top") > 400) shouldBe true
+                    number("return document.documentElement.scrollWidth") shouldBe 390.0
+                    keepScreenshot("phone-video")
+                }
+                step("on a phone held sideways, the video and the values at the cursor are beside the graphs") {
+                    show(Screen(844, 390, density = 2.0, isPhone = true, isDark = true))
+                    press("v")
+                    settle()
+                    val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
+                    (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
+                    (number(box + "b('#video').left - b('#cursor-values').right") >= 0) shouldBe true
+                    (number(box + "390 - b('#video').bottom") >= 0) shouldBe true
+                    number("return document.documentElement.scrollWidth") shouldBe 844.0
+                    keepScreenshot("phone-sideways-video")
+                }
+            }
+        }
+        step("a page without time on x offers no video, and gives the reason when one is dropped") {
+            onPage(TestPages.of("Distance (m),A\n0,1\n1,2\n", "two.csv")) {
+                element("#video-button").isDisplayed shouldBe false
+                script(DROP)
+                await("the sentence") { VideoAlignment.NO_TIME in texts(".notice").joinToString() }
+            }
         }
     }
 })

@@ -19,9 +19,14 @@ import java.time.Duration
  * A page in the one tab of all tests. A new tab would start a process that compiles the page's script again. Only a page that is opened
  * beside another page has its own tab.
  *
+ * @param address its first address.
  * @param before the tab of the page beside which it is opened; null if there is none.
  */
-internal class OpenPage private constructor(val driver: ChromeDriver, private val before: String?) : AutoCloseable {
+internal class OpenPage private constructor(
+    val driver: ChromeDriver,
+    private val address: String,
+    private val before: String?,
+) : AutoCloseable {
     private val logs = PageLogs(driver)
 
     /** The scripts that run in it before its own script, by the names that the browser has given them. */
@@ -170,6 +175,19 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         awaitState("ready")
     }
 
+    /** Opens the page again as if nobody had used it, until it reports [state]. */
+    fun startOver(state: String = "ready") {
+        forget()
+        driver.get("about:blank")
+        driver.get(address)
+        awaitState(state)
+    }
+
+    /** Clears the browser's storage, which all pages on a disk share. */
+    private fun forget() {
+        driver.executeScript("try { localStorage.clear(); sessionStorage.clear() } catch { }")
+    }
+
     /** Returns what the page wrote to the console: warnings and errors. */
     fun consoleMessages(): List<String> = logs.messages()
 
@@ -185,8 +203,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
 
     override fun close() {
         if (before == null) isTabTaken = false
-        // All pages on a disk share the browser's storage.
-        driver.executeScript("try { localStorage.clear(); sessionStorage.clear() } catch { }")
+        forget()
         for (script in scripts) driver.executeCdpCommand("Page.removeScriptToEvaluateOnNewDocument", mapOf("identifier" to script))
         if (before == null) {
             driver.get("about:blank")
@@ -210,7 +227,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             val before = if (isTabTaken) driver.windowHandle else null
             if (before != null) driver.switchTo().newWindow(WindowType.TAB)
             isTabTaken = true
-            val page = OpenPage(driver, before)
+            val page = OpenPage(driver, address, before)
             try {
                 page.emulate(screen)
                 listOfNotNull(PATIENT_TIMERS, script).forEach(page::runFirst)
