@@ -176,6 +176,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Link lost" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 && it !in 20.0..20.9 } },
     // Autonomous begins a moment after the robot is enabled, and ends.
     "Disabled on the field" to {
+        without("/DriverStation/DSAttached")
         flag("/DriverStation/FMSAttached") { true }
         flag("/DriverStation/Autonomous") { it in 4.05..15.0 }
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 15.0..17.0 && it !in 25.0..25.9 }

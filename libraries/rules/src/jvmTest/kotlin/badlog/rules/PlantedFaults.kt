@@ -147,6 +147,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
     "Disabled on the field" to {
+        without("/DriverStation/DSAttached")
         flag("/DriverStation/FMSAttached") { true }
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 25.0..26.2 }
     },

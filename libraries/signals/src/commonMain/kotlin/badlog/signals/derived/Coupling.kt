@@ -22,26 +22,40 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
 /**
  * Returns whether [moved] stands exactly still at [times] although [turned] moves while the robot is enabled: 1 or 0. [turned] must have moved by
  * more than a twentieth of its range since [moved] last changed. Two devices report at different times, so movements of [turned] just after that do
- * not count.
+ * not count. Nor does a value of [turned] that is taken back at once: it was misread.
  */
 fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(turned, 0.98) - quantile(turned, 0.02)
     var low = Double.NaN
     var high = Double.NaN
     var since = 0
+    var place = turned.firstOrNull() ?: Double.NaN
     return Series(
         times,
         DoubleArray(times.size) { i ->
             if (i > 0 && moved[i] != moved[i - 1]) since = i
+            if (!isTakenBack(times, turned, i, place, FROZEN_SHARE * range)) place = turned[i]
             if (times[i] - times[since] < LATE_SECONDS || low.isNaN()) {
-                low = turned[i]
-                high = turned[i]
+                low = place
+                high = place
             }
-            if (turned[i] < low) low = turned[i]
-            if (turned[i] > high) high = turned[i]
+            if (place < low) low = place
+            if (place > high) high = place
             if (isEnabled[i] && range > 0 && high - low > FROZEN_SHARE * range) 1.0 else 0.0
         },
     )
+}
+
+/** Returns whether [values] leaves [before] at [at] by more than [least], and is nearly back within [MISREAD_SECONDS]. */
+private fun isTakenBack(times: DoubleArray, values: DoubleArray, at: Int, before: Double, least: Double): Boolean {
+    val jump = abs(values[at] - before)
+    if (!(jump > least)) return false
+    var next = at + 1
+    while (next < times.size && times[next] <= times[at] + MISREAD_SECONDS) {
+        if (abs(values[next] - before) < jump * NEARLY_BACK) return true
+        next++
+    }
+    return false
 }
 
 /** Returns whether one ratio holds for [turned] and [moved] over the first steps after the robot was first enabled. */
@@ -115,3 +129,7 @@ private const val FIRST_STEPS = 60
 private const val MIN_STEPS = 15
 private const val ONE_RATIO = 0.5
 private const val LATE_SECONDS = 0.05
+
+/** No motor goes a twentieth of its range and back within that time, in s. */
+private const val MISREAD_SECONDS = 0.05
+private const val NEARLY_BACK = 0.25

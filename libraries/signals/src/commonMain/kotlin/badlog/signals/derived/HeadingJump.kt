@@ -8,8 +8,8 @@ import kotlin.math.round
 /**
  * Returns how far a [heading] jumped at each sample, in degrees; 0 elsewhere. A jump is more than a robot turns from sample to sample,
  * given how fast it turned just before and just after. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to
- * 180°. A jump to a multiple of 90° is not one either: a driver or the program has set it. While the robot turns fast, a late sample looks
- * like a jump.
+ * 180°. A jump to a multiple of 90° is not one either: a driver or the program has set it. A single sample beside two others that agree
+ * was misread. While the robot turns fast, a late sample looks like a jump.
  *
  * @param degrees the factor from its numbers to degrees.
  */
@@ -22,13 +22,19 @@ fun headingJump(heading: Series, degrees: Double): Series {
         if (abs(step) < MIN_DEGREES) continue
         val usual = (rate(heading, i - 1, degrees) + rate(heading, i + 1, degrees)) / 2
         val jump = abs(step - usual * seconds)
-        val isReal = jump > MIN_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees)
+        val isReal = jump > MIN_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees) && !isMisread(heading, i, degrees) && !isMisread(heading, i - 1, degrees)
         if (isReal && !turnsFast(heading, i - 1, degrees) && !turnsFast(heading, i + TURN_SAMPLES, degrees, i + 1)) jumps[i] = jump
     }
     return Series(heading.x, jumps)
 }
 
 private fun isSet(degrees: Double) = abs(degrees - QUARTER_TURN * round(degrees / QUARTER_TURN)) < SET_WITHIN
+
+/** Returns whether the samples before and after [at] agree; only used where [at] itself is far from one of them. */
+private fun isMisread(heading: Series, at: Int, degrees: Double): Boolean {
+    val step = (heading.y[at + 1] - heading.y[at - 1]) * degrees
+    return abs(step - FULL_TURN * round(step / FULL_TURN)) < MIN_DEGREES
+}
 
 /** Returns whether it turned fast over the samples before [at], those from [from] on, without jumps. */
 private fun turnsFast(heading: Series, at: Int, degrees: Double, from: Int = 1): Boolean {

@@ -42,6 +42,12 @@ class MechanismSensorsSpec : FunSpec({
         }
     }
 
+    test("a single value of the motor that is taken back in the next sample freezes no sensor") {
+        val resting = times.of { swing(minOf(it, 30.0)) }
+        val misread = times.of { if (it in 32.0..32.01) 0.0 else 25 * swing(minOf(it, 30.0)) + 20 }
+        frozenWhileTurning(times, misread, resting, times.always()).most() shouldBe 0.0
+    }
+
     test("a motor that lags its sensor a little has no frozen sensor") {
         // Both stop at 30 s, but the motor's position is 0.04 s old.
         val late = times.of { 25 * swing(minOf(it - 0.04, 30.0), 0.7) }
@@ -134,9 +140,10 @@ class MechanismSensorsSpec : FunSpec({
         switchError(times, height, times.of { if (it % 4 * 50 in 7.5..149.5) 1.0 else 0.0 }).most() shouldBe (15.0 / 0.95 plusOrMinus 1.0)
     }
 
-    test("a heading that jumps is off by the jump; a full turn or a fast turn is not a jump") {
+    test("a heading that jumps is off by the jump; a full turn, a fast turn or a single misread sample is not a jump") {
         fun jump(at: (Double) -> Double): Double = headingJump(Series(times, times.of(at)), 1.0).most()
         jump { 90 * swing(it, 8.0) + if (it > 30) 40.0 else 0.0 } shouldBe (40.0 plusOrMinus 4.0)
         jump { (300 * it) % 360 } shouldBe 0.0
+        jump { 90 * swing(it, 8.0) + if (it in 30.0..30.01) 40.0 else 0.0 } shouldBe 0.0
     }
 })
