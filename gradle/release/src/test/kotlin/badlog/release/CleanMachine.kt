@@ -51,15 +51,15 @@ internal class CleanMachine(private val folder: File, programs: List<String>) {
     }
 }
 
-/** Starts [builder], and waits for its end: 15 minutes at most. */
-internal fun run(builder: ProcessBuilder): ProgramResult {
+/** Starts [builder], and waits for its end, at most [minutes]. */
+internal fun run(builder: ProcessBuilder, minutes: Long = 15): ProgramResult {
     val output = File.createTempFile("output", ".txt")
     val process = builder.redirectErrorStream(true).redirectOutput(output).start()
-    val hasEnded = process.waitFor(MINUTES, TimeUnit.MINUTES)
+    val hasEnded = process.waitFor(minutes, TimeUnit.MINUTES)
     if (!hasEnded) process.destroyForcibly().waitFor()
     val text = output.readText()
     output.delete()
-    check(hasEnded) { "${builder.command().joinToString(" ")} has not ended after $MINUTES minutes: $text" }
+    check(hasEnded) { "${builder.command().joinToString(" ")} has not ended after $minutes minutes: $text" }
     return ProgramResult(process.exitValue(), text)
 }
 
@@ -69,5 +69,3 @@ internal fun found(program: String): File = if ('/' in program) {
 } else {
     System.getenv("PATH").split(File.pathSeparator).map { File(it, program) }.firstOrNull { it.canExecute() } ?: File("/nowhere/$program")
 }
-
-private const val MINUTES = 15L
