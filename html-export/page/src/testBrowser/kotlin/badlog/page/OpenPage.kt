@@ -172,7 +172,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         awaitState("ready")
     }
 
-    /** Opens the page again as if nobody had used it, until it reports [state]. */
+    /** Opens the page again as it was at first, and waits until it reports [state]. */
     fun startOver(state: String = "ready") {
         forget()
         driver.get("about:blank")
