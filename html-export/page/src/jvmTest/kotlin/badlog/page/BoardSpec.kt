@@ -285,25 +285,27 @@ internal class BoardSpec : PageSpec({
                 elements(".drag-ghost").size shouldBe 0
                 titles() shouldBe shown
             }
-            for (screen in listOf(Screen(1366, 768), Screen.PHONE.copy(isDark = true))) step("a board with two axes, a menu and evidence fits ${screen.width}×${screen.height}") {
-                clear()
-                show(screen)
-                script("location.hash = '#t=93.7&x=88:98&board=System/Battery+Voltage,PDP/Total+Current;System/Enabled'")
-                settle()
-                keepScreenshot("board-${screen.width}")
-                click("#board .graph-menu")
-                keepScreenshot("board-menu-${screen.width}")
-                press(Keys.ESCAPE)
-                val before = titles().size
-                click(".incident .pin")
-                titles().size shouldBeGreaterThan before
-                keepScreenshot("board-pinned-${screen.width}")
-                // A notice covers the lower edge for some seconds.
-                script("document.getElementById('add-topics').scrollIntoView({ block: 'center' })")
-                click("#add-topics")
-                keepScreenshot("board-topics-${screen.width}")
-                number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
-                press(Keys.ESCAPE)
+            for (screen in listOf(Screen(1366, 768), Screen.PHONE.copy(isDark = true))) {
+                step("a board with two axes, a menu and evidence fits ${screen.width}×${screen.height}") {
+                    clear()
+                    show(screen)
+                    script("location.hash = '#t=93.7&x=88:98&board=System/Battery+Voltage,PDP/Total+Current;System/Enabled'")
+                    settle()
+                    keepScreenshot("board-${screen.width}")
+                    click("#board .graph-menu")
+                    keepScreenshot("board-menu-${screen.width}")
+                    press(Keys.ESCAPE)
+                    val before = titles().size
+                    click(".incident .pin")
+                    titles().size shouldBeGreaterThan before
+                    keepScreenshot("board-pinned-${screen.width}")
+                    // A notice covers the lower edge for some seconds.
+                    script("document.getElementById('add-topics').scrollIntoView({ block: 'center' })")
+                    click("#add-topics")
+                    keepScreenshot("board-topics-${screen.width}")
+                    number("return document.documentElement.scrollWidth - innerWidth") shouldBeLessThanOrEqual 0.0
+                    press(Keys.ESCAPE)
+                }
             }
         }
     }

@@ -51,19 +51,21 @@ internal class BrokenPageSpec : PageSpec({
         "a log that several workers read" to { TestPages.of(large.encodeToByteArray(), "large.csv", it) },
     )
     browserTest("one changed letter of the log is reported, and the readable part is shown without rules") {
-        for ((log, pageWith) in logs) step(log) {
-            val page = pageWith(PageAdditions(rules = RuleSet.BUILT_IN))
-            onPage(page) { texts(".problem-text").filter { "Damaged" in it }.shouldBeEmpty() }
-            onPage(changedLog(page) { it.length * 2 / 3 }, state = "failed") {
-                text shouldContain "This page is not complete"
-                text shouldContain "damaged in copying; export it again."
-                elements(".graph").shouldBeEmpty()
-                click("#show-damaged")
-                awaitState("ready")
-                graphNames.isEmpty() shouldBe false
-                texts(".problem-text").first { "Damaged" in it } shouldContain "No rules ran."
-                texts(".finding").shouldBeEmpty()
-                elements("#download").single().getDomAttribute("title") shouldContain "as much as this damaged page still has"
+        for ((log, pageWith) in logs) {
+            step(log) {
+                val page = pageWith(PageAdditions(rules = RuleSet.BUILT_IN))
+                onPage(page) { texts(".problem-text").filter { "Damaged" in it }.shouldBeEmpty() }
+                onPage(changedLog(page) { it.length * 2 / 3 }, state = "failed") {
+                    text shouldContain "This page is not complete"
+                    text shouldContain "damaged in copying; export it again."
+                    elements(".graph").shouldBeEmpty()
+                    click("#show-damaged")
+                    awaitState("ready")
+                    graphNames.isEmpty() shouldBe false
+                    texts(".problem-text").first { "Damaged" in it } shouldContain "No rules ran."
+                    texts(".finding").shouldBeEmpty()
+                    elements("#download").single().getDomAttribute("title") shouldContain "as much as this damaged page still has"
+                }
             }
         }
     }

@@ -54,25 +54,27 @@ internal class MemoryEstimateSpec : PageSpec({
     browserTest("before a log that is too large for the device, the page asks, and offers only the topics that rules use") {
         step("a device of 256 MB") {
             onPage(page, state = "empty", script = device("0.25")) {
-                for (file in listOf(bag, wpilog)) step("${file.fileName}") {
-                    choose(file)
-                    awaitState("failed")
-                    text shouldMatch Regex("(?s).*large.* needs about \\d+ MB of memory.*")
-                    keepScreenshot("large-log-asks")
-                    click("#open-few")
-                    awaitState("ready")
-                    text shouldContain "Battery Voltage"
-                    text shouldContain "Low battery"
-                    text shouldNotContain "Joint"
-                    click("#go-back")
-                    awaitState("empty")
-                    choose(file)
-                    awaitState("failed")
-                    click("#open-all")
-                    awaitState("ready")
-                    text shouldContain "40 topics"
-                    click("#go-back")
-                    awaitState("empty")
+                for (file in listOf(bag, wpilog)) {
+                    step("${file.fileName}") {
+                        choose(file)
+                        awaitState("failed")
+                        text shouldMatch Regex("(?s).*large.* needs about \\d+ MB of memory.*")
+                        keepScreenshot("large-log-asks")
+                        click("#open-few")
+                        awaitState("ready")
+                        text shouldContain "Battery Voltage"
+                        text shouldContain "Low battery"
+                        text shouldNotContain "Joint"
+                        click("#go-back")
+                        awaitState("empty")
+                        choose(file)
+                        awaitState("failed")
+                        click("#open-all")
+                        awaitState("ready")
+                        text shouldContain "40 topics"
+                        click("#go-back")
+                        awaitState("empty")
+                    }
                 }
             }
         }

@@ -19,15 +19,17 @@ internal class OpeningSpec : PageSpec({
 
     browserTest("each sample opens without messages, has its title and its values, and draws each graph once it is on the screen") {
         step("each sample opens without messages, has its title, and draws the graphs on the screen") {
-            for ((sample, title) in titles) step(sample) {
-                onPage(TestPages.ofSample(sample)) {
-                    driver.title shouldBe title
-                    texts("h1") shouldBe listOf(title)
-                    val names = graphNames
-                    names.shouldNotBeEmpty()
-                    val onScreen = names.filter { graph(it).isOnScreen }
-                    onScreen.shouldNotBeEmpty()
-                    onScreen.forAll { graph(it).isDrawn shouldBe true }
+            for ((sample, title) in titles) {
+                step(sample) {
+                    onPage(TestPages.ofSample(sample)) {
+                        driver.title shouldBe title
+                        texts("h1") shouldBe listOf(title)
+                        val names = graphNames
+                        names.shouldNotBeEmpty()
+                        val onScreen = names.filter { graph(it).isOnScreen }
+                        onScreen.shouldNotBeEmpty()
+                        onScreen.forAll { graph(it).isDrawn shouldBe true }
+                    }
                 }
             }
         }

@@ -50,6 +50,8 @@ internal class ServedPageSpec : PageSpec({
     /** Clicked by a script, because rows are recreated while logs are read. */
     fun OpenPage.openRow(row: Int) = script("document.querySelectorAll(\"[data-column='FILE'] button\")[arguments[0]].click()", row)
 
+    fun OpenPage.openFile(part: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", part)
+
     fun OpenPage.awaitLog(title: String) {
         await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
         awaitState("ready")
@@ -68,76 +70,79 @@ internal class ServedPageSpec : PageSpec({
         served.length - plain.length shouldBe " connect-src 'self';,\"network\":\"robot\"".length
     }
 
-    browserTest("a phone in the robot's network lists its logs, newest first, and opens one with its findings by a tap") {
-        withRobot(logs("robot")) { address ->
-            onServedPage(address, Screen.PHONE) {
-                awaitList()
-                texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
-                column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
-                column("FILE").size shouldBe 4
-                column("FILE") shouldContain "<img src=x onerror=alert(1)> #1%.bag"
-                column("FILE").last() shouldBe "bench.bag"
-                texts(".log-tools [role=status]").single() shouldBe "4 logs"
-                elements(".log-table img").size shouldBe 0
-                for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
-                    show(screen)
-                    seriousForReaders() shouldBe emptyList()
-                    (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
-                    keepScreenshot("served-${screen.width}-${if (screen.isDark) "dark" else "light"}")
-                }
-                openRow(1)
-                awaitLog("Qualification 42")
-                text shouldContain "Likely cause: the robot drew more than its battery gives."
-                val bytes = saved("FRC_20260307_140212_OHCL_Q42.bag") { click("#download") }
-                bytes shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
-                click("#go-back")
-                awaitList()
-                await("what was opened to be read") { "6.73 V" in column("BATTERY") }
-                // Rows are recreated while logs are read.
-                script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes('img')).click()")
-                awaitLog("<img src=x onerror=alert(1)> #1%.bag")
-            }
-        }
-    }
-
-    browserTest("checked logs are fetched and drawn over each other; the list can be searched and sorted like a folder's") {
-        withRobot(logs("compared")) { address ->
-            onServedPage(address) {
-                awaitList()
-                click("#sort-SIZE")
-                column("FILE").first() shouldContain "Q42"
-                element("#search").sendKeys("q57")
-                settle()
-                column("FILE") shouldContainExactly listOf("FRC_20260307_163005_OHCL_Q57.bag.gz")
-                element("#search").clear()
-                element("#search").sendKeys("ohcl")
-                settle()
-                for (name in column("FILE")) click("[aria-label='Compare $name']")
-                click("#compare-logs")
-                awaitLog("Qualification 42")
-                await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
-            }
-        }
-    }
-
-    browserTest("while the robot is enabled, the page gives the reason for a refused log, and the back button leads to the list") {
+    browserTest("a phone in the robot’s network lists its logs, opens, searches and compares them, and gives the reason if the robot sends none") {
         val options = LogServerOptions()
-        withRobot(logs("enabled"), options) { address ->
-            onServedPage(address, says = listOf("status of 503")) {
-                awaitList()
-                options.isEnabled = BooleanSupplier { true }
-                openRow(0)
-                awaitState("failed")
-                text shouldContain "FRC_20260307_163005_OHCL_Q57.bag.gz cannot be opened"
-                text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
-                options.isEnabled = BooleanSupplier { false }
+        withRobot(logs("robot"), options) { address ->
+            onServedPage(address, Screen.PHONE, says = listOf("status of 503")) {
+                step("a phone in the robot's network lists its logs, newest first, and opens one with its findings by a tap") {
+                    awaitList()
+                    texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
+                    column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
+                    column("FILE").size shouldBe 4
+                    column("FILE") shouldContain "<img src=x onerror=alert(1)> #1%.bag"
+                    column("FILE").last() shouldBe "bench.bag"
+                    texts(".log-tools [role=status]").single() shouldBe "4 logs"
+                    elements(".log-table img").size shouldBe 0
+                    for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
+                        show(screen)
+                        seriousForReaders() shouldBe emptyList()
+                        (number("return document.documentElement.scrollWidth - innerWidth") <= 0) shouldBe true
+                        keepScreenshot("served-${screen.width}-${if (screen.isDark) "dark" else "light"}")
+                    }
+                    openRow(1)
+                    awaitLog("Qualification 42")
+                    text shouldContain "Likely cause: the robot drew more than its battery gives."
+                    val bytes = saved("FRC_20260307_140212_OHCL_Q42.bag") { click("#download") }
+                    bytes shouldBe SAMPLES.resolve("qualification-42.bag").toFile().readBytes()
+                    click("#go-back")
+                    awaitList()
+                    await("what was opened to be read") { "6.73 V" in column("BATTERY") }
+                    openFile("img")
+                    awaitLog("<img src=x onerror=alert(1)> #1%.bag")
+                }
+                click("#go-back")
+                step("while the robot is enabled, the page gives the reason for a refused log, and the back button leads to the list") {
+                    awaitList()
+                    options.isEnabled = BooleanSupplier { true }
+                    openFile("Q57")
+                    awaitState("failed")
+                    text shouldContain "FRC_20260307_163005_OHCL_Q57.bag.gz cannot be opened"
+                    text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
+                    options.isEnabled = BooleanSupplier { false }
+                    click("#go-back")
+                    awaitList()
+                    click("#go-back")
+                    awaitState("empty")
+                    text shouldContain "Open a robot’s log"
+                    click("#open-server")
+                    awaitList()
+                }
+                show(Screen.WIDE)
+                step("checked logs are fetched and drawn over each other; the list can be searched and sorted like a folder's") {
+                    awaitList()
+                    click("#sort-SIZE")
+                    column("FILE").first() shouldContain "Q42"
+                    element("#search").sendKeys("q57")
+                    settle()
+                    column("FILE") shouldContainExactly listOf("FRC_20260307_163005_OHCL_Q57.bag.gz")
+                    element("#search").clear()
+                    element("#search").sendKeys("ohcl")
+                    settle()
+                    for (name in column("FILE")) click("[aria-label='Compare $name']")
+                    click("#compare-logs")
+                    awaitLog("Qualification 42")
+                    await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
+                }
                 click("#go-back")
                 awaitList()
-                click("#go-back")
-                awaitState("empty")
-                text shouldContain "Open a robot’s log"
-                click("#open-server")
-                awaitList()
+                step("a robot that does not answer is reported") {
+                    script("const box = document.querySelector('#search'); box.value = ''; box.dispatchEvent(new Event('input'))")
+                    await("the whole list") { column("FILE").size == 4 }
+                    script("window.fetch = () => Promise.reject(new TypeError('Failed to fetch'))")
+                    openFile("bench")
+                    awaitState("failed")
+                    text shouldContain "The robot does not answer: stay on its Wi-Fi, and try again."
+                }
             }
         }
     }
@@ -166,6 +171,8 @@ internal class ServedPageSpec : PageSpec({
                 click("[data-column='FILE'] button") { it.text == "Q8.bag" }
                 awaitLog("Qualification 8")
                 await("how it is unlike those before") { elements(".changes button").isNotEmpty() }
+                texts(".changes li").single() shouldBe "Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A)."
+                seriousForReaders().shouldBeEmpty()
                 click(".changes button")
                 await("both") { texts(".compared-log bdi") == listOf("Qualification 8", "Qualification 7") }
             }
@@ -222,19 +229,15 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("a robot that does not answer is reported, and also a robot without logs") {
+    browserTest("a robot without logs is reported, and a page that hides the list because it is called index.html") {
         val empty = folder("none/logs") {}
         withRobot(empty) { address ->
             onServedPage(address, state = "failed") { text shouldContain "There are no logs on this robot" }
         }
-        withRobot(logs("gone")) { address ->
-            onServedPage(address, says = listOf("ERR_")) {
-                awaitList()
-                script("window.fetch = () => Promise.reject(new TypeError('Failed to fetch'))")
-                openRow(0)
-                awaitState("failed")
-                text shouldContain "The robot does not answer: stay on its Wi-Fi, and try again."
-            }
+        val logs = logs("hidden")
+        EmptyPage().write(logs / "index.html", PageNetwork.ROBOT)
+        WpilibServer(logs).use { server ->
+            onServedPage(server.addressOf(""), state = "failed") { text shouldContain "this page must not be called index.html there" }
         }
     }
 
@@ -252,14 +255,6 @@ internal class ServedPageSpec : PageSpec({
                 click("[data-column='FILE'] button") { "img" in it.text }
                 awaitLog("<img src=x onerror=alert(1)> #1%.bag")
             }
-        }
-    }
-
-    browserTest("a page that hides the list because it is called index.html reports that") {
-        val logs = logs("hidden")
-        EmptyPage().write(logs / "index.html", PageNetwork.ROBOT)
-        WpilibServer(logs).use { server ->
-            onServedPage(server.addressOf(""), state = "failed") { text shouldContain "this page must not be called index.html there" }
         }
     }
 

@@ -230,15 +230,17 @@ internal class VideoSpec : PageSpec({
             settle()
             keepScreenshot("video-light")
             press("v")
-            for (isDark in listOf(false, true)) step("dark: $isDark") {
-                show(Screen(1366, 768, isDark = isDark))
-                val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
-                (number(box + "b('#cursor-values').top - b('#video').bottom") >= 0) shouldBe true
-                (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
-                (number(box + "b('.place').top - b('.zoom-buttons').bottom") >= 0) shouldBe true
-                element(".cursor-readout").text shouldBe "93.700 s"
-                if (isDark) keepScreenshot("video-values")
-                seriousForReaders() shouldBe emptyList()
+            for (isDark in listOf(false, true)) {
+                step("dark: $isDark") {
+                    show(Screen(1366, 768, isDark = isDark))
+                    val box = "const b = s => document.querySelector(s).getBoundingClientRect(); return "
+                    (number(box + "b('#cursor-values').top - b('#video').bottom") >= 0) shouldBe true
+                    (number(box + "b('#video').left - b('.graph').right") >= 0) shouldBe true
+                    (number(box + "b('.place').top - b('.zoom-buttons').bottom") >= 0) shouldBe true
+                    element(".cursor-readout").text shouldBe "93.700 s"
+                    if (isDark) keepScreenshot("video-values")
+                    seriousForReaders() shouldBe emptyList()
+                }
             }
         }
     }

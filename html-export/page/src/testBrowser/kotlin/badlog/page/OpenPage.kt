@@ -22,11 +22,8 @@ import java.time.Duration
  * @param address its first address.
  * @param before the tab of the page beside which it is opened; null if there is none.
  */
-internal class OpenPage private constructor(
-    val driver: ChromeDriver,
-    private val address: String,
-    private val before: String?,
-) : AutoCloseable {
+internal class OpenPage private constructor(val driver: ChromeDriver, private val address: String, private val before: String?) :
+    AutoCloseable {
     private val logs = PageLogs(driver)
 
     /** The scripts that run in it before its own script, by the names that the browser has given them. */
@@ -175,7 +172,7 @@ internal class OpenPage private constructor(
         awaitState("ready")
     }
 
-    /** Opens the page again as if nobody had used it, until it reports [state]. */
+    /** Opens the page again as it was at first, and waits until it reports [state]. */
     fun startOver(state: String = "ready") {
         forget()
         driver.get("about:blank")
