@@ -139,7 +139,7 @@ internal class Startup {
         // A link belongs to the log that is opened first, as its sender intended.
         if (hasOpened || document.getElementById("recording") != null) forgetAddress()
         hasOpened = true
-        logs.show(shownOf(log, read, compared), findAdditions()?.ofAnyLog(), showsWorst)
+        logs.show(shownOf(log, read, compared), findAdditions()?.ofAnyLog(), showsWorst, onLaidOut = root::focus)
     }
 
     private fun showGrown(log: OpenedLog, read: Recording) = logs.showGrown(shownOf(log, read, emptyList()), findAdditions()?.ofAnyLog())
@@ -150,7 +150,7 @@ internal class Startup {
     }
 
     private fun forgetAddress() = try {
-        window.history.replaceState(null, "", window.location.href.substringBefore('#'))
+        window.history.replaceState(window.history.state, "", window.location.href.substringBefore('#'))
     } catch (_: Throwable) {
         // Pages in some frames have no address of their own.
     }

@@ -128,9 +128,18 @@ internal class OpenedFolderSpec : PageSpec({
     browserTest("the back button leads to the row of the log; keys in a dialog do not switch logs") {
         onFolder(samples()) {
             awaitAll()
-            click("[data-column='FILE'] button") { it.text == "practice.bag" }
+            press(Keys.TAB, Keys.ENTER)
+            script("return document.activeElement.id") shouldBe "open:${script("return document.querySelector('[data-path]').dataset.path")}"
+            script("document.getElementById('open:event/practice.bag').focus()")
+            press(Keys.ENTER)
             await("the log") { texts(".page-title h1").size == 1 }
             awaitState("ready")
+            script("return document.activeElement.tagName") shouldBe "MAIN"
+            for ((step, screen) in listOf("back" to "empty", "back" to "empty", "forward" to "empty", "forward" to "ready")) {
+                script("history.$step()")
+                awaitState(screen)
+            }
+            await("the log again") { texts(".page-title h1").singleOrNull() == "practice.bag" }
             press("m")
             act { keyDown(Keys.ALT).sendKeys(Keys.PAGE_DOWN).keyUp(Keys.ALT) }
             press(Keys.ESCAPE)

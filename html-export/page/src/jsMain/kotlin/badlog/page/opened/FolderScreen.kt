@@ -80,6 +80,7 @@ internal class FolderScreen(
         LogTable({ column -> list(listing.sorted(column)) }, ::check) { log, showsWorst -> onOpen(latest(log), emptyList(), showsWorst) }
 
     val element: HTMLElement = element("div", "start folder-logs") {
+        addButton("skip", "Skip to the logs") { listing.visible.firstOrNull()?.let(::focus) }
         add("header", "page-head") {
             add("h1", "", name)
             tools = add("div", "page-tools") {
@@ -113,10 +114,7 @@ internal class FolderScreen(
 
     init {
         show()
-        if (watch != null) {
-            arrivals = arrivals.begun(logs.associate { it.path to it.size })
-            bar.start()
-        }
+        if (watch != null) arrivals = arrivals.begun(logs.associate { it.path to it.size })
         cache.find(logs, { log, message ->
             val known = SummaryMessage.read(message, log)
             unread -= log.path
@@ -136,7 +134,10 @@ internal class FolderScreen(
         isShown = true
         seen.clear()
         change(arrivals)
-        watch?.start()
+        watch?.let {
+            it.start()
+            bar.start()
+        }
         arrived.fetch()
         if (isCacheRead) reading.start()
         PageEvents.on(document, "keydown") {
@@ -184,11 +185,10 @@ internal class FolderScreen(
         for (log in known.values) if (log.isUnread && watch?.isGrowing(log.path) != true) unread += log.path
     }
 
-    /** Ends all work, because something else is shown from now on. */
-    fun end() {
+    /** Stops all work, because neither the list nor one of its logs is shown. */
+    fun leave() {
         pause()
         watch?.stop()
-        arrived.stop()
         bar.stop()
     }
 

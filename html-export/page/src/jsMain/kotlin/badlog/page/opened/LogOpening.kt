@@ -21,6 +21,7 @@ import badlog.page.served.served
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
 import badlog.viewer.shown.folder.Changes
+import badlog.viewer.state.Visit
 import badlog.viewer.text.countText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
@@ -48,6 +49,10 @@ internal class LogOpening(
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
 
+    /** Opens again what was opened last. */
+    private var again: (() -> Unit)? = null
+    private val history = PageHistory({ if (it == Visit.LIST) folder != null else again != null }, ::showAgain)
+
     /** Follows the shown log while it grows. */
     val live: LiveButton = LiveButton({ log }) { grown, read ->
         log = grown
@@ -63,6 +68,7 @@ internal class LogOpening(
 
     /** Opens the only log in [files], or lists all of them. */
     fun open(files: List<File>) {
+        again = { open(files) }
         val only = files.singleOrNull()
         val advice = only?.let { adviceFor(it.name) }
         // A single file was selected by name, so it may have any name.
@@ -80,6 +86,7 @@ internal class LogOpening(
 
     /** Opens [linked], the target of a link, after the reader has agreed. */
     fun open(linked: LinkedFile) {
+        again = { open(linked) }
         val asked = wait(linked.name, linked::cancel)
         linked.fetch(asked.screen::show).then({ if (asked.isLatest) open(listOf(it)) }, {
             if (asked.isLatest) fail("${linked.name} cannot be opened", it.message.orEmpty())
@@ -157,8 +164,9 @@ internal class LogOpening(
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
 
     private fun open(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
-        val all = listOf(opened) + compared
-        if (all.all { it.isHere }) read(opened, compared, showsWorst) else fetch(all, showsWorst)
+        again = { open(opened, compared, showsWorst) }
+        val all = (listOf(opened) + compared).map { if (it.isHere) it else folder?.latest(it) ?: it }
+        if (all.all { it.isHere }) read(all[0], all.drop(1), showsWorst) else fetch(all, showsWorst)
     }
 
     private fun fetch(logs: List<OpenedLog>, showsWorst: Boolean) {
@@ -238,16 +246,10 @@ internal class LogOpening(
     /** Shows that the file [name] is being read; [cancel] stops reading. */
     private fun wait(name: String, cancel: () -> Unit): OpenRequest {
         live.stop()
-        folder?.pause()
         cancelLast()
         cancelLast = cancel
-        val asked = OpenRequest(
-            LoadingScreen(name) {
-                cancel()
-                goBack()
-            },
-            ++request,
-        )
+        leaveList()
+        val asked = OpenRequest(LoadingScreen(name, ::goBack), ++request)
         setPageState("loading")
         root.showAlone(asked.screen.element)
         acceptFiles {
@@ -257,8 +259,14 @@ internal class LogOpening(
         return asked
     }
 
+    private fun leaveList() {
+        // Forward no longer leads from the start to its list.
+        if (history.now == Visit.START) endFolder() else folder?.pause()
+        history.show(Visit.LOG)
+    }
+
     private fun fail(title: String, explanation: String) {
-        folder?.pause()
+        leaveList()
         request++
         root.fail(title, explanation, back())
         acceptFiles(::open)
@@ -271,27 +279,36 @@ internal class LogOpening(
 
     private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?) {
         endFolder()
-        folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, { if (it.path == log?.path) onRead() }, ::open)
-        goBack()
-    }
-
-    private fun leaveFolder() {
-        endFolder()
+        val leave = { goBackTo(Visit.START) }
+        folder = FolderScreen(logs, name, rules(), again, settings, leave, { if (it.path == log?.path) onRead() }, ::open)
         goBack()
     }
 
     private fun endFolder() {
-        folder?.end()
+        folder?.leave()
         folder = null
     }
 
     /** Shows the list from which the log was opened, or the start if there is none. */
-    private fun goBack() {
+    private fun goBack() = goBackTo(if (folder == null) Visit.START else Visit.LIST)
+
+    private fun goBackTo(visit: Visit) {
+        history.show(visit)
+        showAgain(visit)
+    }
+
+    private fun showAgain(visit: Visit) {
+        if (visit == Visit.LOG) return again?.invoke() ?: Unit
         live.stop()
+        cancelLast()
         request++
         val left = log
         log = null
-        val listed = folder ?: return goToStart()
+        val listed = folder
+        if (visit == Visit.START || listed == null) {
+            listed?.leave()
+            return goToStart()
+        }
         root.showAlone(listed.element)
         acceptFiles(::open)
         document.title = "badlog"
