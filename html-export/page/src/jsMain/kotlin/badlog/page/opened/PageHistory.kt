@@ -16,31 +16,46 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     private var visits = LogVisits()
     private var isAllowed = true
 
+    /** The place of the browser, which follows [visits]: going back takes a moment, in which it [isGoing]. */
+    private var at = 0
+    private var isGoing = false
+
     /** The shown screen. */
     val now: Visit get() = visits.now
 
     init {
-        change { replaceState(stateAt(visits.at), "") }
-        window.addEventListener("popstate", { go(it.unsafeCast<PopStateEvent>().state) })
+        change { replaceState(stateAt(at), "") }
+        window.addEventListener("popstate", { arrive(it.unsafeCast<PopStateEvent>().state) })
     }
 
     /** Records that [next] is shown. */
     fun show(next: Visit) {
-        val before = visits.at
         visits = visits.showing(next)
-        val steps = visits.at - before
-        change { if (steps > 0) pushState(stateAt(visits.at), "") else if (steps < 0) go(steps) }
+        follow()
     }
 
-    private fun go(state: Any?) {
+    private fun follow() = change {
+        // A new entry would be lost in the middle of going back.
+        if (isGoing) return@change
+        while (at < visits.at) pushState(stateAt(++at), "")
+        isGoing = at > visits.at
+        if (isGoing) go(visits.at - at)
+    }
+
+    private fun arrive(state: Any?) {
         // An address with another end has an entry without a state.
         if (state == null) {
             visits = visits.again()
-            return change { replaceState(stateAt(visits.at), "") }
+            at = visits.at
+            return change { replaceState(stateAt(at), "") }
         }
-        val place = "$state".substringAfter(LOADED, "").toIntOrNull() ?: return
+        at = "$state".substringAfter(LOADED, "").toIntOrNull() ?: return
+        if (isGoing) {
+            isGoing = false
+            return follow()
+        }
         val before = visits.now
-        visits = visits.returned(place, canShow) ?: return
+        visits = visits.returned(at, canShow) ?: return
         if (visits.now != before) onReturn(visits.now)
     }
 
