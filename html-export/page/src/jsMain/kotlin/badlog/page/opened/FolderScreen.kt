@@ -7,10 +7,11 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
-import badlog.page.dom.isPlain
+import badlog.page.dom.screenKey
 import badlog.page.dom.showText
 import badlog.rules.RuleSet
 import badlog.rules.toJson
+import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.Listing
@@ -141,7 +142,7 @@ internal class FolderScreen(
         arrived.fetch()
         if (isCacheRead) reading.start()
         PageEvents.on(document, "keydown") {
-            if (it.unsafeCast<KeyboardEvent>().isPlain("i")) togglePit()
+            if (it.unsafeCast<KeyboardEvent>().screenKey == ScreenKey.PIT) togglePit()
         }
     }
 

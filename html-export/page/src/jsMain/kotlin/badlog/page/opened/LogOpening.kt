@@ -7,7 +7,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
-import badlog.page.dom.isTyped
+import badlog.page.dom.screenKey
 import badlog.page.embedded.logIn
 import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
@@ -20,6 +20,7 @@ import badlog.page.served.ServedFolder
 import badlog.page.served.served
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
+import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.state.Visit
 import badlog.viewer.text.countText
@@ -153,10 +154,11 @@ internal class LogOpening(
             addIconButton("turned", Icon.CHEVRON, "Previous log of the list (Alt+Page up)") { previous() }.id = "previous-log"
             addIconButton("", Icon.CHEVRON, "Next log of the list (Alt+Page down)") { next() }.id = "next-log"
             PageEvents.on(document, "keydown") {
-                val key = it.unsafeCast<KeyboardEvent>()
-                if (key.isTyped) return@on
-                if (key.altKey && key.key == "PageUp") previous()
-                if (key.altKey && key.key == "PageDown") next()
+                when (it.unsafeCast<KeyboardEvent>().screenKey) {
+                    ScreenKey.PREVIOUS_LOG -> previous()
+                    ScreenKey.NEXT_LOG -> next()
+                    else -> Unit
+                }
             }
         }
     }
