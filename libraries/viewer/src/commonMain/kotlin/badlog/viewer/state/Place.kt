@@ -21,8 +21,11 @@ data class Place(
     val selection: Span? = null,
     val visited: FindingPlace<Finding>? = null,
 ) {
-    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of the visible range. */
-    val ofNote: Double get() = cursors.x ?: range.visible.run { (from + to) / 2 }
+    /**
+     * Where a note goes that a person begins with a key: to the pinned cursor if it is visible, or else to the middle of the visible
+     * range. The pointer may rest anywhere.
+     */
+    val ofNote: Double get() = cursors.pinned?.takeIf { it in range.visible } ?: range.visible.run { (from + to) / 2 }
 
     /** Pins the cursor at [x], or at the end of the log that is nearer to it, and shows it. Nothing changes if x is not finite. */
     internal fun at(x: Double): Place {
