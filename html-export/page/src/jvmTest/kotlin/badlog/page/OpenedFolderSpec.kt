@@ -232,6 +232,12 @@ internal class OpenedFolderSpec : PageSpec({
             paths shouldContainExactlyInAnyOrder listOf("event/a.bag", "event/b.bag", "event/day2/a.bag")
         }
         onPage(page, state = "empty") {
+            drop(samples().also { page.copyTo(it / "page.html", overwrite = true) })
+            await("the list") { elements(".log-table").isNotEmpty() }
+            awaitAll()
+            texts(".log-tools [role=status]") shouldContainExactly listOf("5 logs · 1 page left out: open one alone")
+        }
+        onPage(page, state = "empty") {
             drop("a.bag" to bag, "a.bag" to bag)
             await("the list") { elements(".log-table").isNotEmpty() }
             awaitAll()

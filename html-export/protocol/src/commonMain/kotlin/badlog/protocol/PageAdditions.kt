@@ -64,6 +64,16 @@ class PageAdditions(
     /** Returns the additions that are not about one log, so that a page also shows them for other logs. */
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
+    /** Returns these additions, which are not about one log, with the notes of [page], whose log is shown. */
+    fun withNotesOf(page: PageAdditions): PageAdditions = PageAdditions(
+        rules = rules,
+        rulesProblem = rulesProblem,
+        field = field,
+        notes = page.notes,
+        notesProblem = page.notesProblem,
+        noteChanges = page.noteChanges,
+    )
+
     /** Reads what [toJson] wrote. */
     companion object
 }

@@ -232,7 +232,7 @@ internal class LogPage(
             search.again()
             values.refresh()
         }
-        acceptFiles(::openDropped)
+        acceptFiles(onDrop = ::openDropped)
         notes.onChange {
             scene.notes = notes.now.notes
             redraw()

@@ -126,6 +126,11 @@ internal class FolderScreen(
         }
     }
 
+    /** The number of pages among the files, which are not listed. */
+    var pages: Int
+        get() = listing.pages
+        set(value) = list(listing.copy(pages = value))
+
     /** The listed logs, in order. */
     val visible: List<OpenedLog> get() = listing.visible
 

@@ -74,14 +74,15 @@ internal class LogOpening(
         val advice = only?.let { adviceFor(it.name) }
         // A single file was selected by name, so it may have any name.
         val logs = OpenedLog.logsIn(if (only != null) files else files.filter(OpenedLog::isNamedLikeLog))
+        val pages = files.count { isPage(it.name) }
         when {
             files.isEmpty() -> return
-            only != null && isPage(only) -> openPage(only)
+            only != null && pages > 0 -> openPage(only)
             only != null && advice != null -> fail("This page cannot read ${only.name}", advice)
-            logs.isEmpty() && files.any(::isPage) -> fail("There is no log here", "Pages of badlog are opened one at a time.")
+            logs.isEmpty() && pages > 0 -> fail("There is no log here", "Pages of badlog are opened one at a time.")
             logs.isEmpty() -> fail("There is no log here", "None of these ${countText(files.size, "file")} is a log.")
-            logs.size == 1 -> open(logs[0])
-            else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null)
+            logs.size == 1 && pages == 0 -> open(logs[0])
+            else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null, pages)
         }
     }
 
@@ -254,7 +255,7 @@ internal class LogOpening(
         val asked = OpenRequest(LoadingScreen(name, ::goBack), ++request)
         setPageState("loading")
         root.showAlone(asked.screen.element)
-        acceptFiles {
+        acceptFiles(::open) {
             cancel()
             open(it)
         }
@@ -271,18 +272,21 @@ internal class LogOpening(
         leaveList()
         request++
         root.fail(title, explanation, back())
-        acceptFiles(::open)
+        acceptFiles(::open, ::open)
     }
 
     /** Lists the logs in [watched], and those that appear there later. */
     fun open(watched: WatchedFolder) {
-        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again) }.catch { root.failUnexpectedly(it, back()) }
+        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again, watched.pages) }
+            .catch { root.failUnexpectedly(it, back()) }
     }
 
-    private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?) {
+    private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?, pages: Int = 0) {
         endFolder()
         val leave = { goBackTo(Visit.START) }
-        folder = FolderScreen(logs, name, rules(), again, settings, leave, { if (it.path == log?.path) onRead() }, ::open)
+        val listed = FolderScreen(logs, name, rules(), again, settings, leave, { if (it.path == log?.path) onRead() }, ::open)
+        listed.pages = pages
+        folder = listed
         goBack()
     }
 
@@ -312,7 +316,7 @@ internal class LogOpening(
             return goToStart()
         }
         root.showAlone(listed.element)
-        acceptFiles(::open)
+        acceptFiles(::open, ::open)
         document.title = "badlog"
         setPageState("empty")
         listed.resume()
@@ -337,8 +341,6 @@ internal class LogOpening(
         "zip" -> "Unpack it first, then open what was in it."
         else -> null
     }
-
-    private fun isPage(file: File) = file.name.endsWith(".html", ignoreCase = true) || file.name.endsWith(".htm", ignoreCase = true)
 
     private companion object {
         /** The milliseconds between two looks at a robot's list; a robot has other work. */
