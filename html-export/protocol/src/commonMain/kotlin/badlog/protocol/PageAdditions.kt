@@ -64,7 +64,7 @@ class PageAdditions(
     /** Returns the additions that are not about one log, so that a page also shows them for other logs. */
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
-    /** Returns these additions, which are not about one log, with the notes of [page], whose log is shown. */
+    /** Returns these additions, which are not about one log, with the notes of [page], from which the shown log comes. */
     fun withNotesOf(page: PageAdditions): PageAdditions = PageAdditions(
         rules = rules,
         rulesProblem = rulesProblem,

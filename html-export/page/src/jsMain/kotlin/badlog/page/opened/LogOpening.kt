@@ -50,7 +50,7 @@ internal class LogOpening(
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
 
-    /** Opens again what was opened last. */
+    /** Opens the last log again; null before the first one. */
     private var again: (() -> Unit)? = null
     private val history = PageHistory({ if (it == Visit.LIST) folder != null else again != null }, ::showAgain)
 

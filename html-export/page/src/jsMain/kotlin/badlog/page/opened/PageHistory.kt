@@ -69,7 +69,7 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     private fun stateAt(place: Int) = "$LOADED$place"
 
     private companion object {
-        /** Differs each time the page is loaded, because nothing of what it showed before is left then. */
+        /** Differs each time the page is loaded, because its earlier screens are gone then. */
         val LOADED = "badlog ${window.performance.asDynamic().timeOrigin} "
     }
 }

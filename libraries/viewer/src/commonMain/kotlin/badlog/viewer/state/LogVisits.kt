@@ -24,8 +24,8 @@ class LogVisits private constructor(private val entries: List<Visit>, val at: In
     val now: Visit get() = entries[at]
 
     /**
-     * Returns the visits when [next] is shown. Its place is one further on for a new entry of the browser's history. An earlier place is
-     * that of the entry which showed [next], and a log that follows another has the entry of that log.
+     * Returns the visits when [next] is shown. Its place is one further on for a new entry of the browser's history, and an earlier one
+     * if an entry already showed [next]. A log that follows another takes its entry.
      */
     fun showing(next: Visit): LogVisits {
         if (next > now) return LogVisits(entries.take(at + 1) + next, at + 1)
