@@ -97,7 +97,7 @@ internal class RowReader(
         forAll(columns.size) { columns[it].expect(roomyRows) }
     }
 
-    private fun tooMany() = "The log has more than $maxRows rows; the rest was not read. Set BADLOG_MAX_ROWS to read more."
+    private fun tooMany() = "The log has more than $maxRows rows; the rest was not read."
 
     private fun giveUp(kind: ProblemKind, message: String): Int {
         hasGivenUp = true

@@ -11,6 +11,7 @@ import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.doubles.shouldBeNaN
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
 
 class BagParserSpec : FunSpec({
     test("a bag's values, topics, numbers, texts and states are read unchanged") {
@@ -133,6 +134,7 @@ class BagParserSpec : FunSpec({
         val recording = parser.finish()
         recording.rowCount shouldBe 3
         recording.problems.single().kind shouldBe ProblemKind.TOO_MANY_ROWS
+        recording.problems.single().message shouldEndWith "; the rest was not read."
         BagParser().apply { maxRows = 3 }.run {
             accept("a,b\n1,2\n3,4\n5,6\n".encodeToByteArray())
             finish().problems.shouldBeEmpty()

@@ -2,12 +2,12 @@ package badlog.window.app
 
 import androidx.compose.ui.input.key.Key
 import badlog.viewer.input.KeyAction
+import badlog.viewer.input.ScreenKey
 import badlog.window.export.COPY_GRAPHS
 import badlog.window.export.EXPORT_PAGE
 import badlog.window.export.PageSaver
 import badlog.window.export.figure.FigureSaver
 import badlog.window.folder.Library
-import badlog.window.folder.SHOW_KEY
 import badlog.window.formula.FormulaStore
 import badlog.window.layout.LayoutFiles
 import badlog.window.layout.SAVE_LAYOUT
@@ -33,7 +33,7 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
     Command("Window", "Graphs alone, or the lists again", listOf(KeyPress(Key.F, "F", shift = true))) {
         panels.change { graphsAlone() }
     },
-    Command("Window", "Open or close this sheet", listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
+    Command(ScreenKey.HELP.group, ScreenKey.HELP.meaning, listOf(KeyPress(Key.F1, "F1"), QUESTION_MARK)) {
         panels.change { copy(help = !panels.state.help) }
     },
     Command("Window", "Close this sheet, or cancel a drag, the selection, the cursors", listOf(KeyPress(Key.Escape, "Esc"))) {
@@ -56,15 +56,13 @@ private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener, showNewLog: () -> Unit): List<Command> = listOf(
     Command("Logs", "Open a folder of logs", listOf(KeyPress(Key.O, "O", ctrl = true))) { opener.askForFolder() },
     Command("Logs", "Open a log", listOf(KeyPress(Key.O, "O", ctrl = true, shift = true))) { opener.askForLog() },
-    Command("Logs", "Open the previous log of the list", listOf(KeyPress(Key.PageUp, "Page up"))) { opener.step(-1) },
-    Command("Logs", "Open the next log of the list", listOf(KeyPress(Key.PageDown, "Page down"))) { opener.step(1) },
-    Command("Logs", "Show the newest log, at its worst finding", listOf(KeyPress(Key.A, SHOW_KEY)), showNewLog),
+    Command(ScreenKey.PREVIOUS_LOG) { opener.step(-1) },
+    Command(ScreenKey.NEXT_LOG) { opener.step(1) },
+    Command(ScreenKey.NEW_LOG, showNewLog),
     Command("Logs", "Search the logs", listOf(KeyPress(Key.Slash, "/"))) { askForSearch(library, panels) },
     Command("Logs", "Show or hide the table of logs", listOf(KeyPress(Key.T, "T"))) { panels.change { toggled(MainView.LOGS) } },
     Command("Logs", "Show or hide charts of the listed logs", listOf(KeyPress(Key.C, "C"))) { panels.change { toggled(MainView.CHARTS) } },
-    Command("Logs", "Pit view: the last logs in large letters, or the graphs", listOf(KeyPress(Key.I, "I"))) {
-        panels.change { toggled(MainView.PIT) }
-    },
+    Command(ScreenKey.PIT) { panels.change { toggled(MainView.PIT) } },
     Command("Logs", "Batteries: which to use next, and the matches of each", listOf(KeyPress(Key.B, "B", shift = true))) {
         panels.change { toggled(MainView.BATTERIES) }
     },

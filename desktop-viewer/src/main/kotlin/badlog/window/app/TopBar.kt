@@ -32,6 +32,7 @@ import badlog.window.theme.ToolButton
  *
  * @param width the width of the window: in a wide one, each icon has a word beside it.
  * @param showsTopics whether the topics are visible.
+ * @param heading the name of the log.
  */
 @Composable
 internal fun TopBar(
@@ -42,6 +43,7 @@ internal fun TopBar(
     settings: SettingsStore,
     width: Dp,
     showsTopics: Boolean,
+    heading: String,
     menus: @Composable () -> Unit,
 ) {
     val open = panels.state
@@ -54,7 +56,7 @@ internal fun TopBar(
     ) {
         if (!isNarrow) PanelButtons(panels, showsTopics, hasLabels)
         NameText(
-            current.recording?.label ?: "badlog",
+            heading,
             Modifier.weight(1f).padding(horizontal = 8.dp),
             fontWeight = FontWeight.SemiBold,
             cut = NameCut.MIDDLE,

@@ -1,5 +1,6 @@
 package badlog.window.app
 
+import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshots.Snapshot
@@ -11,6 +12,7 @@ import badlog.files.UserFolders
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.finding.RuleResults
+import badlog.viewer.shown.folder.headingOf
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Shown
 import badlog.viewer.state.Store
@@ -63,6 +65,7 @@ import badlog.window.settings.SettingsStore
 import badlog.window.sidebar.FrontPart
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
+import badlog.window.sidebar.Panels
 import badlog.window.sidebar.SelectedStatistics
 import badlog.window.sidebar.TableSaver
 import badlog.window.sidebar.WindowPanels
@@ -189,7 +192,7 @@ internal class Viewer(
     val logActions = LibraryActions(
         open = {
             newLogs.seen(it.file)
-            opener.open(it)
+            show(it) { showingLog() }
         },
         openInGraphs = ::openInGraphs,
         openFindings = ::openFindings,
@@ -299,8 +302,15 @@ internal class Viewer(
         RecordingChoices(formulas.definitions, axis.state == true, stations.shownWith(file), fields.selectedFor(file), fields.selections)
 
     private fun openInGraphs(entry: LogEntry) {
+        show(entry) { copy(main = MainView.GRAPHS) }
+    }
+
+    /** Shows the log of [entry], with the keyboard's focus, and changes the panels by [step]. */
+    private fun show(entry: LogEntry, step: Panels.() -> Panels) {
         opener.open(entry)
-        if (entry.isReadable) panels.change { copy(main = MainView.GRAPHS) }
+        if (!entry.isReadable) return
+        panels.change(step)
+        graphs.isFocusAsked = true
     }
 
     private fun openFindings(entry: LogEntry) {
@@ -322,6 +332,13 @@ internal class Viewer(
 
     /** Whether the window shows its welcome: no log is open or being read, and the folder has none. */
     val isWithoutLogs: Boolean get() = current.recording == null && !loader.isReading && library.state.isWithoutLogs
+
+    /** The heading of the window. */
+    val heading: String by derivedStateOf {
+        val open = current.recording
+        val isListed = library.state.run { folder == null || !hasLooked || entries.any { it.file == open?.file } }
+        if (open == null) "badlog" else headingOf(open.label, isListed)
+    }
 
     /** Opens the sample match without its folder, which is part of the cache and not a place for the user’s own logs. */
     private fun openSample() {

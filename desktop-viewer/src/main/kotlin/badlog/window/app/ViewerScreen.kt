@@ -57,7 +57,7 @@ internal fun ViewerScreen(viewer: Viewer) = with(viewer) {
                 val isNarrow = width < NARROW
                 val showsTopics = panels.state.showsTopics(isRoomy = PaneWidths.leaveHalf(width.value, panels.state.library))
                 Column(Modifier.fillMaxSize().background(LocalPalette.current.page)) {
-                    TopBar(panels, current, findings, notes, settings, width, showsTopics) {
+                    TopBar(panels, current, findings, notes, settings, width, showsTopics, heading) {
                         LayoutMenu(current, layouts, keptLayouts, layoutFiles, axis, stations)
                         ExportMenu(current, library, compared, board, view, pages, figures, cuts)
                     }

@@ -97,7 +97,7 @@ private fun ApplicationScope.OpenWindow(
             exitApplication()
         },
         state = place,
-        title = viewer.current.recording?.label?.let { "$it – badlog" } ?: "badlog",
+        title = if (viewer.current.recording == null) viewer.heading else "${viewer.heading} – badlog",
         icon = icon,
         onPreviewKeyEvent = { viewer.keyboard.dispatchFirst(it, viewer.commands) },
         onKeyEvent = { viewer.keyboard.dispatch(it, viewer.commands) },

@@ -1,5 +1,6 @@
 package badlog.window.choice
 
+import badlog.core.recording.Topic
 import badlog.window.log.CurrentRecording
 import badlog.window.state.StateHolder
 
@@ -8,8 +9,8 @@ import badlog.window.state.StateHolder
  * [badlog.window.log.RecordingChoices.overTime]. Use it only on the window's thread.
  */
 internal class AxisChoice(private val current: CurrentRecording) : StateHolder<Boolean?>(null) {
-    /** The name of the column that the open log could be drawn over. Null after the choice, or without such a column. */
-    val offered: String? get() = if (state == null) current.recording?.timeColumn?.name else null
+    /** The column that the open log could be drawn over. Null after the choice, or without such a column. */
+    val offered: Topic? get() = if (state == null) current.recording?.timeColumn else null
 
     /**
      * Draws all logs that name no x axis over time if [overTime], otherwise over row numbers. Shown recordings follow, see

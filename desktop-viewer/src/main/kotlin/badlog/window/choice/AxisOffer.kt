@@ -10,18 +10,20 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import badlog.core.recording.PathName
+import badlog.viewer.text.axisQuestion
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
 /** Asks once for the x axis of logs that name none; empty if the axis is known. */
 @Composable
 internal fun AxisOffer(choice: AxisChoice) {
-    val column = PathName.baseNameOf(choice.offered ?: return)
+    val topic = choice.offered ?: return
+    val column = PathName.baseNameOf(topic.name)
     FlowRow(
         Modifier.fillMaxWidth().background(LocalPalette.current.accentSoft).padding(start = 12.dp, end = 4.dp),
         itemVerticalAlignment = Alignment.CenterVertically,
     ) {
-        Text("This log does not name an x axis. “$column” increases in every row.", Modifier.padding(end = 8.dp, top = 4.dp, bottom = 4.dp))
+        Text(axisQuestion(topic), Modifier.padding(end = 8.dp, top = 4.dp, bottom = 4.dp))
         ToolButton("Draw over “$column”, here and in the folder’s other logs", text = "Draw over “$column”") { choice.choose(true) }
         ToolButton("Keep row numbers; the menu Layout can change it", text = "Keep row numbers") { choice.choose(false) }
     }

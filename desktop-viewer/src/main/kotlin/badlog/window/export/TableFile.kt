@@ -2,6 +2,7 @@ package badlog.window.export
 
 import badlog.files.writeAtomically
 import badlog.viewer.shown.table.CsvDraft
+import badlog.viewer.text.countText
 import badlog.window.log.OpenRecording
 import java.io.IOException
 import java.nio.file.Files
@@ -28,7 +29,7 @@ internal fun tableFile(recording: OpenRecording, draft: CsvDraft, target: Path, 
             out.write(table.text(row, ROWS).encodeToByteArray())
         }
     }
-    return "Wrote ${table.rowCount} rows to $target${table.remark}."
+    return "Wrote ${countText(table.rowCount, "row")} to $target${table.remark}."
 }
 
 /** @throws IOException with a sentence for the user, if there are no [rows], or [target] is the file of [recording] itself. */

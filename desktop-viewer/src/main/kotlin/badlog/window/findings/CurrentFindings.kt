@@ -72,12 +72,13 @@ internal class CurrentFindings(
             before = wanted.file
             if (wanted.file == null) return@collectLatest
             withTimeoutOrNull(PATIENCE) { awaitDrawn() }
-            snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.forRules }.filterNotNull().conflate().collect { view ->
+            snapshotFlow { current.recording?.takeIf { it.file == wanted.file }?.forRules }.filterNotNull().conflate().collect { logged ->
                 val began = TimeSource.Monotonic.markNow()
-                val list = runInterruptible(Dispatchers.IO) { find(view, wanted.file, wanted.library) }
+                val list = runInterruptible(Dispatchers.IO) { find(logged, wanted.file, wanted.library) }
                 change { withList(list) }
                 // A growing log may have the same finding again, as another object.
                 select(selected?.let(list::like))
+                view.send(FindingAction.Know)
                 if (worstRequested == wanted.file) goToWorst() else beginWithFirst(list)
                 rest(began.elapsedNow())
             }

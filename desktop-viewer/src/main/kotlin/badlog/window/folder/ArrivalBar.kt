@@ -19,6 +19,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import badlog.core.recording.Severity
+import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.arrivalText
 import badlog.window.findings.findingColor
 import badlog.window.findings.findingSoft
@@ -50,10 +51,8 @@ internal fun ArrivalBar(logs: NewLogs, onShow: () -> Unit) {
             maxLines = 2,
             overflow = TextOverflow.Ellipsis,
         )
-        ToolButton("Show the new log, at its worst finding ($SHOW_KEY)", text = "Show", color = palette.accent, onClick = onShow)
+        val hint = "Show the new log, at its worst finding (${ScreenKey.NEW_LOG.key.text})"
+        ToolButton(hint, text = "Show", color = palette.accent, onClick = onShow)
         ToolButton("Hide this; the log stays in the list", text = "Later") { logs.leave() }
     }
 }
-
-/** The key that shows the log that arrived last. */
-internal const val SHOW_KEY = "A"

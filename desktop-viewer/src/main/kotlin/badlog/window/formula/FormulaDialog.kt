@@ -62,7 +62,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
     val writer = remember(sheet, open.file) { FormulaWriter(sheet.start, vocabularyFor(open, sheet.before)) }
     val close = formulas::closeSheet
 
-    fun reason() = writer.error?.message ?: sheet.before?.let { open.formulas.reasonToKeepName(it, writer.field.text) }
+    fun reason() = writer.remark?.text ?: sheet.before?.let { open.formulas.reasonToKeepName(it, writer.field.text) }
 
     fun isReady() = reason() == null && writer.topic != null
     // Evaluated when the key is pressed, which may be before the text of the previous key is drawn.
@@ -83,7 +83,7 @@ internal fun FormulaDialog(formulas: FormulaStore, sheet: FormulaSheet, open: Op
         FormulaField(writer)
         val reason = reason()
         if (reason != null) {
-            Text(reason, color = palette.error)
+            Text(reason, color = if (writer.remark?.isError == false) palette.muted else palette.error)
         } else {
             Text(writer.topic?.let { "Makes the topic “${it.name}”." } ?: HOW, color = palette.muted)
         }
@@ -130,7 +130,7 @@ internal fun FormulaField(writer: FormulaWriter) {
     val palette = LocalPalette.current
     val focus = remember { FocusRequester() }
     LaunchedEffect(writer) { focus.requestFocus() }
-    val error = writer.error
+    val error = writer.error.takeIf { writer.remark?.isError == true }
     val interactions = remember { MutableInteractionSource() }
     BasicTextField(
         writer.field,

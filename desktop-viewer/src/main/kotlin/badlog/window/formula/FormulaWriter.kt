@@ -12,7 +12,9 @@ import badlog.expression.ParsedVirtualTopic
 import badlog.expression.VirtualTopic
 import badlog.expression.signals.Vocabulary
 import badlog.viewer.choices.formula.Suggestions
+import badlog.viewer.choices.formula.TypedRemark
 import badlog.viewer.choices.formula.nameInExpression
+import badlog.viewer.choices.formula.whileTyping
 
 /**
  * A definition while it is being typed.
@@ -44,6 +46,9 @@ internal class FormulaWriter(start: String, private val vocabulary: Vocabulary) 
 
     /** The mistake in the definition; null if there is none, or nothing was typed. */
     val error: ExpressionError? get() = (parsed as? ExpressionError)?.takeIf { typed.text.isNotBlank() }
+
+    /** The remark on that mistake. */
+    val remark: TypedRemark? get() = error?.whileTyping()
 
     /** The suggested names at the text cursor. */
     val suggestions: Suggestions by derivedStateOf { Suggestions.of(typed.text, typed.selection.end, vocabulary) }

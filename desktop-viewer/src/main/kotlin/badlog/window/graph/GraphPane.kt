@@ -1,6 +1,7 @@
 package badlog.window.graph
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
@@ -8,17 +9,21 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.composed
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalFocusManager
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
 import badlog.viewer.state.GraphChange
 import badlog.window.choice.AxisOffer
 import badlog.window.choice.StationOffer
 import badlog.window.graph.mark.FindingStrip
 import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
+import badlog.window.theme.rememberAskedFocus
 import badlog.window.video.PlayerFrames
 
 /**
@@ -34,7 +39,11 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
         NothingOpen(isOpening, modifier)
         return
     }
-    Column(modifier.background(LocalPalette.current.surface).takesKeyboard(scene.board::pointerMoved)) {
+    val focus = rememberAskedFocus(scene.isFocusAsked) { scene.isFocusAsked = false }
+    Column(
+        modifier.background(LocalPalette.current.surface).takesKeyboard(scene.board::pointerMoved)
+            .focusRequester(focus).focusable().semantics { paneTitle = open.label },
+    ) {
         GraphToolbar(scene)
         AxisOffer(scene.axis)
         StationOffer(scene.stations)

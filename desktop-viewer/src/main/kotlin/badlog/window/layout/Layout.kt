@@ -22,6 +22,7 @@ import kotlinx.serialization.json.jsonObject
  * @property recording the file that was open, written as in [compared]; null for none.
  * @property visible its visible range; null for all.
  * @property selection its selection, or null.
+ * @property place its cursors and its selected finding, see [badlog.viewer.session.link.keptText].
  * @property compared the recordings compared with the open one.
  * @property panels the open parts of the window; null for no change.
  * @property overTime whether logs that name no x axis are drawn over their time column; null if a person has not chosen.
@@ -34,6 +35,7 @@ internal data class Layout(
     val recording: String? = null,
     val visible: LayoutSpan? = null,
     val selection: LayoutSpan? = null,
+    val place: String = "",
     val compared: LayoutComparison = LayoutComparison(),
     val panels: LayoutPanels? = null,
     val overTime: Boolean? = null,

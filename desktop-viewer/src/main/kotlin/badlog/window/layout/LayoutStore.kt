@@ -9,6 +9,8 @@ import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.formula.joined
 import badlog.viewer.input.KeyAction
+import badlog.viewer.session.link.actionsOfKept
+import badlog.viewer.session.link.keptText
 import badlog.viewer.state.Action
 import badlog.viewer.state.BoardAction
 import badlog.viewer.state.PlaceAction
@@ -100,6 +102,7 @@ internal class LayoutStore(
                 recording = open?.let { pathText(it.file, place) },
                 visible = view.viewport.visible.takeIf { view.viewport.isZoomed }?.let(::layoutSpan),
                 selection = view.selection?.let(::layoutSpan),
+                place = view.place.keptText,
                 compared = layoutOf(compared.state, place),
                 panels = layoutOf(panels.state),
                 overTime = axis.state,
@@ -239,6 +242,7 @@ internal class LayoutStore(
         board.arranged,
         view.viewport.visible,
         view.selection,
+        view.place.keptText,
         compared.state,
         panels.state,
         axis.state,
@@ -320,6 +324,7 @@ internal class LayoutStore(
         val visible = layout.visible?.let(::spanOf)?.takeIf { it.from < full.to && it.to > full.from }
         view.send(if (visible == null) Action.Press(KeyAction.SHOW_ALL) else PlaceAction.Show(visible.from, visible.to))
         view.send(PlaceAction.Select(layout.selection?.let(::spanOf)))
+        actionsOfKept(layout.place).forEach(view::send)
     }
 
     /** Shows the last visible range, if the recording is the same as then. Returns whether a recording of the folder is open. */

@@ -18,6 +18,7 @@ internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
         recording = place.recording,
         visible = place.visible,
         selection = place.selection,
+        place = place.place,
         compared = (if (mine.compared == before.compared) theirs else mine).compared,
         panels = (if (mine.panels == before.panels) theirs else mine).panels,
         overTime = (if (mine.overTime == before.overTime) theirs else mine).overTime,
@@ -37,4 +38,4 @@ private fun mergedGraphs(mine: Board?, before: Board?, theirs: Board?): Board? =
     else -> mine.mergedWith(theirs, before ?: Board())
 }
 
-private fun placeIn(layout: Layout) = listOf(layout.recording, layout.visible, layout.selection)
+private fun placeIn(layout: Layout) = listOf(layout.recording, layout.visible, layout.selection, layout.place)

@@ -28,6 +28,7 @@ import androidx.compose.ui.platform.PlatformTextInputInterceptor
 import badlog.viewer.input.HelpLine
 import badlog.viewer.input.KeyAction
 import badlog.viewer.input.KeyStroke
+import badlog.viewer.input.ScreenKey
 
 /**
  * Detects whether a person is typing into a text field, and passes keys to commands otherwise. A field lets presses of letters through to
@@ -127,6 +128,9 @@ internal class Command(val group: String, val meaning: String, val keys: List<Ke
     /** Creates the command of an action that pages also have: [run]. */
     constructor(action: KeyAction, run: () -> Unit) : this(action.group, action.meaning, action.keys.flatMap(::pressesOf), run)
 
+    /** Creates the command of a key outside the graphs that pages also have: [run]. */
+    constructor(key: ScreenKey, run: () -> Unit) : this(key.group, key.meaning, pressesOf(key.key), run)
+
     /** Its line in the help. */
     // Which characters need Shift depends on the keyboard.
     val help: HelpLine
@@ -166,6 +170,10 @@ private val KEYS = mapOf(
     "V" to listOf(Key.V),
     "," to listOf(Key.Comma),
     "." to listOf(Key.Period),
+    "A" to listOf(Key.A),
+    "I" to listOf(Key.I),
+    "Page up" to listOf(Key.PageUp),
+    "Page down" to listOf(Key.PageDown),
 )
 
 /** A key with the modifiers that must be held; [ctrl] is the command key on a Mac. */

@@ -44,9 +44,9 @@ import androidx.compose.ui.layout.onPlaced
 import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.unit.Constraints
-import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.toSize
+import badlog.viewer.input.MenuAnchor
 import badlog.window.theme.LocalPalette
 import kotlin.math.roundToInt
 
@@ -93,9 +93,9 @@ private fun MenuSheet(menu: OpenMenu, layer: () -> LayoutCoordinates?) {
                 layout(constraints.maxWidth, constraints.maxHeight) {
                     val corner = layer()?.positionInRoot() ?: return@layout
                     val anchor = menu.anchor.translate(-corner)
-                    placeable.place(
-                        cornerOf(anchor, placeable.width, placeable.height, constraints.maxWidth, constraints.maxHeight),
-                    )
+                    val (x, y) = MenuAnchor(anchor.left, anchor.top, anchor.bottom)
+                        .cornerOf(placeable.width, placeable.height, constraints.maxWidth, constraints.maxHeight)
+                    placeable.place(x.roundToInt(), y.roundToInt())
                 }
             }
             .onGloballyPositioned { menu.bounds = Rect(it.positionInRoot(), it.size.toSize()) }
@@ -124,15 +124,4 @@ private fun goesOn(event: KeyEvent, focus: FocusManager): Boolean {
         Key.DirectionUp -> focus.moveFocus(FocusDirection.Previous)
         else -> false
     }
-}
-
-/**
- * Returns the place of a menu of [width] and [height] in [roomX] and [roomY]. It is below [anchor], or otherwise above it, or otherwise as
- * low as it fits.
- */
-private fun cornerOf(anchor: Rect, width: Int, height: Int, roomX: Int, roomY: Int): IntOffset {
-    val below = anchor.bottom.roundToInt()
-    val above = anchor.top.roundToInt() - height
-    val y = if (below + height <= roomY || above < 0) below else above
-    return IntOffset(anchor.left.roundToInt().coerceIn(0, maxOf(0, roomX - width)), y.coerceIn(0, maxOf(0, roomY - height)))
 }

@@ -29,7 +29,6 @@ internal class Palette private constructor(val isDark: Boolean) {
     val errorSoft: Color = of(Shade.ERROR_SOFT)
     val warning: Color = of(Shade.WARNING)
     val warningSoft: Color = of(Shade.WARNING_SOFT)
-    val stateOff: Color = of(Shade.STATE_OFF)
     val stateText: Color = of(Shade.STATE_TEXT)
 
     /** The same colors for a pen. */

@@ -3,6 +3,7 @@ package badlog.window.video
 import androidx.compose.foundation.layout.Row
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
+import badlog.viewer.session.video.VIDEO_SPEEDS
 import badlog.viewer.text.exactText
 import badlog.window.theme.Icons
 import badlog.window.theme.ToolButton
@@ -19,13 +20,13 @@ internal fun PlaybackButtons(player: Player, isEnabled: Boolean, hasLabels: Bool
             isOn = playback.isPlaying,
             isEnabled = isEnabled,
         ) { player.toggle() }
-        ToolButton("Slower (<)", text = "‹", isEnabled = playback.speed > Playback.SPEEDS.first()) {
+        ToolButton("Slower (<)", text = "‹", isEnabled = playback.speed > VIDEO_SPEEDS.first()) {
             player.change { faster(-1) }
         }
         ToolButton("Speed: ${exactText(playback.speed)} times; click for 1", text = "${exactText(playback.speed)}×") {
             player.change { copy(speed = 1.0) }
         }
-        ToolButton("Faster (>)", text = "›", isEnabled = playback.speed < Playback.SPEEDS.last()) {
+        ToolButton("Faster (>)", text = "›", isEnabled = playback.speed < VIDEO_SPEEDS.last()) {
             player.change { faster(1) }
         }
         ToolButton("Loop the selection, or the visible range (L)", Icons.Loop, "Loop".takeIf { hasLabels }, isOn = playback.loops) {

@@ -7,6 +7,7 @@ import badlog.core.recording.Value
 import badlog.files.readRecording
 import badlog.formats.LOG_FORMATS
 import badlog.viewer.shown.table.CsvDraft
+import badlog.viewer.shown.table.rowsWithin
 import badlog.window.graph.withFormulas
 import badlog.window.wpilogRecording
 import io.kotest.assertions.throwables.shouldThrow
@@ -96,7 +97,7 @@ class CutFileSpec : FunSpec({
 
     test("a part includes the rows between its first and last where x goes backwards") {
         val back = recordingOf("""{"topics":[{"name":"T","unit":"s","attrs":["xaxis"]}],"values":[]}""" + "\nT\n1\n5\n2\n9\n")
-        rowsWithin(back, Span(0.0, 3.0)) shouldBe 0..2
-        rowsWithin(back, Span(6.0, 7.0)).isEmpty() shouldBe true
+        rowsWithin(back.view.xAxis.positions, Span(0.0, 3.0)) shouldBe 0..2
+        rowsWithin(back.view.xAxis.positions, Span(6.0, 7.0)).isEmpty() shouldBe true
     }
 })

@@ -49,7 +49,7 @@ class LogNotesSpec : FunSpec({
             setContent { ViewerTheme(Theme.LIGHT) { TestInspector(viewer) } }
             scope.launch { viewer.notes.run() }
             waitFor { viewer.notes.state.log == log.toAbsolutePath() }
-            viewer.view.send(PlaceAction.MoveCursor(42.0))
+            viewer.view.send(PlaceAction.Pin(42.0, second = null))
             onNodeWithContentDescription("Write a note at the cursor (M)").performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("hit by 254")
             onNodeWithContentDescription("Save the note (Enter)").performClick()

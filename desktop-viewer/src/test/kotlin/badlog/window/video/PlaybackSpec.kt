@@ -40,13 +40,6 @@ class PlaybackSpec : FunSpec({
         }
     }
 
-    test("speeds go up and down by steps, and stop at their ends") {
-        playing.faster(1).speed shouldBe 2.0
-        playing.faster(-1).speed shouldBe 0.5
-        playing.faster(100).speed shouldBe 10.0
-        playing.faster(-100).speed shouldBe 0.1
-    }
-
     test("the view follows a cursor that leaves it, without filling the history") {
         val viewer = viewerOf(recordingOf(bagOf(1001) { 0.0 }))
         viewer.view.send(PlaceAction.Show(0.0, 10.0))

@@ -9,6 +9,7 @@ import badlog.page.embedded.About
 import badlog.page.embedded.EmbeddedFile
 import badlog.page.embedded.EmbeddedLog
 import badlog.page.embedded.PageSource
+import badlog.page.embedded.additions
 import badlog.page.embedded.comparedFiles
 import badlog.page.embedded.findAdditions
 import badlog.page.linked.HandedFile
@@ -113,7 +114,7 @@ internal class Startup {
         val server = if (About.find()?.isServed == true) opening::openServer else null
         val start = StartScreen(logs.theme.element, opening::open, opening::open, server, sample?.let { { openSample(it) } })
         root.showAlone(start.element)
-        acceptFiles(opening::open)
+        acceptFiles(opening::open, opening::open)
         if (About.find()?.isOnWeb == true) awaitFromWeb(start)
         document.title = "badlog"
         setPageState("empty")
@@ -139,10 +140,15 @@ internal class Startup {
         // A link belongs to the log that is opened first, as its sender intended.
         if (hasOpened || document.getElementById("recording") != null) forgetAddress()
         hasOpened = true
-        logs.show(shownOf(log, read, compared), findAdditions()?.ofAnyLog(), showsWorst)
+        logs.show(shownOf(log, read, compared), additionsOf(log), showsWorst, onLaidOut = root::focus)
     }
 
-    private fun showGrown(log: OpenedLog, read: Recording) = logs.showGrown(shownOf(log, read, emptyList()), findAdditions()?.ofAnyLog())
+    private fun showGrown(log: OpenedLog, read: Recording) = logs.showGrown(shownOf(log, read, emptyList()), additionsOf(log))
+
+    private fun additionsOf(log: OpenedLog): PageAdditions? {
+        val own = findAdditions()?.ofAnyLog() ?: return null
+        return log.files[0].additions?.let(own::withNotesOf) ?: own
+    }
 
     private fun shownOf(log: OpenedLog, read: Recording, compared: List<File>): ShownLog {
         val version = About.find()?.version.orEmpty()
@@ -150,7 +156,7 @@ internal class Startup {
     }
 
     private fun forgetAddress() = try {
-        window.history.replaceState(null, "", window.location.href.substringBefore('#'))
+        window.history.replaceState(window.history.state, "", window.location.href.substringBefore('#'))
     } catch (_: Throwable) {
         // Pages in some frames have no address of their own.
     }

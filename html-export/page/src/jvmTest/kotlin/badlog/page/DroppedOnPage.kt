@@ -1,5 +1,6 @@
 package badlog.page
 
+import java.nio.file.Path
 import java.util.Base64
 
 /** Drops files with these names and bytes on the page. */
@@ -14,6 +15,14 @@ internal fun OpenPage.drop(vararg files: Pair<String, ByteArray>) {
         """.trimIndent(),
         files.map { (name, bytes) -> listOf(name, Base64.getEncoder().encodeToString(bytes)) },
     )
+}
+
+/** Drops [folder] on the page, as a person does. */
+internal fun OpenPage.drop(folder: Path) {
+    val data = mapOf("items" to emptyList<Any>(), "files" to listOf("$folder"), "dragOperationsMask" to 1)
+    for (type in listOf("dragEnter", "dragOver", "drop")) {
+        driver.executeCdpCommand("Input.dispatchDragEvent", mapOf("type" to type, "x" to 300, "y" to 300, "data" to data))
+    }
 }
 
 /** Presses the button [label] of the page's question. */

@@ -1,5 +1,6 @@
 package badlog.page
 
+import badlog.exporter.EmptyPage
 import badlog.exporter.HtmlExporter
 import badlog.exporter.NotesFile
 import badlog.viewer.choices.note.Note
@@ -62,6 +63,15 @@ internal class NotesSpec : PageSpec({
         press("m")
         press(text, Keys.ENTER)
         settle()
+    }
+
+    browserTest("a page that is dropped on a page without a log shows its notes") {
+        val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(1.0, "hit by 254")), read = emptyList()) }
+        val empty = tempdir().toPath().resolve(EmptyPage.NAME).also { EmptyPage().write(it) }
+        onPage(empty, state = "empty") {
+            drop("match.html" to Files.readAllBytes(page))
+            await("its note") { texts("#notes .note-text") == listOf("hit by 254") }
+        }
     }
 
     browserTest("notes are written, changed and removed, and a page and its copy in one browser show each once") {

@@ -81,6 +81,8 @@ internal class OpenedFolderSpec : PageSpec({
                 texts(".page-head h1") shouldContainExactly listOf("event")
                 column("FILE").size shouldBe 5
                 awaitAll()
+                press(Keys.TAB, Keys.ENTER)
+                script("return document.activeElement.id") shouldBe "open:${script("return document.querySelector('[data-path]').dataset.path")}"
                 column("FILE") shouldContainExactlyInAnyOrder
                     listOf("qualification-42.bag", "qualification-57.bag.gz", "practice.bag", "elevator-bench.csv", "pit.bag")
                 val row = column("FILE").indexOf("qualification-42.bag")
@@ -139,9 +141,16 @@ internal class OpenedFolderSpec : PageSpec({
                 column("FILE").size shouldBe 5
             }
             step("the back button leads to the row of the log; keys in a dialog do not switch logs") {
-                click("[data-column='FILE'] button") { it.text == "practice.bag" }
+                script("document.getElementById('open:event/practice.bag').focus()")
+                press(Keys.ENTER)
                 await("the log") { texts(".page-title h1").size == 1 }
                 awaitState("ready")
+                script("return document.activeElement.tagName") shouldBe "MAIN"
+                for ((step, screen) in listOf("back" to "empty", "back" to "empty", "forward" to "empty", "forward" to "ready")) {
+                    script("history.$step()")
+                    awaitState(screen)
+                }
+                await("the log again") { texts(".page-title h1").singleOrNull() == "practice.bag" }
                 press("m")
                 act { keyDown(Keys.ALT).sendKeys(Keys.PAGE_DOWN).keyUp(Keys.ALT) }
                 press(Keys.ESCAPE)
@@ -270,6 +279,12 @@ internal class OpenedFolderSpec : PageSpec({
                 @Suppress("UNCHECKED_CAST")
                 val paths = script("return [...document.querySelectorAll('tbody tr')].map(row => row.dataset.path)") as List<String>
                 paths shouldContainExactlyInAnyOrder listOf("event/a.bag", "event/b.bag", "event/day2/a.bag")
+            }
+            onPage(page, state = "empty") {
+                drop(samples().also { page.copyTo(it / "page.html", overwrite = true) })
+                await("the list") { elements(".log-table").isNotEmpty() }
+                awaitAll()
+                texts(".log-tools [role=status]") shouldContainExactly listOf("5 logs · 1 page left out: open one alone")
             }
             onPage(page, state = "empty") {
                 drop("a.bag" to bag, "a.bag" to bag)

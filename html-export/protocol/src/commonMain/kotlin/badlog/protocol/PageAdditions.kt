@@ -64,6 +64,16 @@ class PageAdditions(
     /** Returns the additions that apply to any log: rules and field. A page also shows them for other logs. */
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
+    /** Returns these additions, which are not about one log, with the notes of [page], from which the shown log comes. */
+    fun withNotesOf(page: PageAdditions): PageAdditions = PageAdditions(
+        rules = rules,
+        rulesProblem = rulesProblem,
+        field = field,
+        notes = page.notes,
+        notesProblem = page.notesProblem,
+        noteChanges = page.noteChanges,
+    )
+
     /** Reads what [toJson] wrote. */
     companion object
 }

@@ -125,6 +125,13 @@ class ProtocolSpec : FunSpec({
         }
     }
 
+    test("a log from another page is shown with that page's notes, and with nothing else of it") {
+        val own = PageAdditions(field = "field", layout = "own", notes = listOf(Note(9.0, "own")))
+        val shown = own.withNotesOf(PageAdditions(field = "other", layout = "other", notes = listOf(Note(1.0, "hit")), notesProblem = "One is missing."))
+        listOf(shown.field, shown.layout, shown.notesProblem) shouldBe listOf("field", null, "One is missing.")
+        shown.notes shouldBe listOf(Note(1.0, "hit"))
+    }
+
     test("findings of the page's worker are read back unchanged") {
         checkAll(100, Arb.list(FINDINGS, 0..3), Arb.list(TEXTS, 0..3), Arb.boolean()) { findings, names, isMistake ->
             val skipped = names.map { SkippedRule(it, 1, "$it.", isMistake) }

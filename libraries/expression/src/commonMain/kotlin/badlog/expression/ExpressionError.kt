@@ -1,6 +1,7 @@
 package badlog.expression
 
 import badlog.expression.syntax.ExpressionErrorKind
+import badlog.expression.syntax.Function
 import badlog.expression.syntax.SUGGESTION
 
 /**
@@ -21,6 +22,9 @@ class ExpressionError internal constructor(
 ) : ParsedExpression,
     ParsedQuestion,
     ParsedVirtualTopic {
+    /** Whether the mistake is the name of a function without operands. */
+    val isFunctionAlone: Boolean get() = Function.called(text.substring(from, until)).isNotEmpty()
+
     /** Returns the message, and below it the text's line with a line of carets that point at the mistake. */
     fun pointed(): String {
         // On Node, a search from -1 looks at index 0.

@@ -83,13 +83,15 @@ private fun read(
             parser.finish()
         }
     }
-    if (options.untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording
+    (if (options.untilLastLineEnd && isOfRecords) recording.without(ProblemKind.RECORD_CUT) else recording).withAdvice()
 }
 
 /** Returns the same parser, limited to the number of rows or records that the user of the program allows. */
 internal fun RecordingParser.limited(): RecordingParser = also { parser ->
-    System.getenv("BADLOG_MAX_ROWS")?.toIntOrNull()?.let { parser.maxRows = it }
+    System.getenv(MAX_ROWS)?.toIntOrNull()?.let { parser.maxRows = it }
 }
+
+private const val MAX_ROWS = "BADLOG_MAX_ROWS"
 
 /** Smaller files are read before Java has compiled the code for several threads. */
 private const val MIN_PARALLEL = 64L shl 20
@@ -130,5 +132,12 @@ private fun FilePieces.readOthers(isFull: () -> Boolean, accept: (ByteArray, Int
         }
     }
 }
+
+/** Returns this recording with advice that a page, where no environment variable can be set, does not give. */
+private fun Recording.withAdvice() = copy(
+    problems = problems.map {
+        if (it.kind == ProblemKind.TOO_MANY_ROWS) it.copy(message = "${it.message} Set $MAX_ROWS to read more.") else it
+    },
+)
 
 private fun Recording.without(kind: ProblemKind) = copy(problems = problems.filter { it.kind != kind })

@@ -6,13 +6,16 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 
 /**
- * Returns the time column of a recording that names no x axis: the first one called time or timestamp, if it has a number in each row
- * and never decreases. Null if there is none, or if the recording has an x axis.
+ * Returns the time column of a recording that names no x axis: the first one called time or timestamp, if it has a number in each row and
+ * falls in at most one of a hundred. Null if there is none, or if the recording has an x axis.
  */
 fun Recording.timeColumn(): Topic? {
     if (rowCount == 0 || topics.any { X_AXIS in it.attributes }) return null
     return topics.firstOrNull { TIME_NAME.matches(PathName.baseNameOf(it.name)) && rises(it) }
 }
+
+/** Returns the number of rows in which [column] is less than in the row before, as when the robot's clock is set. */
+fun fallsOf(column: Topic): Int = column.samples.run { (1 until size).count { this[it] < this[it - 1] } }
 
 /** Returns this recording with [column], one of its topics, as its x axis. */
 fun Recording.over(column: Topic): Recording =
@@ -26,9 +29,12 @@ fun Recording.overItsTime(): Recording = (if (format == RecordingFormat.CSV) tim
 
 private fun rises(topic: Topic): Boolean {
     val samples = topic.samples
-    return topic.times == null && samples.size > 1 && samples.all { it.isFinite() } && samples.first() < samples.last() &&
-        (1 until samples.size).all { samples[it] >= samples[it - 1] }
+    val hasNumbers = topic.times == null && samples.size > 1 && samples.all { it.isFinite() }
+    return hasNumbers && samples.first() < samples.last() && fallsOf(topic) <= samples.size * MAX_FALLS
 }
+
+/** The largest share of rows in which a time may fall. */
+private const val MAX_FALLS = 0.01
 
 private const val X_AXIS = "xaxis"
 

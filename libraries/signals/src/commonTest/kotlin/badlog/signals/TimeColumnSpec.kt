@@ -23,6 +23,12 @@ class TimeColumnSpec : FunSpec({
         axisOf("Loop Time,A\n1,1\n2,2\n") shouldBe null
     }
 
+    test("a time may fall in one row of a hundred, because clocks are set") {
+        fun rows(falling: Int) = (0 until 200).joinToString("") { "${if (it in 50 until 50 + falling * 2 && it % 2 == 1) 9 else it},1\n" }
+        axisOf("Time,A\n${rows(falling = 2)}") shouldBe "Time"
+        axisOf("Time,A\n${rows(falling = 3)}") shouldBe null
+    }
+
     test("a bag without an x axis may have such a column, too, but is drawn over it only on request") {
         val header = "{\"topics\":[{\"name\":\"Time\",\"unit\":\"s\",\"attrs\":[]}],\"values\":[]}\n"
         axisOf("${header}Time\n0\n1\n") shouldBe null

@@ -71,6 +71,9 @@ internal class GraphScene(
     /** Whether signals are being dragged over the window. */
     var isReceiving: Boolean by mutableStateOf(false)
 
+    /** Whether the graphs are to get the keyboard's focus, because a person has opened a log. */
+    var isFocusAsked: Boolean by mutableStateOf(false)
+
     /** The visible parts of the planes of graphs of y over x, by the graph's id. A graph without one shows all of its plane. */
     val planes = mutableStateMapOf<Int, Plane>()
 

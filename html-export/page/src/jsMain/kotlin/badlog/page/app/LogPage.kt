@@ -149,7 +149,8 @@ internal class LogPage(
         boardSection.bringIntoSight()
     }
     private val signalChoice = SignalChoice(formulas.given, signals, scene.notice, onOtherSignals)
-    private val findings = FindingsSection(scene, signalChoice, embeddedFindings, { changes.differences }, store::send)
+    private val hasRules = this.additions.rules.rules.isNotEmpty()
+    private val findings = FindingsSection(scene, signalChoice, embeddedFindings, hasRules, { changes.differences }, store::send)
     private val rules = PageRules(this.additions, embeddedFindings, about.name, findings) { element.isConnected }
     private val noteList = NoteList(scene, notes, noteDialog::edit)
     private val evidence = EvidenceSection(scene, graphs, signals, { store.send(FindingAction.StepWithin(it)) }, ::send)
@@ -232,7 +233,7 @@ internal class LogPage(
             search.again()
             values.refresh()
         }
-        acceptFiles(::openDropped)
+        acceptFiles(onDrop = ::openDropped)
         notes.onChange {
             scene.notes = notes.now.notes
             redraw()

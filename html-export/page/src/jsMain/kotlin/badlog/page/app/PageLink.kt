@@ -122,7 +122,7 @@ internal class PageLink(
     /** Makes the page's address end with [end], without following it. */
     private fun showAddress(end: String) {
         try {
-            window.history.replaceState(null, "", window.location.href.substringBefore('#') + end)
+            window.history.replaceState(window.history.state, "", window.location.href.substringBefore('#') + end)
         } catch (_: Throwable) {
             // Pages in some frames have no address of their own.
         }

@@ -46,7 +46,6 @@ internal class PageRules(
      */
     fun start(logged: LogView, onFound: (LogFindings, List<Incident>) -> Unit) {
         if (additions.rules.rules.isEmpty()) return setRulesState("done")
-        if (found == null) section.wait()
         val pause = if (found == null) 0.0 else ranAt + PAUSE - window.performance.now()
         if (pause <= 0) return run(logged, onFound)
         setRulesState("done")

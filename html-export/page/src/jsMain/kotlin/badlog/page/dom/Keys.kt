@@ -1,5 +1,6 @@
 package badlog.page.dom
 
+import badlog.viewer.input.ScreenKey
 import org.w3c.dom.Element
 import org.w3c.dom.events.KeyboardEvent
 
@@ -7,6 +8,8 @@ import org.w3c.dom.events.KeyboardEvent
 internal val KeyboardEvent.isTyped: Boolean
     get() = target.unsafeCast<Element?>()?.closest("dialog, input:not([type=checkbox], [type=radio]), textarea, select") != null
 
-/** Returns whether it is the lowercase [letter] alone, and is not typed into a field. */
-internal fun KeyboardEvent.isPlain(letter: String): Boolean =
-    key.lowercase() == letter && !ctrlKey && !metaKey && !altKey && !shiftKey && !isTyped
+/** The key outside the graphs that was pressed; null for other keys, and for one that is typed into a field. */
+internal val KeyboardEvent.screenKey: ScreenKey?
+    get() = if (isTyped || ctrlKey || metaKey) null else ScreenKey.onPage(PAGE_KEYS[key] ?: key.uppercase(), shiftKey, altKey)
+
+private val PAGE_KEYS = mapOf("PageUp" to "Page up", "PageDown" to "Page down")

@@ -1,5 +1,6 @@
 package badlog.page.dom
 
+import badlog.viewer.input.MenuAnchor
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
@@ -17,7 +18,7 @@ import org.w3c.dom.events.KeyboardEvent
 internal class MenuEntry(val label: String, val isChecked: Boolean? = null, val action: () -> Unit)
 
 /**
- * Opens a menu with [entries] below [button], as a child of [host]. The host must be positioned and not clip its content. Arrow keys move
+ * Opens a menu with [entries] beside [button], as a child of [host]. The host must not clip its content. Arrow keys move
  * within it; Escape, or moving the focus elsewhere, closes it.
  */
 internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<MenuEntry>) {
@@ -57,8 +58,13 @@ internal fun openMenu(button: HTMLElement, host: HTMLElement, entries: List<Menu
         if (next == null || !menu.contains(next)) window.setTimeout({ if (!menu.contains(document.activeElement)) close() }, 0)
     })
     button.setAttribute("aria-expanded", "true")
-    menu.style.top = "${button.getBoundingClientRect().bottom - host.getBoundingClientRect().top + GAP}px"
     host.appendChild(menu)
+    val anchor = button.getBoundingClientRect().run { MenuAnchor(left.toFloat(), (top - GAP).toFloat(), (bottom + GAP).toFloat()) }
+    val room = checkNotNull(document.documentElement)
+    val (left, top) = anchor.cornerOf(menu.offsetWidth, menu.offsetHeight, room.clientWidth, room.clientHeight)
+    val corner = (menu.offsetParent ?: room).getBoundingClientRect()
+    menu.style.left = "${left - corner.left}px"
+    menu.style.top = "${top - corner.top}px"
     menu.children.asList().first().unsafeCast<HTMLElement>().focus()
 }
 

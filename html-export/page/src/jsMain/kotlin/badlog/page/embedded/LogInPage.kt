@@ -1,15 +1,24 @@
 package badlog.page.embedded
 
+import badlog.protocol.PageAdditions
+import badlog.protocol.fromJson
 import org.w3c.fetch.Response
 import org.w3c.files.Blob
 import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Returns the files of the log in [page], a page of badlog; null if it contains none. Rejected if the log was changed since it was
- * exported. Only a piece of the page is in memory at a time.
+ * Returns the files of the log in [page], a page of badlog, the first with its [additions]; null if it contains none. Rejected if the log
+ * was changed since it was exported. Only a piece of the log is in memory at a time.
  */
 internal fun logIn(page: File): Promise<List<File>?> = PageScan(page).run()
+
+/** The additions of the page that the file comes from; null for a file that does not come from a page. */
+internal var File.additions: PageAdditions?
+    get() = asDynamic().additions as PageAdditions?
+    set(value) {
+        asDynamic().additions = value
+    }
 
 private class PageScan(private val page: File) {
     private val gzip = BlobParts()
@@ -19,6 +28,10 @@ private class PageScan(private val page: File) {
     private var rest = ""
     private var isInLog = false
     private var hasLog = false
+
+    /** The bytes scanned so far, and those before the log. */
+    private var scanned = 0.0
+    private var head = 0.0
 
     /** Promises the files of the log; null if the page has none. Rejected if the log in it is damaged. */
     fun run(): Promise<List<File>?> = readFrom(0.0).then {
@@ -32,9 +45,21 @@ private class PageScan(private val page: File) {
                 // Read again as UTF-8, the encoding of the page.
                 val end = page.asDynamic().slice(page.size.toDouble() - rest.length + begin + ABOUT.length)
                 end.text().unsafeCast<Promise<String>>().then { filesOf(JSON.parse<dynamic>(it.substringBefore('<'))) }
+                    .unsafeCast<Promise<List<File>>>().then { files -> additions().then { files.apply { first().additions = it } } }
             }
         }
     }.unsafeCast<Promise<List<File>?>>()
+
+    private fun additions(): Promise<PageAdditions> = page.asDynamic().slice(0, head).text().unsafeCast<Promise<String>>()
+        .then { textOf(it.substringAfter(PACKED, "").substringBefore('<')) }.unsafeCast<Promise<String>>()
+        .then { if (it.isEmpty()) PageAdditions() else checkNotNull(PageAdditions.fromJson(it)) }
+        .catch { PageAdditions(notesProblem = "The notes in ${page.name} cannot be read; open that page itself.") }
+
+    private fun textOf(packed: String): Promise<String> {
+        if (packed.isEmpty()) return Promise.resolve("")
+        val gzip = BlobParts().apply { addBytes(Base64.decode(packed)) }.toBlob()
+        return unpacked(gzip).then { it.asDynamic().text() }.unsafeCast<Promise<String>>()
+    }
 
     private fun filesOf(about: dynamic): Promise<List<File>> {
         check(sums.fit(about.crc32.unsafeCast<Array<Int>>())) { DAMAGED }
@@ -53,6 +78,7 @@ private class PageScan(private val page: File) {
 
     private fun readFrom(from: Double): Promise<Unit> = bytesOf(page, from, from + PIECE).then { bytes ->
         rest += LATIN.decode(bytes).unsafeCast<String>()
+        scanned = from + bytes.size
         scan()
         if (bytes.size < PIECE) Unit else readFrom(from + PIECE)
     }.unsafeCast<Promise<Unit>>()
@@ -63,6 +89,7 @@ private class PageScan(private val page: File) {
             // A name may contain “>”, but no quotes.
             val end = rest.indexOf("\">", maxOf(begin, 0))
             if (begin < 0 || end < 0) return forget()
+            head = scanned - rest.length + begin
             rest = rest.substring(end + 2)
             isInLog = true
             hasLog = true
@@ -89,6 +116,7 @@ private class PageScan(private val page: File) {
 
     private companion object {
         const val LOG = "id=\"recording\""
+        const val PACKED = "id=\"packed-additions\">"
         const val ABOUT = "id=\"about\">"
         const val DAMAGED = "the log in it was damaged in copying"
 

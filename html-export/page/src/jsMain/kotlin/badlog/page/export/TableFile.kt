@@ -5,6 +5,7 @@ import badlog.page.dom.sliceMillis
 import badlog.page.view.Notice
 import badlog.page.view.Scene
 import badlog.viewer.shown.table.CsvDraft
+import badlog.viewer.text.countText
 import kotlinx.browser.window
 import org.w3c.files.Blob
 import org.w3c.files.BlobPropertyBag
@@ -26,7 +27,7 @@ internal fun saveTable(scene: Scene, name: String, draft: CsvDraft) {
             scene.notice.say("There are no samples in the visible range; show a part of the log that has some.")
         } else {
             saveFile(file, fileNameOf(scene, name, ".csv"))
-            if (table.remark.isNotEmpty()) scene.notice.say("Saved ${table.rowCount} rows${table.remark}.")
+            if (table.remark.isNotEmpty()) scene.notice.say("Saved ${countText(table.rowCount, "row")}${table.remark}.")
         }
     }
 }

@@ -1,6 +1,5 @@
 package badlog.page.findings
 
-import badlog.page.dom.PageEvents
 import badlog.page.dom.element
 import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
@@ -14,12 +13,12 @@ import badlog.viewer.panel.LogTimes
 import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.findingsPanel
+import badlog.viewer.panel.finding.isFixed
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.firstStep
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
-import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
@@ -27,6 +26,7 @@ import org.w3c.dom.HTMLElement
  *
  * @param signals the signals that a reader assigned to topics.
  * @param embedded the findings from before the page was made.
+ * @param hasRules whether rules will run.
  * @param differences returns how the log differs from those before it.
  * @param send lets an action change the state.
  */
@@ -34,17 +34,26 @@ internal class FindingsSection(
     private val scene: Scene,
     private val signals: SignalChoice,
     embedded: List<Finding>,
+    private val hasRules: Boolean,
     private val differences: () -> List<Finding>,
     private val send: (Action) -> Unit,
 ) {
     private val times = LogTimes(scene.range.full.width, scene.xAxis, scene.enabled)
     private val nodes = PartNodes(send)
     private var drawn: FindingPlace<Finding>? = null
-    private var isRunning = false
+    private var isRunning = hasRules
+    private var isInside = false
 
     val element: HTMLElement = element("section", "findings card") {
         id = "findings"
         setAttribute("aria-label", "Findings")
+        // Not before: nothing may move below a finger or a button that is pressed.
+        for (type in listOf("click", "keyup")) {
+            addEventListener(type, {
+                isInside = true
+                keepHeight()
+            })
+        }
     }
 
     /** The findings of the rules, and the embedded ones. */
@@ -60,19 +69,6 @@ internal class FindingsSection(
 
     init {
         scene.store.onChange { if (scene.visited !== drawn || it.findings != state) show() }
-        show()
-    }
-
-    /** Shows that rules are running, unless they end soon. */
-    fun wait() {
-        var isOver = false
-        PageEvents.onEnd { isOver = true }
-        val before = found
-        window.setTimeout({ if (!isOver && found === before) showRunning() }, PATIENCE)
-    }
-
-    private fun showRunning() {
-        isRunning = true
         show()
     }
 
@@ -126,11 +122,12 @@ internal class FindingsSection(
                 signals.topics,
                 signals.assigned,
                 isComparing = scene.compared.isNotEmpty(),
-                room = if (isNarrow) FindingsRoom.NARROW else FindingsRoom.SHARED,
+                room = room,
             ),
         )
         element.patch(nodes.of(parts))
         element.isHidden = parts.isEmpty()
+        keepHeight()
         element.classList.toggle(
             "has-spans",
             found.all.any { finding ->
@@ -144,8 +141,9 @@ internal class FindingsSection(
         list.scrollTop = (row.offsetTop - list.offsetTop - list.clientHeight / 2).toDouble()
     }
 
-    private companion object {
-        /** Milliseconds before running rules are mentioned. */
-        const val PATIENCE = 400
+    private fun keepHeight() {
+        element.classList.toggle("is-fixed", room.isFixed(hasRules, scene.enabled.isNotEmpty(), isInside || drawn != null))
     }
+
+    private val room: FindingsRoom get() = if (isNarrow) FindingsRoom.NARROW else FindingsRoom.SHARED
 }

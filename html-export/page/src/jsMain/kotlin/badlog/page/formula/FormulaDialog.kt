@@ -11,6 +11,7 @@ import badlog.viewer.choices.formula.Suggestions
 import badlog.viewer.choices.formula.nameInExpression
 import badlog.viewer.choices.formula.reasonToKeep
 import badlog.viewer.choices.formula.reasonToKeepName
+import badlog.viewer.choices.formula.whileTyping
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
@@ -109,10 +110,11 @@ internal class FormulaDialog(
         // Leading spaces must not move the mark.
         val text = input.value.trim()
         val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
-        val reason = mistake?.message ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
+        val remark = mistake?.whileTyping()
+        val reason = (if (isFinal) mistake?.message else remark?.text) ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
         show(reason.orEmpty(), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
-        pointer.isHidden = mistake == null
+        pointer.isHidden = if (isFinal) mistake == null else remark?.isError != true
         // A long formula does not fit, and its mistake is usually near its end.
         pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()

@@ -8,6 +8,7 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.signals.over
 import badlog.signals.timeColumn
+import badlog.viewer.text.axisQuestion
 import org.w3c.dom.HTMLElement
 
 /**
@@ -30,10 +31,9 @@ internal class AxisChoice(read: Recording, fileKey: String, mayAsk: Boolean, pri
         null
     } else {
         val name = PathName.baseNameOf(column.name)
-        val unnamed = "This log does not name an x axis. “$name” increases in every row."
         element("p", "axis-choice") {
             id = "axis-choice"
-            add("span", "", if (chosen == TIME) "Drawn over “$name”." else unnamed)
+            add("span", "", if (chosen == TIME) "Drawn over “$name”." else axisQuestion(column))
             if (chosen != TIME) addButton("", "Draw over “$name”") { choose(TIME) }.id = "axis-time"
             addButton("text-button", if (chosen == TIME) "Use row numbers" else "Keep row numbers") { choose(ROWS) }.id = "axis-rows"
         }

@@ -5,7 +5,8 @@ import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.element
-import badlog.page.dom.isPlain
+import badlog.page.dom.screenKey
+import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.arrivalText
 import badlog.viewer.text.word
@@ -75,7 +76,7 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
     }
 
     private fun press(event: KeyboardEvent) {
-        if (!event.isPlain("a") || element.classList.contains("is-empty")) return
+        if (event.screenKey != ScreenKey.NEW_LOG || element.classList.contains("is-empty")) return
         event.preventDefault()
         onShow()
     }

@@ -53,12 +53,6 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         started.cancel()
     }
 
-    /** Empties the queue and stops fetching. */
-    fun stop() {
-        waiting.clear()
-        pause()
-    }
-
     private companion object {
         /** The bytes that a robot's server sends in some 20 s. */
         const val MAX_BYTES = 20_000_000L

@@ -8,8 +8,11 @@ import org.w3c.dom.asList
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** Accepts files and folders dropped anywhere on the page. [onDrop] is called with the files, including those in the folders. */
-internal fun acceptFiles(onDrop: (List<File>) -> Unit) {
+/**
+ * Accepts files and folders dropped anywhere on the page. [onFolder] is called with a folder alone if the browser lets the page look into
+ * it again, otherwise [onDrop] with the files, including those in the folders.
+ */
+internal fun acceptFiles(onFolder: ((WatchedFolder) -> Unit)? = null, onDrop: (List<File>) -> Unit) {
     PageEvents.on(document, "dragover") { event -> if (hasFile(event)) event.preventDefault() }
     PageEvents.on(document, "drop") { event ->
         if (!hasFile(event)) return@on
@@ -17,10 +20,27 @@ internal fun acceptFiles(onDrop: (List<File>) -> Unit) {
         val data = event.asDynamic().dataTransfer
         // The browser empties both when this function returns.
         val files = data.files.unsafeCast<ItemArrayLike<File>>().asList()
-        val entries = js("Array").from(data.items).unsafeCast<Array<dynamic>>().map { item -> item.webkitGetAsEntry() }
+        val items = js("Array").from(data.items).unsafeCast<Array<dynamic>>()
+        val entries = items.map { item -> item.webkitGetAsEntry() }
         if (entries.none { it != null && it.isDirectory == true }) return@on onDrop(files)
-        Promise.all(entries.map { filesOf(it) }.toTypedArray()).then { onDrop(it.toList().flatten()) }
+        handlesOf(items).then({ handles ->
+            val folder = handles.singleOrNull()?.let { WatchedFolder(it) }
+            if (folder != null && onFolder != null) return@then onFolder(folder)
+            Promise.all(handles.map { WatchedFolder.filesOf(it) }.toTypedArray()).then { onDrop(it.toList().flatten()) }
+        }, {
+            Promise.all(entries.map { filesOf(it) }.toTypedArray()).then { onDrop(it.toList().flatten()) }
+        })
     }
+}
+
+/**
+ * Promises the handles of [items], the way to a folder in Chromium, which does not list entries for pages on a disk; rejected if the
+ * browser has no handles. Call it while the files are dropped.
+ */
+private fun handlesOf(items: Array<dynamic>): Promise<Array<out Any>> = try {
+    Promise.all(items.map { it.getAsFileSystemHandle().unsafeCast<Promise<Any>>() }.toTypedArray())
+} catch (problem: Throwable) {
+    Promise.reject(problem)
 }
 
 private fun hasFile(event: dynamic): Boolean = event.dataTransfer?.types?.includes("Files") == true

@@ -7,10 +7,11 @@ import badlog.page.dom.addButton
 import badlog.page.dom.element
 import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
-import badlog.page.dom.isPlain
+import badlog.page.dom.screenKey
 import badlog.page.dom.showText
 import badlog.rules.RuleSet
 import badlog.rules.toJson
+import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.Listing
@@ -80,6 +81,7 @@ internal class FolderScreen(
         LogTable({ column -> list(listing.sorted(column)) }, ::check) { log, showsWorst -> onOpen(latest(log), emptyList(), showsWorst) }
 
     val element: HTMLElement = element("div", "start folder-logs") {
+        addButton("skip", "Skip to the logs") { listing.visible.firstOrNull()?.let(::focus) }
         add("header", "page-head") {
             add("h1", "", name)
             tools = add("div", "page-tools") {
@@ -113,10 +115,7 @@ internal class FolderScreen(
 
     init {
         show()
-        if (watch != null) {
-            arrivals = arrivals.begun(logs.associate { it.path to it.size })
-            bar.start()
-        }
+        if (watch != null) arrivals = arrivals.begun(logs.associate { it.path to it.size })
         cache.find(logs, { log, message ->
             val known = SummaryMessage.read(message, log)
             unread -= log.path
@@ -127,6 +126,11 @@ internal class FolderScreen(
         }
     }
 
+    /** The number of pages among the files, which are not listed. */
+    var pages: Int
+        get() = listing.pages
+        set(value) = list(listing.copy(pages = value))
+
     /** The listed logs, in order. */
     val visible: List<OpenedLog> get() = listing.visible
 
@@ -136,11 +140,14 @@ internal class FolderScreen(
         isShown = true
         seen.clear()
         change(arrivals)
-        watch?.start()
+        watch?.let {
+            it.start()
+            bar.start()
+        }
         arrived.fetch()
         if (isCacheRead) reading.start()
         PageEvents.on(document, "keydown") {
-            if (it.unsafeCast<KeyboardEvent>().isPlain("i")) togglePit()
+            if (it.unsafeCast<KeyboardEvent>().screenKey == ScreenKey.PIT) togglePit()
         }
     }
 
@@ -184,11 +191,10 @@ internal class FolderScreen(
         for (log in known.values) if (log.isUnread && watch?.isGrowing(log.path) != true) unread += log.path
     }
 
-    /** Ends all work, because something else is shown from now on. */
-    fun end() {
+    /** Stops all work, because neither the list nor one of its logs is shown. */
+    fun leave() {
         pause()
         watch?.stop()
-        arrived.stop()
         bar.stop()
     }
 

@@ -19,31 +19,34 @@ internal class FolderWatch(
     /** The logs that had changed at the last look. */
     private val growing = HashSet<String>()
     private var timer = 0
-    private var isOver = false
+
+    /** The number of calls of [stop], which invalidate looks begun before. */
+    private var turn = 0
 
     /** Starts watching, unless it has been started. */
     fun start() {
-        if (timer == 0) lookIn(folder.pause)
+        if (timer == 0) lookIn(folder.pause, turn)
     }
 
-    private fun lookIn(pause: Int) {
+    private fun lookIn(pause: Int, begun: Int) {
         timer = window.setTimeout({
             // A log for which a person waits comes first.
-            if (isPageBusy) return@setTimeout lookIn(BUSY_PAUSE)
+            if (isPageBusy) return@setTimeout lookIn(BUSY_PAUSE, begun)
             // A folder that cannot be listed now is tried again later.
-            folder.files().then({ if (!isOver) onLook(compare(OpenedLog.logsIn(it))) }, {})
+            folder.files().then({ if (begun == turn) onLook(compare(OpenedLog.logsIn(it))) }, {})
                 .catch { console.error(it) }
-                .then { if (!isOver) lookIn(folder.pause) }
+                .then { if (begun == turn) lookIn(folder.pause, begun) }
         }, pause)
     }
 
     /** Returns whether the log at [path] had changed at the last look. */
     fun isGrowing(path: String): Boolean = path in growing
 
-    /** Stops watching. */
+    /** Stops watching, until the next [start]. */
     fun stop() {
-        isOver = true
+        turn++
         window.clearTimeout(timer)
+        timer = 0
     }
 
     private fun compare(logs: List<OpenedLog>): FolderChanges {

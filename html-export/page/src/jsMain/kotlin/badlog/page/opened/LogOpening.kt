@@ -7,7 +7,7 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
-import badlog.page.dom.isTyped
+import badlog.page.dom.screenKey
 import badlog.page.embedded.logIn
 import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
@@ -20,7 +20,9 @@ import badlog.page.served.ServedFolder
 import badlog.page.served.served
 import badlog.rules.RuleSet
 import badlog.signals.overItsTime
+import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Changes
+import badlog.viewer.state.Visit
 import badlog.viewer.text.countText
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
@@ -48,6 +50,10 @@ internal class LogOpening(
     private var log: OpenedLog? = null
     private var folder: FolderScreen? = null
 
+    /** Opens the last log again; null before the first one. */
+    private var again: (() -> Unit)? = null
+    private val history = PageHistory({ if (it == Visit.LIST) folder != null else again != null }, ::showAgain)
+
     /** Follows the shown log while it grows. */
     val live: LiveButton = LiveButton({ log }) { grown, read ->
         log = grown
@@ -63,23 +69,26 @@ internal class LogOpening(
 
     /** Opens the only log in [files], or lists all of them. */
     fun open(files: List<File>) {
+        again = { open(files) }
         val only = files.singleOrNull()
         val advice = only?.let { adviceFor(it.name) }
         // A single file was selected by name, so it may have any name.
         val logs = OpenedLog.logsIn(if (only != null) files else files.filter(OpenedLog::isNamedLikeLog))
+        val pages = files.count { isPage(it.name) }
         when {
             files.isEmpty() -> return
-            only != null && isPage(only) -> openPage(only)
+            only != null && pages > 0 -> openPage(only)
             only != null && advice != null -> fail("This page cannot read ${only.name}", advice)
-            logs.isEmpty() && files.any(::isPage) -> fail("There is no log here", "badlog pages are opened one at a time.")
+            logs.isEmpty() && pages > 0 -> fail("There is no log here", "badlog pages are opened one at a time.")
             logs.isEmpty() -> fail("There is no log here", "None of these ${countText(files.size, "file")} is a log.")
-            logs.size == 1 -> open(logs[0])
-            else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null)
+            logs.size == 1 && pages == 0 -> open(logs[0])
+            else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null, pages)
         }
     }
 
     /** Opens [linked], the target of a link, after the reader has agreed. */
     fun open(linked: LinkedFile) {
+        again = { open(linked) }
         val asked = wait(linked.name, linked::cancel)
         linked.fetch(asked.screen::show).then({ if (asked.isLatest) open(listOf(it)) }, {
             if (asked.isLatest) fail("${linked.name} cannot be opened", it.message.orEmpty())
@@ -146,10 +155,11 @@ internal class LogOpening(
             addIconButton("turned", Icon.CHEVRON, "Previous log of the list (Alt+Page up)") { previous() }.id = "previous-log"
             addIconButton("", Icon.CHEVRON, "Next log of the list (Alt+Page down)") { next() }.id = "next-log"
             PageEvents.on(document, "keydown") {
-                val key = it.unsafeCast<KeyboardEvent>()
-                if (key.isTyped) return@on
-                if (key.altKey && key.key == "PageUp") previous()
-                if (key.altKey && key.key == "PageDown") next()
+                when (it.unsafeCast<KeyboardEvent>().screenKey) {
+                    ScreenKey.PREVIOUS_LOG -> previous()
+                    ScreenKey.NEXT_LOG -> next()
+                    else -> Unit
+                }
             }
         }
     }
@@ -157,8 +167,9 @@ internal class LogOpening(
     private fun open(opened: OpenedLog) = open(opened, emptyList(), false)
 
     private fun open(opened: OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) {
-        val all = listOf(opened) + compared
-        if (all.all { it.isHere }) read(opened, compared, showsWorst) else fetch(all, showsWorst)
+        again = { open(opened, compared, showsWorst) }
+        val all = (listOf(opened) + compared).map { if (it.isHere) it else folder?.latest(it) ?: it }
+        if (all.all { it.isHere }) read(all[0], all.drop(1), showsWorst) else fetch(all, showsWorst)
     }
 
     private fun fetch(logs: List<OpenedLog>, showsWorst: Boolean) {
@@ -238,62 +249,74 @@ internal class LogOpening(
     /** Shows that the file [name] is being read; [cancel] stops reading. */
     private fun wait(name: String, cancel: () -> Unit): OpenRequest {
         live.stop()
-        folder?.pause()
         cancelLast()
         cancelLast = cancel
-        val asked = OpenRequest(
-            LoadingScreen(name) {
-                cancel()
-                goBack()
-            },
-            ++request,
-        )
+        leaveList()
+        val asked = OpenRequest(LoadingScreen(name, ::goBack), ++request)
         setPageState("loading")
         root.showAlone(asked.screen.element)
-        acceptFiles {
+        acceptFiles(::open) {
             cancel()
             open(it)
         }
         return asked
     }
 
+    private fun leaveList() {
+        // Forward no longer leads from the start to its list.
+        if (history.now == Visit.START) endFolder() else folder?.pause()
+        history.show(Visit.LOG)
+    }
+
     private fun fail(title: String, explanation: String) {
-        folder?.pause()
+        leaveList()
         request++
         root.fail(title, explanation, back())
-        acceptFiles(::open)
+        acceptFiles(::open, ::open)
     }
 
     /** Lists the logs in [watched], and those that appear there later. */
     fun open(watched: WatchedFolder) {
-        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again) }.catch { root.failUnexpectedly(it, back()) }
+        watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again, watched.pages) }
+            .catch { root.failUnexpectedly(it, back()) }
     }
 
-    private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?) {
+    private fun list(logs: List<OpenedLog>, name: String, again: FolderPolling?, pages: Int = 0) {
         endFolder()
-        folder = FolderScreen(logs, name, rules(), again, settings, ::leaveFolder, { if (it.path == log?.path) onRead() }, ::open)
-        goBack()
-    }
-
-    private fun leaveFolder() {
-        endFolder()
+        val leave = { goBackTo(Visit.START) }
+        val listed = FolderScreen(logs, name, rules(), again, settings, leave, { if (it.path == log?.path) onRead() }, ::open)
+        listed.pages = pages
+        folder = listed
         goBack()
     }
 
     private fun endFolder() {
-        folder?.end()
+        folder?.leave()
         folder = null
     }
 
     /** Shows the list from which the log was opened, or the start if there is none. */
-    private fun goBack() {
+    private fun goBack() = goBackTo(if (folder == null) Visit.START else Visit.LIST)
+
+    private fun goBackTo(visit: Visit) {
+        history.show(visit)
+        showAgain(visit)
+    }
+
+    private fun showAgain(visit: Visit) {
+        if (visit == Visit.LOG) return again?.invoke() ?: Unit
         live.stop()
+        cancelLast()
         request++
         val left = log
         log = null
-        val listed = folder ?: return goToStart()
+        val listed = folder
+        if (visit == Visit.START || listed == null) {
+            listed?.leave()
+            return goToStart()
+        }
         root.showAlone(listed.element)
-        acceptFiles(::open)
+        acceptFiles(::open, ::open)
         document.title = "badlog"
         setPageState("empty")
         listed.resume()
@@ -318,8 +341,6 @@ internal class LogOpening(
         "zip" -> "Unpack it first, then open what was in it."
         else -> null
     }
-
-    private fun isPage(file: File) = file.name.endsWith(".html", ignoreCase = true) || file.name.endsWith(".htm", ignoreCase = true)
 
     private companion object {
         /** The milliseconds between two looks at a robot's list; a robot has other work. */

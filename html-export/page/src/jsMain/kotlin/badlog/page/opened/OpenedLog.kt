@@ -104,3 +104,6 @@ internal class OpenedLog(
         private fun withoutEnding(file: File) = pathOf(file).substringBeforeLast('.')
     }
 }
+
+/** Returns whether the file called [name] is a page, which may hold a log. */
+internal fun isPage(name: String): Boolean = name.endsWith(".html", ignoreCase = true) || name.endsWith(".htm", ignoreCase = true)

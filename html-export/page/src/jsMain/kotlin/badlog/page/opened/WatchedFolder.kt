@@ -6,12 +6,15 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /** A folder that a person chose and into which the page may look again, because logs in it appear and grow. */
-internal class WatchedFolder private constructor(private val handle: dynamic) {
+internal class WatchedFolder(private val handle: dynamic) {
     val name: String get() = handle.name as String
 
     /** The same folder, for later looks. */
     val again: FolderPolling get() = FolderPolling(PAUSE, ::files)
 
+    /** The number of pages in it at the last look. */
+    var pages = 0
+        private set
     private var hasListed = false
 
     /** The paths that could not be read at first. */
@@ -22,9 +25,12 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
      *
      * Rejected if the folder, or an entry that could be read at first, cannot be read, because its logs would seem to be gone.
      */
-    fun files(): Promise<List<File>> = filesIn(handle, name).then {
-        hasListed = true
-        it
+    fun files(): Promise<List<File>> {
+        pages = 0
+        return filesIn(handle, name).then {
+            hasListed = true
+            it
+        }
     }
 
     private fun filesIn(folder: dynamic, path: String): Promise<List<File>> = Promise { resolve, reject ->
@@ -53,7 +59,10 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
     private fun filesOf(entry: dynamic, place: String): Promise<List<File>> = when {
         entry.kind == "directory" -> filesIn(entry, place)
 
-        !OpenedLog.isNamedLikeLog(place) -> Promise.resolve(emptyList())
+        !OpenedLog.isNamedLikeLog(place) -> {
+            if (isPage(place)) pages++
+            Promise.resolve(emptyList())
+        }
 
         else -> entry.getFile().then { file: File ->
             file.place = place
@@ -67,6 +76,10 @@ internal class WatchedFolder private constructor(private val handle: dynamic) {
 
         /** Whether this browser supports such folders. */
         val areThere: Boolean get() = window.asDynamic().showDirectoryPicker != undefined
+
+        /** Promises the file of [handle], or the files named like logs in its folder. */
+        fun filesOf(handle: dynamic): Promise<List<File>> =
+            if (handle.kind == "directory") WatchedFolder(handle).files() else handle.getFile().then { file: File -> listOf(file) }
 
         /** Lets a person choose a folder. Rejected if the person cancels, or the browser forbids it. */
         fun choose(): Promise<WatchedFolder> =

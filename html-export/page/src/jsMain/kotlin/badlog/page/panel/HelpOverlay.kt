@@ -6,6 +6,7 @@ import badlog.viewer.input.GRAPH_GESTURES
 import badlog.viewer.input.HelpLine
 import badlog.viewer.input.KeyAction
 import badlog.viewer.input.SEARCH_HELP
+import badlog.viewer.input.ScreenKey
 import org.w3c.dom.HTMLElement
 
 /** The dialog that lists the keys and gestures. */
@@ -16,7 +17,7 @@ internal class HelpOverlay {
     val element: HTMLElement = dialog.element
 
     private fun HTMLElement.addContent() {
-        val lines = GRAPH_GESTURES + KeyAction.entries.map { it.help } + OTHERS + SEARCH_HELP
+        val lines = GRAPH_GESTURES + KeyAction.entries.map { it.help } + OTHERS + ScreenKey.entries.map { it.helpOnPage } + SEARCH_HELP
         for ((group, ofGroup) in lines.groupBy { it.group }) {
             add("h3", "", group)
             add("dl", "help-keys") { for (line in ofGroup) addLine(line) }
@@ -46,9 +47,6 @@ internal class HelpOverlay {
             HelpLine("Board", "Drag a title", "Puts the graph there on the board; on another graph, draws both in one."),
             HelpLine("Page", "/", "Search"),
             HelpLine("Page", "Esc", "Cancel a drag, or one at a time: the search, the evidence, the cursors"),
-            HelpLine("Page", "A", "Show the newest log, at its worst finding"),
-            HelpLine("Page", "I", "In a list of logs: the pit view, or the list"),
-            HelpLine("Page", "?", "This help"),
         )
     }
 }

@@ -1,6 +1,8 @@
 package badlog.page.screen
 
 import badlog.page.dom.PageEvents
+import badlog.page.dom.focusInPlace
+import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
 /**
@@ -16,6 +18,13 @@ internal class PageRoot(private val root: HTMLElement) {
     /** Adds [element] to the cleared page. */
     fun show(element: HTMLElement) {
         root.appendChild(element)
+    }
+
+    /** Moves the keyboard's focus to the content, unless it is in the content. */
+    fun focus() {
+        if (document.activeElement !== document.body) return
+        root.tabIndex = -1
+        root.focusInPlace()
     }
 
     /** Shows [element] instead of the previous content. */

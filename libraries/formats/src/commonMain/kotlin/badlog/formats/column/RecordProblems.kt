@@ -28,5 +28,5 @@ internal fun ProblemList.addCut(bytes: Int) = add(
 /** Reports that there are more records than [max]. */
 internal fun ProblemList.addTooMany(max: Int) = add(
     ProblemKind.TOO_MANY_ROWS,
-    "The log has more than $max records; the rest was not read. Set BADLOG_MAX_ROWS to read more.",
+    "The log has more than $max records; the rest was not read.",
 )

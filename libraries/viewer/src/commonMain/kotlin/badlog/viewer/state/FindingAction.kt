@@ -19,6 +19,12 @@ sealed interface FindingAction : Action {
     /** Goes [steps] places forward within the finding that was gone to, or back if negative. */
     class StepWithin(val steps: Int) : FindingAction
 
+    /** Selects [finding] without going there, as soon as it is known. */
+    class Select(val finding: WantedFinding) : FindingAction
+
+    /** The findings are known, and among them perhaps the wanted one. */
+    object Know : FindingAction
+
     /** Searches the findings for [text]; an empty one shows all of them. */
     class Search(val text: String) : FindingAction
 

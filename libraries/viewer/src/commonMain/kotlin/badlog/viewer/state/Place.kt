@@ -14,15 +14,20 @@ import badlog.viewer.shown.cursor.Cursors
  * @property cursors the places at which values are read.
  * @property selection the selected range of x; null for none.
  * @property visited the place of the finding that a person went to last; null for none.
+ * @property wanted the finding to select as soon as it is known, where it begins; null for none.
  */
 data class Place(
     val range: Viewport,
     val cursors: Cursors = Cursors(),
     val selection: Span? = null,
     val visited: FindingPlace<Finding>? = null,
+    val wanted: WantedFinding? = null,
 ) {
-    /** Where a note goes that a person begins with a key: to the cursor, or else to the middle of the visible range. */
-    val ofNote: Double get() = cursors.x ?: range.visible.run { (from + to) / 2 }
+    /**
+     * Where a note goes that a person begins with a key: to the pinned cursor if it is visible, or else to the middle of the visible
+     * range. The pointer may rest anywhere.
+     */
+    val ofNote: Double get() = cursors.pinned?.takeIf { it in range.visible } ?: range.visible.run { (from + to) / 2 }
 
     /** Pins the cursor at [x], or at the end of the log that is nearer to it, and shows it. Nothing changes if x is not finite. */
     internal fun at(x: Double): Place {
@@ -35,7 +40,7 @@ data class Place(
     internal fun at(x: Double, span: Span): Place = if (x.isFinite()) copy(range = range.around(span.from, span.to)).at(x) else this
 
     /** Goes to [place], where a finding is. One about the whole log changes neither range nor cursor. */
-    internal fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place).at(place.span.from, place.span)
+    internal fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place, wanted = null).at(place.span.from, place.span)
 
     /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is; going back returns from it. */
     internal fun atEnd(): Place = copy(range = range.remembered()).movedToEnd()
@@ -50,3 +55,6 @@ data class Place(
     /** Removes the first of these that exists: selection, second cursor, pinned cursor, cursor. */
     internal fun cancelled(): Place = if (selection == null) copy(cursors = cursors.cancelled()) else copy(selection = null)
 }
+
+/** A finding by its names, which begins at [x]. */
+data class WantedFinding(val rule: String, val topic: String?, val x: Double)

@@ -29,6 +29,9 @@ sealed interface PlaceAction : Action {
     /** Selects [finding] where the person is; null for none. */
     class Visit(val finding: FindingPlace<Finding>?) : PlaceAction
 
+    /** Pins the cursors at [x] and [second], where they were when the log was left; the visible range stays. */
+    class Pin(val x: Double, val second: Double?) : PlaceAction
+
     /** Shows x between [from] and [to], in any order; going back returns from it. */
     class Show(val from: Double, val to: Double) : PlaceAction
 

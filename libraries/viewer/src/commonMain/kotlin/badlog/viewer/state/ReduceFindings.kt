@@ -7,6 +7,8 @@ import badlog.viewer.draw.mark.FindingPlace
 internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = when (action) {
     is FindingAction.GoTo -> visiting(action.place, FindingRequest.Show(action.place, action.incident, action.isWhole))
     is FindingAction.StepWithin -> steppedWithin(shown, action.steps)
+    is FindingAction.Select -> Outcome(at(place.copy(wanted = action.finding)).selected(shown))
+    FindingAction.Know -> Outcome(selected(shown))
     is FindingAction.Search -> findings { copy(query = action.text, listed = null) }
     FindingAction.ListMore -> findings { copy(listed = (listed ?: 0) + FINDINGS_AT_A_TIME) }
     FindingAction.ListFew -> findings { copy(listed = null) }
@@ -25,6 +27,13 @@ internal fun ViewerState.nextFinding(shown: Shown, steps: Int): Outcome {
 }
 
 private fun ViewerState.findings(step: FindingsState.() -> FindingsState) = Outcome(copy(findings = findings.step()))
+
+private fun ViewerState.selected(shown: Shown): ViewerState {
+    val (rule, topic, x) = place.wanted ?: return this
+    fun isMeant(finding: Finding) = finding.rule == rule && finding.topic == topic
+    val found = shown.found?.timeline?.placeAt(x, ::isMeant)?.takeIf { isMeant(it.finding) } ?: return this
+    return at(place.copy(visited = found, wanted = null))
+}
 
 private fun ViewerState.steppedWithin(shown: Shown, steps: Int): Outcome {
     val visited = place.visited ?: return Outcome(this)

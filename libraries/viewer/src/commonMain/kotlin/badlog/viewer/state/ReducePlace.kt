@@ -25,6 +25,7 @@ internal fun ViewerState.after(shown: Shown, action: PlaceAction): ViewerState =
     PlaceAction.Leave -> cursors { left() }
     is PlaceAction.Click -> clicked(action)
     is PlaceAction.Pick -> range { if (action.x in visible) this else centered(action.x) }.cursors { pinnedAt(action.x) }
+    is PlaceAction.Pin -> cursors { Cursors(place.within(action.x), action.second?.let(place::within)) }
     is PlaceAction.MoveCursor -> cursors { if (isPinned) pinnedAt(action.x) else hovering(action.x) }
     is PlaceAction.Point -> cursors { action.cursors }
     PlaceAction.Cancel -> at(place.cancelled())

@@ -33,6 +33,15 @@ class GestureSpec : FunSpec({
         KeyAction.entries.map { it.meaning }.shouldBeUnique()
     }
 
+    test("keys outside the graphs differ from those of the graphs, and from each other") {
+        val others = ScreenKey.entries.map { it.onPage.text }
+        (others + KeyAction.entries.flatMap { action -> action.keys.map { it.text } }).shouldBeUnique()
+        ScreenKey.onPage("?", shift = true, alt = false) shouldBe ScreenKey.HELP
+        ScreenKey.onPage("Page up", shift = false, alt = true) shouldBe ScreenKey.PREVIOUS_LOG
+        ScreenKey.onPage("Page up", shift = false, alt = false).shouldBeNull()
+        ScreenKey.NEXT_LOG.helpOnPage.how shouldBe "Alt+Page down"
+    }
+
     test("a drag zooms, pans with Shift, and zooms y with Alt") {
         DragKind.of(shift = false, alt = false) shouldBe DragKind.ZOOM
         DragKind.of(shift = true, alt = false) shouldBe DragKind.PAN

@@ -180,6 +180,15 @@ class ReduceSpec : FunSpec({
         after(beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE), log, KeyAction.NEW_NOTE).request shouldBe Request.Note(51.0)
     }
 
+    test("a note goes to what is in sight, not to the pointer or to a cursor outside") {
+        val hovering = reduce(beginning, log, PlaceAction.Hover(20.0)).state
+        after(hovering, log, KeyAction.NEW_NOTE).request shouldBe Request.Note(50.0)
+        val pinned = beginning.then(KeyAction.NEXT_SAMPLE)
+        val away = reduce(pinned, log, PlaceAction.Show(80.0, 90.0)).state
+        after(away, log, KeyAction.NEW_NOTE).request shouldBe Request.Note(85.0)
+        after(away, log, KeyAction.MARK).request shouldBe Request.Mark(85.0)
+    }
+
     test("after any keys, the visible range is within the log, and requests alone change neither place nor board") {
         checkAll(Arb.list(Arb.enum<KeyAction>(), 0..60)) { actions ->
             var state = beginning

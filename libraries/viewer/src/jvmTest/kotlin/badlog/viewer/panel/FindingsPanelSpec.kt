@@ -16,6 +16,7 @@ import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
+import badlog.viewer.panel.finding.isFixed
 import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.shown.finding.firstPlace
 import badlog.viewer.state.Action
@@ -61,6 +62,16 @@ class FindingsPanelSpec : FunSpec({
     }
 
     fun many(count: Int) = RuleResults(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
+
+    test("a list above graphs of a match is as high before the rules have run as after, until a person is inside it") {
+        fun isFixed(room: FindingsRoom = FindingsRoom.SHARED, hasRules: Boolean = true, wasEnabled: Boolean = true, isInside: Boolean = false) =
+            room.isFixed(hasRules, wasEnabled, isInside)
+        isFixed() shouldBe true
+        isFixed(isInside = true) shouldBe false
+        isFixed(hasRules = false) shouldBe false
+        isFixed(wasEnabled = false) shouldBe false
+        for (room in listOf(FindingsRoom.WHOLE, FindingsRoom.NARROW)) isFixed(room) shouldBe false
+    }
 
     test("findings have severity, time and text, the worst first, and ones without a time are about the whole log") {
         val parts = findingsPanel(shown())

@@ -21,6 +21,7 @@ import badlog.viewer.text.isoText
  * @property onlyErrors whether only logs with an error found by the rules are listed.
  * @property groupsEvents whether the logs of each event are together: first the event with the log that is sorted first.
  * @property folder the folder of the logs; its own name is not searched.
+ * @property pages the number of pages of badlog among its files, which are not listed.
  */
 data class Listing<E : ListedLog>(
     val entries: List<E> = emptyList(),
@@ -31,6 +32,7 @@ data class Listing<E : ListedLog>(
     val onlyErrors: Boolean = false,
     val groupsEvents: Boolean = false,
     val folder: String? = null,
+    val pages: Int = 0,
 ) {
     /** The listed logs, in order. */
     val visible: List<E> by lazy {
@@ -48,8 +50,9 @@ data class Listing<E : ListedLog>(
     /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
 
-    /** The number of listed logs: `3 of 12 logs`, or `12 logs`. */
-    val count: String get() = countOf(visible.size, size, "log")
+    /** The number of listed logs: `3 of 12 logs`, or `12 logs`; and of pages that are left out. */
+    val count: String
+        get() = countOf(visible.size, size, "log") + if (pages == 0) "" else " · ${countText(pages, "page")} left out: open one alone"
 
     /** The reason why the list is empty, although there are logs, as a sentence. */
     val emptiness: String

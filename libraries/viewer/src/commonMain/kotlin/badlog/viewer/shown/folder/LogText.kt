@@ -46,6 +46,9 @@ val ListedLog.problemSeverity: Severity?
         else -> null
     }
 
+/** Returns the heading of a shown log, [title], beside a list of logs, which may be of another folder, or no longer have it. */
+fun headingOf(title: String, isListed: Boolean): String = if (isListed) title else "$title · not in the list"
+
 /** Returns the problems in words, for a tooltip. */
 fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.summary.problems) {
     listOfNotNull(

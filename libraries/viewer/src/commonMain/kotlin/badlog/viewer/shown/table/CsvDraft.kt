@@ -3,10 +3,8 @@ package badlog.viewer.shown.table
 import badlog.core.analysis.GraphSeries
 import badlog.core.analysis.LogView
 import badlog.core.analysis.Span
-import badlog.core.analysis.periodicTimes
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
-import kotlin.math.floor
 
 /**
  * A [CsvTable] in the making. Each [step] handles one topic, because a log may have thousands of them, with a million samples each.
@@ -63,7 +61,7 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
         val positions = view.xAxis.positions
         val hasRows = positions.isNotEmpty()
         val (times, remark) = if (hasRows) positions to "" else timesFor()
-        val rows = if (hasRows && span != null) rowsIn(positions, span) else times.indices
+        val rows = if (hasRows && span != null) rowsWithin(positions, span) else times.indices
         for (line in lines) {
             steps += {
                 columns += if (!hasRows || line.isDerived || line.topic.times != null) heldColumn(line, times) else loggedColumn(line.topic)
@@ -73,28 +71,10 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
         steps += { made = CsvTable(view.xAxis.title, times, rows, columns, remark) }
     }
 
-    /** Returns the rows from the first to the last in [span]. Rows between them belong to it even if x is missing or goes backward. */
-    private fun rowsIn(positions: DoubleArray, span: Span): IntRange {
-        val first = positions.indexOfFirst { it in span }
-        return if (first < 0) IntRange.EMPTY else first..positions.indexOfLast { it in span }
-    }
-
-    /**
-     * Returns rows for topics that share none: one every 20 ms, as often as a robot's program runs, or one at each sample of a line that
-     * has more.
-     */
     private fun timesFor(): Pair<DoubleArray, String> {
         val range = range ?: return DoubleArray(0) to ""
-        // Many topics over many hours would be more than any spreadsheet can open.
-        val most = MAX_CELLS / (lines.size + 1)
-        val period = generateSequence(PERIOD) { it * 2 }.first { range.width / it < most }
-        val periodic = floor(range.width / period + ROUNDING).toInt() + 1
-        val densest = densest
-        val own = densest?.data?.x?.filter { it in range }?.distinct()?.sorted().orEmpty()
-        if (densest != null && own.size > periodic && own.size < most) {
-            return own.toDoubleArray() to ", one at each sample of “${densest.topic.name}”$HELD"
-        }
-        return periodicTimes(range.from, period, periodic) to ", one every ${(period * 1000).toInt()} ms$HELD"
+        val samples = densest?.data?.x ?: DoubleArray(0)
+        return TableRows.of(range, lines.size, densest?.topic?.name, samples).run { times to remark }
     }
 
     companion object {
@@ -115,14 +95,5 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
             for (line in lines) steps += { add(line) }
             steps += ::layRows
         }
-
-        private const val HELD = ", each with the last values before it"
-
-        /** The time between two rows, in seconds. */
-        private const val PERIOD = 0.02
-        private const val MAX_CELLS = 40e6
-
-        // The tolerance, in periods, for the last step of a period that divides the range.
-        private const val ROUNDING = 1e-9
     }
 }

@@ -1,6 +1,8 @@
 package badlog.viewer.choices.formula
 
+import badlog.expression.ExpressionError
 import badlog.expression.LogViewSignals
+import badlog.expression.VirtualTopic
 import badlog.expression.withVirtualTopics
 import badlog.viewer.bagView
 import io.kotest.core.spec.style.FunSpec
@@ -35,6 +37,15 @@ class FormulaSpec : FunSpec({
     test("added formulas replace the ones with the same name and keep the others") {
         joined(listOf("A = 1", "B = 2"), listOf("B = 3", "C = 4")) shouldContainExactly listOf("A = 1", "B = 3", "C = 4")
         joined(listOf("A = 1"), emptyList()) shouldContainExactly listOf("A = 1")
+    }
+
+    test("a mistake at the end is a hint while a person types, and does not accuse the first word of a name") {
+        fun remark(text: String) = (VirtualTopic.parse(text, vocabulary) as ExpressionError).whileTyping()
+        remark("P = Battery Voltage * Total").run { text to isError } shouldBe ("Type on for a name, or “(” for the function Total." to false)
+        remark("P = Battery Voltage * Tot").isError shouldBe false
+        remark("P = Battery Voltage * ").isError shouldBe false
+        remark("P = total * 2").run { text to isError } shouldBe ("total is a function; put its operands in parentheses after it." to true)
+        remark("P = Batery + 2").isError shouldBe true
     }
 
     test("names are suggested for a typed part") {

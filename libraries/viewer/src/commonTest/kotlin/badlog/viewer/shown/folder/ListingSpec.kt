@@ -34,6 +34,16 @@ internal data class AnyLog(
 }
 
 class ListingSpec : FunSpec({
+    test("the heading says that a shown log is not listed, because it was deleted or is of another folder") {
+        headingOf("Qualification 42", isListed = true) shouldBe "Qualification 42"
+        headingOf("Qualification 42", isListed = false) shouldBe "Qualification 42 · not in the list"
+    }
+
+    test("the count says how many pages of a folder are not listed") {
+        Listing<ListedLog>(pages = 2).count shouldBe "0 logs · 2 pages left out: open one alone"
+        Listing<ListedLog>(pages = 1).count shouldBe "0 logs · 1 page left out: open one alone"
+    }
+
     fun log(
         path: String,
         match: MatchOfLog = MatchOfLog(),

@@ -1,0 +1,17 @@
+package badlog.viewer.choices.formula
+
+import badlog.expression.ExpressionError
+
+/**
+ * The remark on a definition while a person types it.
+ *
+ * @property isError whether typing on does not mend it; otherwise it is a hint.
+ */
+class TypedRemark(val text: String, val isError: Boolean)
+
+/** Returns the remark on this mistake. At the end of the text, it may be gone with the next letter. */
+fun ExpressionError.whileTyping(): TypedRemark = when {
+    until < text.trimEnd().length -> TypedRemark(message, isError = true)
+    isFunctionAlone -> TypedRemark("Type on for a name, or “(” for the function ${text.substring(from, until)}.", isError = false)
+    else -> TypedRemark(message, isError = false)
+}
