@@ -129,11 +129,11 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Types [keys] into the focused element. */
     fun press(vararg keys: CharSequence) = act { sendKeys(*keys) }
 
-    /** Clicks the first element that matches [selector] and [isWanted], or its replacement if the page recreated it before the click. */
-    fun click(selector: String, isWanted: (WebElement) -> Boolean = { true }) {
+    /** Clicks the first element that matches [selector] and [accepts], or its replacement if the page recreated it before the click. */
+    fun click(selector: String, accepts: (WebElement) -> Boolean = { true }) {
         await("a click on $selector") {
             val found = elements(selector)
-            checkNotNull(found.firstOrNull(isWanted)) { "None of the ${found.size} elements that $selector finds is to be clicked." }.click()
+            checkNotNull(found.firstOrNull(accepts)) { "None of the ${found.size} elements that $selector finds is to be clicked." }.click()
             true
         }
         settle()

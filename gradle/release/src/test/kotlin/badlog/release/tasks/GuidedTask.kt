@@ -10,8 +10,10 @@ private val LINK = Regex("""\[([^]]+)]\(([^)]+)\)""")
 internal class GuidedTask(val title: String, val files: Map<String, String>)
 
 /** Returns the tasks below “Five tasks” in the text of CONTRIBUTING.md. */
-internal fun guidedTasksIn(contributing: String): List<GuidedTask> =
-    contributing.substringAfter("\n## Five tasks\n").substringBefore("\n## ").split("\n### ").drop(1).map { section ->
+internal fun guidedTasksIn(contributing: String): List<GuidedTask> {
+    val sections = contributing.substringAfter("\n## Five tasks\n").substringBefore("\n## ").split("\n### ").drop(1)
+    return sections.map { section ->
         val links = LINK.findAll(section).map { it.groupValues[1].trim('`') to it.groupValues[2].substringBefore('#') }
         GuidedTask(section.lineSequence().first(), links.toMap())
     }
+}
