@@ -123,7 +123,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("findings of several places, many, none, and ones outside the recording") {
+    browserTest("findings of several places, none, and ones outside the recording") {
         step("a finding with several places is listed once, marked at each place, and N goes through the places") {
             val further = listOf(Span(4.0, 4.5), Span(9.0, 9.0))
             val twin = finding("Twin", Severity.NOTE, "at the same time", 9.0, NEVER)
@@ -141,21 +141,10 @@ internal class FindingSpec : PageSpec({
                 element(".finding[aria-current]").text shouldContain "three times"
             }
         }
-        step("the worst of many findings are shown at first, the others on request") {
-            onPage(pageWith(List(60) { finding("R", if (it == 59) Severity.ERROR else Severity.NOTE, "$it", it / 10.0, NEVER) })) {
-                elements(".finding").size shouldBe 5
-                texts(".finding .severity").first() shouldBe "error"
-                val folded = element("#findings").size.height
-                click(".findings-more button") { it.isDisplayed }
-                elements(".finding").size shouldBe 60
-                element("#findings").size.height shouldBeLessThan 600
-                click(".findings-more button") { it.isDisplayed }
-                element("#findings").size.height shouldBe folded
-            }
-        }
         step("without findings there is no list, and their keys do nothing; without events there is no link to them") {
             onPage(TestPages.of(stepBag(graphs = 1))) {
                 element("#findings").isDisplayed shouldBe false
+                element("#problems").isDisplayed shouldBe false
                 element(".events-link").isDisplayed shouldBe false
                 press("n")
                 pressShift("n")
