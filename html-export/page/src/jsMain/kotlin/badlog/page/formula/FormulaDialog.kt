@@ -110,11 +110,10 @@ internal class FormulaDialog(
         // Leading spaces must not move the mark.
         val text = input.value.trim()
         val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
-        val remark = mistake?.whileTyping()
-        val reason = (if (isFinal) mistake?.message else remark?.text) ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
+        val reason = (if (isFinal) mistake?.message else mistake?.whileTyping()?.text) ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
         show(reason.orEmpty(), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
-        pointer.isHidden = if (isFinal) mistake == null else remark?.isError != true
+        pointer.isHidden = mistake == null || reason != mistake.message
         // A long formula does not fit, and its mistake is usually near its end.
         pointer.scrollLeft = maxOf(0, (mistake?.from ?: 0) - LETTERS_BEFORE) * LETTER_WIDTH
         suggest()

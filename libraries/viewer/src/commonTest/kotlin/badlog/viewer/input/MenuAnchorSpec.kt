@@ -4,8 +4,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 internal class MenuAnchorSpec : FunSpec({
-    fun corner(left: Int, top: Int, height: Int = 100) =
-        MenuAnchor(left.toFloat(), top.toFloat(), top + 20f).cornerOf(width = 200, height, roomX = 800, roomY = 600)
+    fun corner(left: Int, top: Int, height: Int = 100) = MenuAnchor(left.toFloat(), top.toFloat(), top + 20f).cornerOf(width = 200, height, roomX = 800, roomY = 600)
 
     test("a menu is below its button, above it at the lower edge of the window, and as low as it fits if it fits nowhere") {
         corner(left = 300, top = 50) shouldBe (300f to 70f)

@@ -5,8 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 internal class AxisQuestionSpec : FunSpec({
-    fun questionOver(vararg times: Int) =
-        axisQuestion(bagView(listOf("Robot/Time"), times.map { "$it" }).recording.topics.single()).substringAfter(". ")
+    fun questionOver(vararg times: Int) = axisQuestion(bagView(listOf("Robot/Time"), times.map { "$it" }).recording.topics.single()).substringAfter(". ")
 
     test("the question says in how many rows the time does not increase, if there are any") {
         questionOver(0, 1, 2) shouldBe "“Time” increases in every row."

@@ -64,8 +64,7 @@ class FindingsPanelSpec : FunSpec({
     fun many(count: Int) = RuleResults(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
 
     test("a list above graphs of a match is as high before the rules have run as after, until a person is inside it") {
-        fun isFixed(room: FindingsRoom = FindingsRoom.SHARED, hasRules: Boolean = true, wasEnabled: Boolean = true, isInside: Boolean = false) =
-            room.isFixed(hasRules, wasEnabled, isInside)
+        fun isFixed(room: FindingsRoom = FindingsRoom.SHARED, hasRules: Boolean = true, wasEnabled: Boolean = true, isInside: Boolean = false) = room.isFixed(hasRules, wasEnabled, isInside)
         isFixed() shouldBe true
         isFixed(isInside = true) shouldBe false
         isFixed(hasRules = false) shouldBe false
