@@ -33,7 +33,6 @@ class Rule internal constructor(
     val next: String = "",
     internal val show: List<String> = emptyList(),
     internal val unless: List<String> = emptyList(),
-    internal val without: List<String> = emptyList(),
     internal val isForEachText: Boolean = false,
     internal val needs: List<LogEdge> = emptyList(),
     val checklist: String = "",

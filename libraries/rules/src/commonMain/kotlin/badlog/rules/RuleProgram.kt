@@ -184,7 +184,6 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     }
 
     private fun stepOf(rule: Rule): Step {
-        rule.without.find { it in named }?.let { return Step(rule, emptyList(), Refusal("the log has “$it”, which other rules look at")) }
         val bindings = when (val each = rule.each) {
             null -> null
             is TopicsByName -> bindingsOf(each)

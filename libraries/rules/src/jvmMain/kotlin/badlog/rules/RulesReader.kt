@@ -169,7 +169,6 @@ internal class RulesReader(
             next = toml.string(table, "next").orEmpty(),
             show = toml.optionalStrings(table, "show"),
             unless = toml.optionalStrings(table, "unless"),
-            without = without(table),
             isForEachText = toml.isTrue(table, "each_text"),
             needs = needs(table),
             checklist = toml.string(table, "checklist").orEmpty(),
@@ -184,10 +183,6 @@ internal class RulesReader(
         if (!isBuiltIn) return PROVEN_TRUST
         val counted = trust(toml.string(table, "name").orEmpty(), hashOf(table))
         return if (hasOwnLimits) maxOf(counted, UNCOUNTED_TRUST) else counted
-    }
-
-    private fun without(table: TomlTable): List<String> = toml.optionalStrings(table, "without").onEach { name ->
-        if (signals.find(name) == null) toml.fail(toml.placeOf(table, "without"), "There is no signal “$name”; docs/signals.md lists them.")
     }
 
     private fun needs(table: TomlTable): List<LogEdge> {
@@ -297,7 +292,7 @@ internal class RulesReader(
         /** The name of the built-in rules. */
         const val DEFAULT = "default"
         val KEYS = setOf(
-            "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless", "without",
+            "name", "severity", "when", "text", "only", "each", "except", "unit", "group", "why", "next", "limits", "show", "unless",
             "each_text", "whole", "checklist", "about_program", "once",
         )
         val COMPARISON_KEYS = setOf("name", "severity", "of", "text", "group", "why", "next", "limits")

@@ -26,14 +26,6 @@ class LogFindingsSpec : FunSpec({
         result.skipped.none { it.isMistake } shouldBe true
     }
 
-    test("a rule is skipped for a log with a signal that it is to be without") {
-        fun resultWithout(signal: String) = RulesFile.parse(
-            "[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"t\"\nwithout = [\"$signal\"]\n",
-        ).rules.over(view, "a.bag")
-        resultWithout("link").findings.size shouldBe 1
-        resultWithout("battery").run { findings.size to skipped.single().message } shouldBe (0 to "the log has “battery”, which other rules look at")
-    }
-
     test("a duration has three digits, however exact the times are") {
         val bag = "$header\nTime,Battery Voltage\n0,12\n1,6\n2.123456,6\n3.997734,12\n5,12\n"
         val rules = RulesFile.parse("[[rule]]\nname = \"A\"\nseverity = \"note\"\nwhen = \"Battery Voltage < 7\"\ntext = \"{duration}\"\n").rules

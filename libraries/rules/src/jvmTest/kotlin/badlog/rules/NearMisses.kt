@@ -174,13 +174,6 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
     "Link lost" to { flag("/DriverStation/DSAttached") { it > 1 && it !in 2.5..3.0 && it !in 20.0..20.9 } },
-    // Autonomous begins a moment after the robot is enabled, and ends.
-    "Disabled on the field" to {
-        without("/DriverStation/DSAttached")
-        flag("/DriverStation/FMSAttached") { true }
-        flag("/DriverStation/Autonomous") { it in 4.05..15.0 }
-        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 15.0..17.0 && it !in 25.0..25.9 }
-    },
     "Packets very late" to { within(20.0..20.4, TRIP) { "150" } },
     "Packets late" to { within(20.0..20.8, TRIP) { "60" } },
     "Many packets lost" to { within(20.0..20.8, LOSS) { "0.3" } },

@@ -146,11 +146,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/DSAttached") { it > 1 && it !in 20.0..22.0 }
         flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 20.0..22.0 }
     },
-    "Disabled on the field" to {
-        without("/DriverStation/DSAttached")
-        flag("/DriverStation/FMSAttached") { true }
-        flag("/DriverStation/Enabled") { it in TestMatch.ENABLED && it !in 25.0..26.2 }
-    },
     "Packets very late" to { from(20.0, "/DSLog/TripTimeMS") { "150" } },
     "Packets late" to { from(20.0, "/DSLog/TripTimeMS") { "60" } },
     "Many packets lost" to { from(20.0, "/DSLog/PacketLoss") { "0.3" } },

@@ -87,7 +87,6 @@ class RulesReaderSpec : FunSpec({
         RULE + RULE to "Line 7: There are two rules named “A”.",
         RULE + "unit = \"A\"\n" to "Line 6: “unit” selects topics for “each”, which is missing",
         RULE + "each = [1]\n" to "Line 6: “each” is a list of texts",
-        RULE + "without = [\"hood\"]\n" to "Line 6: There is no signal “hood”; docs/signals.md lists them.",
         RULE + "only = []\n" to "Line 6: “only” is a list of texts",
         "rules = 1\n" to "Line 1: “rules” is not a key of the file",
         "rule = 1\n" to "Line 1: Each rule begins with [[rule]]",

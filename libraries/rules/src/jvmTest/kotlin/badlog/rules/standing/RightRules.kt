@@ -24,7 +24,6 @@ private val CAN = setOf(
 )
 private val LINK = setOf(
     "Link lost",
-    "Disabled on the field",
     "Packets late",
     "Packets very late",
     "Packets lost",
