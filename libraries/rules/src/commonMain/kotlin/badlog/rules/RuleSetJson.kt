@@ -116,7 +116,8 @@ internal fun textOf(source: String, places: List<String> = RuleText.PLACES): Rul
 internal fun trustJson(trust: Double): String? = trust.takeIf { it < PROVEN_TRUST }?.toString()
 
 /** Returns what [trustJson] wrote. */
-internal fun JsonFields.trust(): Double = find("trust")?.json?.let { it.toDoubleOrNull() ?: throw UnreadableJsonException() } ?: PROVEN_TRUST
+internal fun JsonFields.trust(): Double =
+    find("trust")?.json?.let { it.toDoubleOrNull() ?: throw UnreadableJsonException() } ?: PROVEN_TRUST
 
 private fun choiceJson(choice: TopicChoice): String = when (choice) {
     is TopicsByName -> jsonObject(

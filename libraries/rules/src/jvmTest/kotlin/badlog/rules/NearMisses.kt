@@ -30,7 +30,17 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     // Its other faults are none of breakers, and one breaker was open all along.
     // Another fault stays; a breaker's bit that falls back at once was misread.
-    "Breaker open" to { number("/PowerDistribution/Faults") { if (it < 20) 16.0 else if (it < 20.4) 24.0 else 16.0 + (1 shl 25) } },
+    "Breaker open" to {
+        number("/PowerDistribution/Faults") {
+            if (it < 20) {
+                16.0
+            } else if (it < 20.4) {
+                24.0
+            } else {
+                16.0 + (1 shl 25)
+            }
+        }
+    },
     // A good battery bears a sprint.
     "Too much at once" to {
         from(20.0, CHANNEL) { if (it < 22) "250" else "3" }

@@ -110,7 +110,8 @@ internal class FormulaDialog(
         // Leading spaces must not move the mark.
         val text = input.value.trim()
         val mistake = if (text.isEmpty() && !isFinal) null else formulas.mistakeIn(text, changed)
-        val reason = (if (isFinal) mistake?.message else mistake?.whileTyping()?.text) ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
+        val reason =
+            (if (isFinal) mistake?.message else mistake?.whileTyping()?.text) ?: changed?.let { formulas.all.reasonToKeepName(it, text) }
         show(reason.orEmpty(), isFinal)
         pointer.showText(mistake?.pointed()?.substringAfter('\n').orEmpty())
         pointer.isHidden = mistake == null || reason != mistake.message

@@ -23,8 +23,7 @@ class StandingSpec : FunSpec({
     }
 
     test("a rule is silent once more than one in three of its judged findings were wrong, in whatever set") {
-        fun standing(right: Int, wrong: Int) =
-            Standing.of(trustOf(listOf(REAL.copy(fired = right, right = right), GENERATED.copy(fired = wrong, right = 0, wrong = wrong))))
+        fun standing(right: Int, wrong: Int) = Standing.of(trustOf(listOf(REAL.copy(fired = right, right = right), GENERATED.copy(fired = wrong, right = 0, wrong = wrong))))
         standing(right = 4, wrong = 2) shouldBe Standing.ON_TRIAL
         standing(right = 3, wrong = 2) shouldBe Standing.SILENT
         standing(right = 200, wrong = 100) shouldBe Standing.ON_TRIAL

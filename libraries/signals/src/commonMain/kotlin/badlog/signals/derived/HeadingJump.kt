@@ -22,7 +22,9 @@ fun headingJump(heading: Series, degrees: Double): Series {
         if (abs(step) < MIN_DEGREES) continue
         val usual = (rate(heading, i - 1, degrees) + rate(heading, i + 1, degrees)) / 2
         val jump = abs(step - usual * seconds)
-        val isReal = jump > MIN_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees) && !isMisread(heading, i, degrees) && !isMisread(heading, i - 1, degrees)
+        val isReal =
+            jump > MIN_DEGREES && abs(step) / seconds > FASTEST && !isSet(heading.y[i] * degrees) && !isMisread(heading, i, degrees) &&
+                !isMisread(heading, i - 1, degrees)
         if (isReal && !turnsFast(heading, i - 1, degrees) && !turnsFast(heading, i + TURN_SAMPLES, degrees, i + 1)) jumps[i] = jump
     }
     return Series(heading.x, jumps)
