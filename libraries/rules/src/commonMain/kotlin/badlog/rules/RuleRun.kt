@@ -41,7 +41,7 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val all = asked.filter { known.isEmpty() || subjectOf(rule, it.topic) !in known }.flatMap { find(rule, it) }
         if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(rule, it.topic) }
         val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
-        // What a silent rule finds still keeps rules that follow from it quiet.
+        // A silent rule's findings still keep the rules quiet that follow from it.
         return RuleResult(rule, findings.filter { rule.standing != Standing.SILENT }, step.refusal)
     }
 

@@ -115,7 +115,7 @@ internal fun textOf(source: String, places: List<String> = RuleText.PLACES): Rul
 /** Returns [trust] as JSON; null for the usual one. */
 internal fun trustJson(trust: Double): String? = trust.takeIf { it < PROVEN_TRUST }?.toString()
 
-/** Returns what [trustJson] wrote. */
+/** Returns the trust that [trustJson] wrote. */
 internal fun JsonFields.trust(): Double =
     find("trust")?.json?.let { it.toDoubleOrNull() ?: throw UnreadableJsonException() } ?: PROVEN_TRUST
 
