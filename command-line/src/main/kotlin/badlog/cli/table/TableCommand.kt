@@ -45,7 +45,7 @@ internal class TableCommand :
     private val condition by option(
         "--where",
         metavar = "CONDITION",
-    ).help("Only logs with this header value: \"Match Type = 'Playoff'\".")
+    ).help("Only logs with this value: \"Match Type = 'Playoff'\".")
     private val isCsv by option("--csv").flag().help("Print CSV.")
     private val hooks by HookOptions()
     private val virtual by VirtualTopicOption()

@@ -26,7 +26,7 @@ class AssignSpec : FunSpec({
             badlog("find", other, "min(battery) < 7").code shouldBe ExitCode.USAGE
             val assigned = badlog("assign", log, "battery", "Power/My Volts")
             assigned.code shouldBe ExitCode.WHOLE
-            assigned.out shouldContain "“battery” is “Power/My Volts” in all logs of $folder now"
+            assigned.out shouldContain "“battery” is “Power/My Volts” in all logs of $folder, as "
             badlog("find", other, "min(battery) < 7").code shouldBe ExitCode.WHOLE
             badlog("report", other).out shouldContain "The battery voltage dropped to 6 V"
         }

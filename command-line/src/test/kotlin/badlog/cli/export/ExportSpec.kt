@@ -93,7 +93,7 @@ class ExportSpec : FunSpec({
             }
             badlog("export", folder / "logs", "--video", video).run {
                 code shouldBe ExitCode.USAGE
-                err shouldContain "name its log only"
+                err shouldContain "name only its log"
             }
             badlog("export", log, "--video", video, "--out", folder / "a.html").code shouldBe ExitCode.WHOLE
         }

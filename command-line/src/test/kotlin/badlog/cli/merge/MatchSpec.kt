@@ -409,7 +409,7 @@ class MatchSpec : FunSpec({
         }
     }
 
-    test("a ZIP takes no option that changes logs, and needs the log of a robot") {
+    test("a ZIP takes no option that changes logs, and needs a robot's log") {
         inFolder { folder ->
             val log = folder.robot("arm.wpilog", "Arm", 0.0)
             for (option in listOf(listOf("--append"), listOf("--join"), listOf("--x", "Time"))) {
@@ -419,7 +419,7 @@ class MatchSpec : FunSpec({
                 }
             }
             val stations = listOf("a.dslog", "b.dslog").map { folder.with(it, dslog().bytes) }
-            badlog("merge", *stations.toTypedArray(), "-o", folder / "m.zip").oneLine() shouldContain "needs the log of a robot"
+            badlog("merge", *stations.toTypedArray(), "-o", folder / "m.zip").oneLine() shouldContain "needs a robot's log"
             (folder / "m.zip").exists() shouldBe false
         }
     }
