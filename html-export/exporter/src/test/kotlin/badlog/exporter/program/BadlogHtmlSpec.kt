@@ -162,7 +162,7 @@ class BadlogHtmlSpec : FunSpec({
             }
             run(log, folder.with("b.bag"), "--video", video).run {
                 code shouldBe ExitCode.USAGE
-                err shouldContain "name its log only"
+                err shouldContain "name only its log"
             }
         }
     }
