@@ -6,7 +6,6 @@ import badlog.rules.RuleSet
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
-import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -40,10 +39,10 @@ internal class FirstScreenSpec : PageSpec({
             onPage(ruled("qualification-42.bag"), Screen.PHONE) {
                 await("incidents") { incidents().size == 1 }
                 checkFirstGraph()
-                element(".findings-more button").text shouldBe "Show 8 more"
+                element(".findings-more button").text shouldBe "Show 4 more"
                 click(".findings-more button")
                 incidents().size shouldBe 2
-                elements(".finding").count { it.isDisplayed } shouldBeGreaterThan 5
+                elements(".finding").count { it.isDisplayed } shouldBe 3
                 element(".findings-more button").text shouldBe "Show fewer"
                 click(".findings-more button")
                 incidents().size shouldBe 1

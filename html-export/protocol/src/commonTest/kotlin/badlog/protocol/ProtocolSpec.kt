@@ -10,6 +10,7 @@ import badlog.rules.LogFindings
 import badlog.rules.RuleSet
 import badlog.rules.SkippedRule
 import badlog.rules.fromJson
+import badlog.rules.standing.PROVEN_TRUST
 import badlog.rules.toJson
 import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteChange
@@ -57,7 +58,7 @@ private val FINDINGS = arbitrary {
         meanwhile = Arb.list(TEXTS, 0..3).bind(),
         caveats = Arb.list(TEXTS, 0..2).bind(),
         isForEach = Arb.boolean().bind(),
-        trust = Arb.double(0.0..1.0).bind(),
+        trust = Arb.element(PROVEN_TRUST, 0.666, 0.05).bind(),
     )
 }
 

@@ -7,6 +7,7 @@ import badlog.core.json.quotedJson
 import badlog.core.recording.Severity
 import badlog.rules.cause.CauseGraph
 import badlog.rules.standing.PROVEN_TRUST
+import badlog.rules.standing.Standing
 import badlog.signals.json.JsonFields
 import badlog.signals.json.UnreadableJsonException
 import badlog.signals.json.jsonArray
@@ -22,7 +23,7 @@ import badlog.signals.vocabulary.toJson
  * Returns these rules as a line of JSON, with everything that decides their findings in a log. It is in every page, so reasons are omitted; the guide
  * has them.
  *
- * @param haveChecklist whether rules also have their lines of the checklist, which pages do not show.
+ * @param haveChecklist whether rules also have parts that pages do not show: their lines of the checklist, and the texts of silent rules.
  */
 fun RuleSet.toJson(haveChecklist: Boolean = false): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
@@ -63,7 +64,7 @@ private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
     "name" to quotedJson(rule.name),
     "severity" to quotedJson(rule.severity.name.lowercase()),
     "when" to quotedJson(rule.condition),
-    "text" to quotedJson(rule.text.source),
+    "text" to quotedJson(rule.text.source).takeIf { hasChecklist || rule.standing != Standing.SILENT },
     "only" to textsJson(rule.only),
     "each" to rule.each?.let(::choiceJson),
     "next" to textJson(rule.next),
@@ -85,7 +86,7 @@ private fun ruleOf(value: JsonValue): Rule {
         name = json.string("name"),
         severity = severityOf(json.string("severity")),
         condition = condition,
-        text = textOf(json.string("text")),
+        text = textOf(json.optional("text").orEmpty()),
         only = json.strings("only"),
         each = json.find("each")?.let(::choiceOf),
         place = json.find("place")?.let { placeOf(it, condition) },

@@ -1,5 +1,7 @@
 package badlog.rules.standing
 
+import kotlin.math.floor
+
 /** Whether a built-in rule may accuse a robot. */
 enum class Standing {
     /** It may be an error or a warning, and begin an incident. */
@@ -26,7 +28,7 @@ enum class Standing {
 const val PROVEN_TRUST: Double = 1.0
 
 /** The trust in a rule that was never counted. */
-const val UNCOUNTED_TRUST: Double = 2.0 / 3
+const val UNCOUNTED_TRUST: Double = 0.666
 
 /**
  * Returns the trust that [counts] of one rule give it, from 0 to [PROVEN_TRUST]: about the share of its findings that were right.
@@ -38,11 +40,14 @@ fun trustOf(counts: List<RuleCounts>): Double {
     if (lackingIn(counts).isEmpty()) return PROVEN_TRUST
     val right = counts.sumOf { it.right }
     val judged = right + counts.sumOf { it.wrong }
-    return (right + RIGHT_BEFORE) / (judged + JUDGED_BEFORE)
+    return floor(DIGITS * (right + RIGHT_BEFORE) / (judged + JUDGED_BEFORE)) / DIGITS
 }
 
 private const val RIGHT_BEFORE = 2.0
 private const val JUDGED_BEFORE = 3
+
+/** More digits say nothing, and fill pages. */
+private const val DIGITS = 1000
 
 /**
  * Returns the evidence that [counts] of one rule lack to prove it, each as a few words. Empty if they prove it.
