@@ -23,7 +23,7 @@ import badlog.signals.vocabulary.toJson
  * Returns these rules as a line of JSON, with everything that decides their findings in a log. It is in every page, so reasons are omitted; the guide
  * has them.
  *
- * @param haveChecklist whether rules also have parts that pages do not show: their lines of the checklist, and the texts of silent rules.
+ * @param haveChecklist whether rules also have parts that pages do not show: their lines of the checklist, and the sentences of silent rules.
  */
 fun RuleSet.toJson(haveChecklist: Boolean = false): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
@@ -67,7 +67,7 @@ private fun ruleJson(rule: Rule, hasChecklist: Boolean): String = jsonObject(
     "text" to quotedJson(rule.text.source).takeIf { hasChecklist || rule.standing != Standing.SILENT },
     "only" to textsJson(rule.only),
     "each" to rule.each?.let(::choiceJson),
-    "next" to textJson(rule.next),
+    "next" to textJson(rule.next).takeIf { hasChecklist || rule.standing != Standing.SILENT },
     "show" to textsJson(rule.show),
     "unless" to textsJson(rule.unless),
     "eachText" to "true".takeIf { rule.isForEachText },

@@ -16,15 +16,14 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     private var visits = LogVisits()
     private var isAllowed = true
 
-    /** The place of the browser, which follows [visits]: going back takes a moment, in which it [isGoing]. */
-    private var at = 0
+    /** Whether the browser is on its way back to the place of [visits], which takes a moment. */
     private var isGoing = false
 
     /** The shown screen. */
     val now: Visit get() = visits.now
 
     init {
-        change { replaceState(stateAt(at), "") }
+        mark()
         window.addEventListener("popstate", { arrive(it.unsafeCast<PopStateEvent>().state) })
     }
 
@@ -35,9 +34,9 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     }
 
     private fun follow() = change {
-        // A new entry would be lost in the middle of going back.
-        if (isGoing) return@change
-        while (at < visits.at) pushState(stateAt(++at), "")
+        // A new entry would be lost in the middle of going back, and from an entry of another page, going back could leave this one.
+        val at = placeIn(state).takeUnless { isGoing } ?: return@change
+        for (place in at + 1..visits.at) pushState(stateAt(place), "")
         isGoing = at > visits.at
         if (isGoing) go(visits.at - at)
     }
@@ -46,10 +45,9 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
         // An address with another end has an entry without a state.
         if (state == null) {
             visits = visits.again()
-            at = visits.at
-            return change { replaceState(stateAt(at), "") }
+            return mark()
         }
-        at = "$state".substringAfter(LOADED, "").toIntOrNull() ?: return
+        val at = placeIn(state) ?: return
         if (isGoing) {
             isGoing = false
             return follow()
@@ -59,6 +57,8 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
         if (visits.now != before) onReturn(visits.now)
     }
 
+    private fun mark() = change { replaceState(stateAt(visits.at), "") }
+
     private fun change(step: History.() -> Unit) = try {
         if (isAllowed) window.history.step() else Unit
     } catch (_: Throwable) {
@@ -67,6 +67,9 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     }
 
     private fun stateAt(place: Int) = "$LOADED$place"
+
+    /** Returns the place in the [state] of an entry; null if this page did not make it. */
+    private fun placeIn(state: Any?) = "$state".substringAfter(LOADED, "").toIntOrNull()
 
     private companion object {
         /** Differs each time the page is loaded, because its earlier screens are gone then. */
