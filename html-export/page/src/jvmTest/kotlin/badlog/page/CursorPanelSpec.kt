@@ -49,11 +49,10 @@ internal class CursorPanelSpec : PageSpec({
                 graph("Jump").click(0.45)
                 fun pin() = elements(".cursor-value:not([hidden]) .pin")[1]
                 pin().click()
-                settle()
-                texts("#board .graph-title") shouldBe listOf("Jump")
+                await("its graph") { texts("#board .graph-title") == listOf("Jump") }
                 rows().single().startsWith("Jump") shouldBe true
                 click(".cursor-value:not([hidden]) .pin")
-                texts("#board .graph-title") shouldBe emptyList()
+                await("no graph") { texts("#board .graph-title").isEmpty() }
             }
             press("v")
             step("a search lists the topics that it finds, hidden ones too, and the panel stays open for the next visit") {
