@@ -4,7 +4,6 @@ import badlog.core.bag.BagTopic
 import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
-import io.kotest.matchers.shouldNotBe
 import io.kotest.matchers.string.shouldStartWith
 import org.openqa.selenium.By
 import kotlin.math.PI
@@ -40,9 +39,8 @@ internal class ModulesPanelSpec : PageSpec({
                 texts(".module-error b") shouldBe List(4) { "Module $it" }
                 val before = picture()
                 elements(".module-error")[1].findElement(By.tagName("button")).click()
-                settle()
+                await("another picture") { picture() != before }
                 element(".cursor-readout").text shouldStartWith "3.00"
-                picture() shouldNotBe before
                 keepScreenshot("modules")
                 press("w")
                 element("#modules").isDisplayed shouldBe false
@@ -68,8 +66,7 @@ internal class ModulesPanelSpec : PageSpec({
                 script("document.querySelector('.module-error').dataset.mark = 'same'")
                 val before = picture()
                 graph("Measured[0]/speed").click(0.7)
-                settle()
-                picture() shouldNotBe before
+                await("another picture") { picture() != before }
                 script("return document.querySelector('.module-error').dataset.mark") shouldBe "same"
                 script("document.querySelector('#modules').style.width = '240px'")
                 val isWhole = "return Number(document.querySelector('#modules canvas').clientWidth < 240 && " +
