@@ -111,11 +111,6 @@ internal class ServedPageSpec : PageSpec({
                     options.isEnabled = BooleanSupplier { false }
                     click("#go-back")
                     awaitList()
-                    click("#go-back")
-                    awaitState("empty")
-                    text shouldContain "Open a robot’s log"
-                    click("#open-server")
-                    awaitList()
                 }
                 show(Screen.WIDE)
                 step("checked logs are fetched and drawn over each other; the list can be searched and sorted like a folder's") {

@@ -37,8 +37,10 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
         // A new entry would be lost in the middle of going back, and from an entry of another page, going back could leave this one.
         val at = placeIn(state).takeUnless { isGoing } ?: return@change
         for (place in at + 1..visits.at) pushState(stateAt(place), "")
-        isGoing = at > visits.at
-        if (isGoing) go(visits.at - at)
+        if (at <= visits.at) return@change
+        // A browser may have dropped the page's first entry from a full history; going back would leave the page.
+        isGoing = length < FULL
+        if (isGoing) go(visits.at - at) else replaceState(stateAt(visits.at), "")
     }
 
     private fun arrive(state: Any?) {
@@ -72,6 +74,9 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     private fun placeIn(state: Any?) = "$state".substringAfter(LOADED, "").toIntOrNull()
 
     private companion object {
+        /** The number of entries that Chromium and Firefox keep for a tab. */
+        const val FULL = 50
+
         /** Differs each time the page is loaded, because its earlier screens are gone then. */
         val LOADED = "badlog ${window.performance.asDynamic().timeOrigin} "
     }
