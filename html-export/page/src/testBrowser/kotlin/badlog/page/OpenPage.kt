@@ -90,19 +90,9 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Returns the result of JavaScript that is a number. */
     fun number(code: String, vararg arguments: Any?): Double = (script(code, *arguments) as Number).toDouble()
 
-    /**
-     * Waits until the last action, which may follow other events, has been handled and drawn. The page draws parts outside the screen one
-     * frame later.
-     */
+    /** Waits until the page has handled and drawn the last action, and has nothing left to do soon. */
     fun settle() {
-        driver.executeAsyncScript(
-            """
-            const done = arguments[0];
-            let frames = 2;
-            const next = () => frames-- > 0 ? requestAnimationFrame(next) : setTimeout(done);
-            setTimeout(next);
-            """.trimIndent(),
-        )
+        driver.executeAsyncScript("window.settled ? window.settled(arguments[0]) : setTimeout(arguments[0])")
     }
 
     /** Waits for [what], also while the page recreates the elements that [isSo] reads. */
@@ -176,6 +166,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     fun startOver(state: String = "ready") {
         forget()
         driver.get("about:blank")
+        forgetWay()
         driver.get(address)
         awaitState(state)
     }
@@ -183,6 +174,11 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     /** Clears the browser's storage, which all pages on a disk share. */
     private fun forget() {
         driver.executeScript("try { localStorage.clear(); sessionStorage.clear() } catch { }")
+    }
+
+    /** Clears the tab's history, which is full after some pages: a page goes other ways then. */
+    private fun forgetWay() {
+        driver.executeCdpCommand("Page.resetNavigationHistory", emptyMap<String, Any>())
     }
 
     /** Returns what the page wrote to the console: warnings and errors. */
@@ -227,8 +223,9 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
             val page = OpenPage(driver, address, before)
             try {
                 page.emulate(screen)
-                listOfNotNull(PATIENT_TIMERS, script).forEach(page::runFirst)
+                listOfNotNull(SETTLING, script).forEach(page::runFirst)
                 page.logs.forget()
+                page.forgetWay()
                 driver.get(address)
             } catch (e: WebDriverException) {
                 page.close()
@@ -238,25 +235,62 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         }
 
         /**
-         * Holds the timers of notices that disappear by themselves and of resting fingers, until a test lets [passTime]. On a busy machine
-         * they would fire between two steps of the test. With `keepsTime`, they fire at their usual times.
+         * Knows what the page still has to do, so that no step of a test depends on the machine's speed.
+         *
+         * `settled` ends short pauses at once, and waits for the frames, tasks and ways through the history that the page has asked for. It
+         * gives up on a page that is never quiet, such as one that plays. Timers of notices that disappear by themselves and of resting
+         * fingers are held until a test lets [passTime]. With `keepsTime`, all timers fire at their usual times.
          */
-        private const val PATIENT_TIMERS = """
+        private const val SETTLING = """
             (() => {
-                const [set, clear] = [window.setTimeout, window.clearTimeout]
-                const held = new Map()
+                const [set, clear, frame, cancel] = [window.setTimeout, window.clearTimeout, window.requestAnimationFrame, window.cancelAnimationFrame]
+                const [held, pauses, tasks, frames] = [new Map(), new Map(), new Set(), new Set()]
                 let next = 1e9
+                let ways = 0
                 window.keepsTime = false
                 window.setTimeout = (work, delay, ...more) => {
-                    if (!(delay >= 500) || window.keepsTime) return set(work, delay, ...more)
-                    held.set(++next, () => work(...more))
-                    return next
+                    const run = () => work(...more)
+                    if (window.keepsTime) return set(run, delay)
+                    const waiting = delay >= 500 ? held : delay > 16 ? pauses : null
+                    if (waiting) {
+                        const id = ++next
+                        const real = waiting === held ? 0 : set(() => { pauses.delete(id); run() }, delay)
+                        waiting.set(id, { run, real })
+                        return id
+                    }
+                    const id = set(() => { tasks.delete(id); run() }, delay)
+                    tasks.add(id)
+                    return id
                 }
-                window.clearTimeout = timer => held.delete(timer) || clear(timer)
-                window.passTime = () => {
-                    const due = [...held.values()]
-                    held.clear()
-                    for (const run of due) run()
+                window.clearTimeout = id => {
+                    clear(pauses.get(id)?.real)
+                    for (const waiting of [held, pauses, tasks]) waiting.delete(id)
+                    clear(id)
+                }
+                window.requestAnimationFrame = work => {
+                    const id = frame(time => { frames.delete(id); work(time) })
+                    frames.add(id)
+                    return id
+                }
+                window.cancelAnimationFrame = id => { frames.delete(id); cancel(id) }
+                for (const way of ['back', 'forward', 'go']) {
+                    const real = History.prototype[way]
+                    History.prototype[way] = function (...steps) { ways++; return real.apply(this, steps) }
+                }
+                window.addEventListener('popstate', () => { ways = 0 }, true)
+                const end = waiting => {
+                    const due = [...waiting.values()]
+                    waiting.clear()
+                    for (const { run, real } of due) { clear(real); run() }
+                }
+                window.passTime = () => end(held)
+                window.settled = done => {
+                    let [quiet, left] = [0, 60]
+                    const look = () => {
+                        quiet = tasks.size || frames.size || ways ? 0 : quiet + 1
+                        if (quiet > 2 || left-- === 0) { ways = 0; set(done) } else frame(() => set(look))
+                    }
+                    set(() => { end(pauses); look() })
                 }
             })()
         """
