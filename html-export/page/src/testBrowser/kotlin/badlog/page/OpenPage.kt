@@ -34,11 +34,25 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
 
     /** Waits until the page reports [state]. If it is ready, also waits until its rules are done, because findings change the page. */
     fun awaitState(state: String) {
-        await("the page's state $state") { this.state == state || this.state == "failed" }
+        await("the page's state $state") { isIn(state) }
         withClue(text) { this.state shouldBe state }
-        if (state == "ready") await("the rules") { script("return document.documentElement.dataset.rules ?? null") != null }
         settle()
     }
+
+    /** Whether the page reports [state] or a failure. The script itself waits a moment, because each question takes time from the page. */
+    private fun isIn(state: String): Boolean = driver.executeAsyncScript(
+        """
+        const [state, done] = arguments
+        const page = document.documentElement
+        const isSo = () => page.dataset.state === 'failed' || page.dataset.state === state && (state !== 'ready' || page.dataset.rules)
+        if (isSo()) return done(true)
+        const end = isNow => { watch.disconnect(); done(isNow) }
+        const watch = new MutationObserver(() => { if (isSo()) end(true) })
+        watch.observe(page, { attributes: true })
+        setTimeout(() => end(false), 400)
+        """.trimIndent(),
+        state,
+    ) as Boolean
 
     /** All text on the page. */
     val text: String get() = script("return document.body.innerText") as String
