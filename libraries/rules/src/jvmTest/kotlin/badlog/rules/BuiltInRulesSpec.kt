@@ -24,6 +24,17 @@ private val OF_CLOCK = listOf("Gap in time", "Clock set back")
 
 private val OF_WHOLE_LOGS = listOf("Restarted in the match", "Ended in the match")
 
+/** Returns [rule] of these rules with those that keep it silent: a slice asks about one rule, and all of them take four times as long. */
+private fun RuleSet.only(rule: String): RuleSet {
+    var wanted: Set<String>
+    var next = setOf(rule)
+    do {
+        wanted = next
+        next = wanted + rules.filter { it.name in wanted }.flatMap { it.unless }
+    } while (next.size > wanted.size)
+    return RuleSet(aliases, rules.filter { it.name in wanted }, signals, causes, comparisons, devices)
+}
+
 @Tags("InCheck")
 class BuiltInRulesSpec : FunSpec({
     val rules = HEARD_RULES.with(RuleSet.BUILT_IN.signals.with(SignalsFile.parse(LINKS)))
@@ -48,7 +59,7 @@ class BuiltInRulesSpec : FunSpec({
         test("“$rule” is found where it was planted, with its evidence") {
             val match = TestMatch().apply(plant)
             val view = match.view()
-            val result = rules.over(view, "test.bag")
+            val result = rules.only(rule).over(view, "test.bag")
             result.skipped.filter { it.rule == rule }.map { it.toString() }.shouldBeEmpty()
             result.findings.map { it.rule } shouldContain rule
             val finding = result.findings.first { it.rule == rule }
@@ -66,7 +77,7 @@ class BuiltInRulesSpec : FunSpec({
 
     for ((rule, plant) in NEAR_MISSES) {
         test("“$rule” is silent just short of it, though it ran") {
-            val result = rules.over(TestMatch().apply(plant).view(), "test.bag")
+            val result = rules.only(rule).over(TestMatch().apply(plant).view(), "test.bag")
             result.skipped.filter { it.rule == rule }.map { it.toString() }.shouldBeEmpty()
             result.findings.filter { it.rule == rule }.map { it.text }.shouldBeEmpty()
         }
