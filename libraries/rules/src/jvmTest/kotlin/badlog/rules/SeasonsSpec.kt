@@ -69,8 +69,9 @@ class SeasonsSpec : FunSpec({
                 phases(after, LATER) shouldContainExactly phases(before, 0.0)
                 after.enabledSpans().map { it.opMode }.distinct() shouldContainExactly listOf("Two pieces", "Drive")
                 val findings = findingsIn(before, 0.0)
-                findingsIn(after, LATER).map { it.text } shouldContainExactly findings.map { it.text }
-                for ((own, other) in findingsIn(after, LATER) zip findings) {
+                val findingsLater = findingsIn(after, LATER)
+                findingsLater.map { it.text } shouldContainExactly findings.map { it.text }
+                for ((own, other) in findingsLater zip findings) {
                     own.times.size shouldBe other.times.size
                     // A day later, rounding of times is 16 times as coarse: a condition that just holds long enough may begin a loop later.
                     for ((time, wanted) in own.times zip other.times) time shouldBe (wanted plusOrMinus LOOP)
