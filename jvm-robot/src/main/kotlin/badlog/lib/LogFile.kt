@@ -114,7 +114,7 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private const val ENOUGH_BYTES = 50_000_000L
         private const val KEPT_LOGS = 10
 
-        // The mount points of a USB stick and their link; the homes of the roboRIO and of Systemcore, and a simulation's folder.
+        // The mount points of a USB stick and their link. Then the homes of the roboRIO and of Systemcore, and a simulation's folder.
         private val STICKS = listOf("/U", "/V", "/u").map(::File)
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 
