@@ -60,7 +60,7 @@ class Report(
     )
 
     /**
-     * Runs the rules over each of [files], on all cores, compares the logs with each other, and then runs the hooks.
+     * Runs the rules over each of [files], on all cores. Then compares the logs with each other, and runs the hooks.
      *
      * @param progress called on this thread with the number of files done, several times a second; hooks and [each] are half of the work.
      * @param each receives each result on this thread, once all logs were compared, with everything that the hooks returned, which

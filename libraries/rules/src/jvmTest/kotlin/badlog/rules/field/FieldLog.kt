@@ -33,7 +33,7 @@ internal class FieldFinding(val firing: Firing, val severity: Severity, val text
  */
 internal class FieldLog(val name: String, val team: String, val ran: Set<String>, val findings: List<FieldFinding>)
 
-/** The built-in rules that could run over the log in some bytes, none if the robot was never enabled, and their findings. */
+/** The built-in rules that could run over the log in some bytes, and their findings. None if the robot was never enabled. */
 internal class RulesOverLog(val ran: Set<String>, val isSimulated: Boolean, val findings: List<Finding>)
 
 /** Returns the findings in the log [bytes] called [name]; null if it is not a log. */

@@ -57,8 +57,8 @@ internal val FACTS: Set<String> = setOf("Browned out", "Below the brownout volta
 internal val MESSAGES: Set<String> = setOf("Error logged", "Loop overruns reported")
 
 /**
- * Returns the rules of which a finding says something true about a match with [fault], which a simulator by another author planted: its
- * cause, or what follows from it. Null for a fault that is unknown here.
+ * Returns the rules with a finding that says something true about a match with [fault]. A simulator by another author planted it; the
+ * finding names its cause, or what follows from it. Null for a fault that is unknown here.
  */
 internal fun rightRulesFor(fault: String): Set<String>? = RIGHT[fault]
 

@@ -39,7 +39,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private fun possible(logs: Collection<F>) = logs.mapNotNull(::candidate).filterNot { isOfAnother(it.station.match) }
 
-    /** Returns the one of [candidates] that no log of another time of day can be better than; null if there is none. */
+    /** Returns the one of [candidates] than which no log of another time of day can be better. Null if there is none. */
     private fun sure(candidates: List<Candidate<F>>): Candidate<F>? {
         val (same, open) = candidates.partition { isOfSame(it.station.match) }
         if (robot.edges.size < MIN_EDGES) return same.singleOrNull() ?: byTime(same) ?: byTime(open)
@@ -84,8 +84,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     private fun clocksOf(station: ClockedLog): Double? = station.start?.let { start -> robot.start?.let { start - it } }
 
     /**
-     * Returns how the clock of [station] relates to the robot's, by the moments of enabling, or else by the time of day; null if neither
-     * shows it.
+     * Returns how the clock of [station] relates to the robot's. It is by the moments of enabling, otherwise by the time of day; null if
+     * neither shows it.
      */
     private fun fitOf(station: ClockedLog): ClockFit? {
         val byClocks = clocksOf(station)

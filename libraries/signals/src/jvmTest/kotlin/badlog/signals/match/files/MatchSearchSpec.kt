@@ -26,7 +26,7 @@ import kotlin.random.Random
 
 private val PERIODS = listOf(20.0, 35.3, 37.1, 172.2)
 
-/** The files of a match of the day: one of each role, and how far the clock of each is ahead of the robot's. */
+/** The files of a match of the day, one of each role. [ahead] has the seconds by which each clock is ahead of the robot's. */
 private class Left(val files: List<MatchFile>, val ahead: Map<String, Double>)
 
 private fun file(name: String, role: FileRole, recording: Recording, seconds: Double? = null, error: Double? = null) = MatchFile(name, role, clocked(recording, name), seconds, error)
@@ -61,7 +61,7 @@ private fun bag(log: Recording): Recording {
 private const val STEP = 0.02
 
 /**
- * Twelve matches, some of them replayed, of two robots, each with a laptop of its own; one is an hour ahead. One robot writes bags, the
+ * Twelve matches, some of them replayed, of two robots, each with a laptop of its own. One is an hour ahead. One robot writes bags, the
  * other WPILOGs. A CAN bus has a log on a clock of its own.
  */
 private fun day(random: Random): List<Left> {
