@@ -13,7 +13,7 @@ import kotlin.math.roundToLong
  */
 internal class Logged(val name: String, val type: String, val metadata: String, val samples: List<Pair<Double, Any>>)
 
-/** A WPILOG of [topics] called [name] in this folder, byte by byte as the format says, with records in the order of time. */
+/** A WPILOG of [topics] called [name] in this folder, with records in the order of time. It is written byte by byte as the format says. */
 internal fun Path.wpilog(name: String, topics: List<Logged>): Path = with(name, wpilogBytes(topics))
 
 /** The bytes of a WPILOG of [topics]. */

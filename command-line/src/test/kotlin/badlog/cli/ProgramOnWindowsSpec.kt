@@ -64,7 +64,7 @@ private val SAID_BY_WINE = Regex("(?m)^wine: .*\n")
 /** The output, with the exit code; line ends and paths are written alike for both machines. */
 private fun saidBy(run: LimitedRun) = run.text.replace("\r\n", "\n").replace(SAID_BY_WINE, "").replace(WRITTEN, "").replace('\\', '/') + "-> ${run.code}"
 
-/** The names of the files that commands have made in [folder], and their bytes; but not of the tables, which hold paths and times. */
+/** The names of the files that commands have made in [folder], and their bytes. Tables are left out, since they hold paths and times. */
 private fun madeIn(folder: File): Map<String, List<Byte>> = folder.walk().onEnter { it.name !in setOf("badlog", "cache", "Tabellen") }.filter { it.isFile && it.name != LOG }
     .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes().toList() }
 
@@ -97,7 +97,7 @@ class ProgramOnWindowsSpec : FunSpec({
         }
         val variables = variables(windows) + mapOf(
             "JAVA_HOME" to "Z:" + java.replace('/', '\\'),
-            // Otherwise its console has the signs of Western Europe only, and badlog spells out the others, such as “ohm” for Ω.
+            // Otherwise its console has the characters of Western Europe only. For the others, badlog writes words, such as “ohm” for Ω.
             "JAVA_OPTS" to "-Dsun.stdout.encoding=UTF-8 -Dsun.stderr.encoding=UTF-8",
             "LOCALAPPDATA" to "Z:" + "$windows/cache".replace('/', '\\'),
         )

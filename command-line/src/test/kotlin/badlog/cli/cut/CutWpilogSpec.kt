@@ -35,7 +35,7 @@ private fun Recording.held(name: String): List<String> {
 }
 
 class CutWpilogSpec : FunSpec({
-    /** Speed rises by 1 a second from 0 at 1 s on; the robot is enabled from 2 to 4 s and from 6 to 7 s. */
+    /** Speed rises by 1 a second from 0 at 1 s on. The robot is enabled from 2 to 4 s and from 6 to 7 s. */
     val log = listOf(
         Logged("Speed", "double", "{\"unit\":\"m/s\"}", (1..8).map { it * 1.0 to it - 1.0 }),
         Logged("Count", "int64", "{\"a\":1}", listOf(1.5 to 7.0)),

@@ -37,7 +37,7 @@ class ClockChoiceSpec : FunSpec({
 
     fun samples(begin: Double) = List(20) { begin + it / 2.0 to it.toDouble() }
 
-    /** Enabled in the seconds 15 to 30 and 33 to 100 after [begin], by the robot's clock, which is [late] now and then. */
+    /** Enabled in the seconds 15 to 30 and 33 to 100 after [begin]. Times are of the robot's clock, which is [late] now and then. */
     fun enabled(begin: Double, late: Double = 0.0) = listOf(
         begin to false,
         begin + 15 to true,

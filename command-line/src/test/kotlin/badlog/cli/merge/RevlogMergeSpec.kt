@@ -18,7 +18,10 @@ import java.nio.ByteOrder
 import java.nio.file.Path
 import kotlin.io.path.div
 
-/** The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s; a status frame every 20 ms from [from] s until 30 s. */
+/**
+ * The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s. A status frame follows every 20 ms from [from] s until
+ * 30 s.
+ */
 private fun revlog(from: Double, driven: List<ClosedRange<Double>>): ByteArray {
     val frames = ((from * 50).toInt() until 1500).map { it * 20 }
     val bytes = ByteBuffer.allocate(frames.size * 20).order(ByteOrder.LITTLE_ENDIAN)

@@ -21,7 +21,7 @@ import java.nio.file.Path
 import kotlin.io.path.div
 
 class ReportBesideStationSpec : FunSpec({
-    /** Enabled from 5 to 8 s of 17, with a slow link and a low battery for the last second of that. */
+    /** Enabled from 5 to 8 s of 17. The link is slow and the battery low for the last second of that. */
     val dslog = TestDslog().apply {
         records(250)
         records(100, Status.BOTH_TELEOP)

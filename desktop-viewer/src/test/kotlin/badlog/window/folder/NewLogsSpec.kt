@@ -43,7 +43,7 @@ import kotlin.io.path.div
 @OptIn(ExperimentalTestApi::class)
 @Tags("InCheck")
 class NewLogsSpec : FunSpec({
-    /** Opens a folder of samples without Qualification 42, which [arrives] copies into it, as if it had been written an hour ago. */
+    /** Opens a folder of samples without Qualification 42. [arrives] copies it into the folder, as if it had been written an hour ago. */
     fun onFolder(steps: DesktopComposeUiTest.(Viewer, arrives: () -> Unit) -> Unit) {
         val home = tempdir().toPath()
         val logs = tempdir().toPath().also { it.putSamples(areSettled = true) }

@@ -178,7 +178,7 @@ internal class GraphCard(
     /** Gives it the keyboard focus where it is; nothing scrolls. */
     fun focusInPlace() = host.focusInPlace()
 
-    /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
+    /** Draws it on [sheet], with its current settings and the values at the cursor. It need not be near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }

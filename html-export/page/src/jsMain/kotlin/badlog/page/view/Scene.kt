@@ -129,7 +129,7 @@ internal class Scene(
             .also { pointed = asked to it }
     }
 
-    /** Returns those of [findingsAt] that did not begin before the last event at or before [x], so that they are newer. */
+    /** Returns those of [findingsAt] that did not begin before the last event at or before [x]. They are newer than that event. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
         val from = last.x - range.now.width * MARK_REACH
@@ -151,7 +151,7 @@ internal class Scene(
     fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
 
     private companion object {
-        /** The precision of a mouse, as a fraction of the screen's width: without it, the last event could not be reached. */
+        /** The precision of a mouse, as a fraction of the screen's width. Without it, the last event could not be reached. */
         const val ONE_PIXEL = 0.002
     }
 }
