@@ -7,7 +7,7 @@ import java.nio.file.Path
 import kotlin.math.roundToLong
 
 /**
- * What a test writes into a WPILOG.
+ * A topic that a test writes into a WPILOG.
  *
  * @property samples times in s, and numbers, truth values or texts.
  */

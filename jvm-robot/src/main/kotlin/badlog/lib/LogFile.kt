@@ -99,7 +99,7 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
     /** Deletes the oldest logs until there is enough space, but keeps ten. Returns the deleted files. */
     fun makeSpace(): List<File> {
         val logs = path.listFiles { file -> LogName.isLog(file.name) }.orEmpty()
-            // First those without a final name: nobody was at the robot when they were written.
+            // First those without a final name, because they were written without a Driver Station.
             .sortedWith(compareByDescending<File> { LogName.isProvisional(it.name) }.thenBy { it.lastModified() })
         val deleted = ArrayList<File>()
         for (log in logs.dropLast(KEPT_LOGS)) {

@@ -36,7 +36,7 @@ internal class LogPart(
     /** Whether its samples are in rows, rather than at times of their own. */
     val hasRows: Boolean get() = recording.format.hasRows
 
-    /** The folder for topics whose names are taken. */
+    /** The folder for topics with names that are taken. */
     val folder: String get() = FileName.of(file).stem
 
     /** The topic of its x axis. Null if x is only the row's index, or the time of each sample. */

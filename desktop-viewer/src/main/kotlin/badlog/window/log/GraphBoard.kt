@@ -74,7 +74,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Returns the title of [graph], which no other graph has. */
     fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
 
-    /** Returns whether the shown graphs are those of [board] that the open log can draw. */
+    /** Returns whether exactly the graphs of [board] that the open log can draw are shown. */
     fun shows(board: Board): Boolean = state.showsSame(drawn(board))
 
     /** Scrolls to the changed graphs, and to the graph that a key has moved, if they are out of sight. */
@@ -118,7 +118,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     }
 
     /**
-     * Shows the graphs of [board] above all others, replacing those of the previous finding. Graphs that a person has changed since stay.
+     * Shows the graphs of [board] above all others, replacing the graphs of the previous finding. Graphs that a person has changed since stay.
      */
     fun showEvidence(board: Board) {
         send(BoardAction.ShowEvidence(board))

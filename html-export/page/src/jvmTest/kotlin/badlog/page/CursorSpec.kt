@@ -119,7 +119,7 @@ internal class CursorSpec : PageSpec({
                 element(".histogram").getAttribute("role") shouldBe "img"
                 element(".histogram").getAttribute("aria-label") shouldBe "Histogram of Row"
                 keepScreenshot("histogram")
-                // The table stays, and the keyboard on its button, also when the statistics are those of another range.
+                // The table stays, and the keyboard on its button, also when the statistics are about another range.
                 script("document.querySelector('.statistics table').dataset.mark = 'same'")
                 click(".statistics tbody .icon-button")
                 elements(".histogram").size shouldBe 0

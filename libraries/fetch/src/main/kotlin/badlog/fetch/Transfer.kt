@@ -145,7 +145,7 @@ internal class Transfer(
     }
 
     /**
-     * Turns [part], whose log is no longer on the robot, into a log. Removes it if it contains no samples. If it cannot be read now, it
+     * Turns [part] into a log, because its log is no longer on the robot. Removes it if it contains no samples. If it cannot be read now, it
      * stays, because it is the only copy.
      */
     private fun keepUnfinished(part: Path) {

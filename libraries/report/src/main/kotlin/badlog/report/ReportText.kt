@@ -14,7 +14,7 @@ import badlog.rules.listed
 import badlog.rules.timeText
 
 /**
- * Returns all incidents and findings, match by match, at most [width] columns wide. Each has time, severity and text; what was skipped is
+ * Returns all incidents and findings, match by match, at most [width] columns wide. Each has time, severity and text. Skipped rules and hooks are
  * below them. Logs that cannot be read are only counted; files that are not logs are not mentioned.
  */
 fun reportText(result: ReportResult, width: Int = TEXT_WIDTH): String {

@@ -8,7 +8,7 @@ import io.kotest.matchers.string.shouldContain
 
 private const val POSE_X = "Odometry/Robot/translation/x"
 
-/** Harmless things in real logs, each of which was once taken for a fault. */
+/** Harmless things in real logs. Each was once taken for a fault. */
 class NoFaultSpec : FunSpec({
     fun TestMatch.rules() = findings().map { it.rule }
 

@@ -36,8 +36,8 @@ import org.w3c.dom.HTMLElement
  * @param origin what calculated it, if that was not the recording's own attributes; otherwise empty.
  * @param look its initial settings: which lines are hidden, which part of y is shown, and its height.
  * @param lines the board's names for the lines of [graph], in order.
- * @param onLook called with the settings that a person wants; the receiver stores them and calls [show]. Null if nobody stores
- * them.
+ * @param onLook called with the settings that a person wants; the receiver stores them and calls [show]. Null if they are not
+ * stored.
  */
 internal class GraphCard(
     val graph: Graph,

@@ -20,7 +20,7 @@ internal class Answer(val data: JsonObject, val picture: ByteArray? = null)
  * Writes harmless answers. They have a limited size, lack the path of the logs' folder, and mark all content of files as such. A text in a
  * log may be an instruction for an assistant; all of it stays visible to people.
  *
- * @param folder the folder of the logs, whose path is private.
+ * @param folder the folder of the logs; its path is private.
  */
 internal class AnswerText(private val folder: String) {
     /**

@@ -52,7 +52,7 @@ internal fun rulesOver(bytes: ByteArray, name: String): RulesOverLog? {
 }
 
 /**
- * Returns the logs in [folder]. Each of its folders is one team's; what is in a folder called `simulated` is of a simulated robot, even where
+ * Returns the logs in [folder]. Each of its folders is one team's. Logs in a folder called `simulated` are of a simulated robot, even where
  * the log does not show it.
  */
 internal fun fieldLogsIn(folder: File): List<FieldLog> {

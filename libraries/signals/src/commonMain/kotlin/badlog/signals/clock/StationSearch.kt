@@ -22,7 +22,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     /**
      * Returns the matching one of [logs]; null if none can be identified. A log of another match is never the one, whatever its clock says:
-     * a laptop's may be an hour off. Of several, the one of the same match counts, then that whose moments of enabling and clock agree.
+     * a laptop's may be an hour off. Of several, the one of the same match counts, then the one with the same moments of enabling and clock.
      *
      * @param acceptsOnly whether to accept the only log, even if just one moment of enabling matches.
      * @param mostRead if there are more logs than this, only those that may match by time of day are read.

@@ -50,7 +50,7 @@ public class SparkLakeResult internal constructor(
 )
 
 /**
- * A lake made by a cluster, on any file system that Spark supports. `docs/season.md` specifies its files; they are the same as those of
+ * A lake made by a cluster, on any file system that Spark supports. `docs/season.md` specifies its files; they are the same as in
  * [badlog.season.lake.Lake]. Only one program at a time may write to it.
  *
  * @param address the address of its folder, accessible to all machines of the cluster.
