@@ -72,7 +72,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("info reports an empty file as damaged, and recover and cut make nothing of it") {
+    test("info reports an empty file as damaged, and recover and cut write no file") {
         inFolder { folder ->
             val empty = folder.with("empty.bag", "")
             badlog("info", empty).code shouldBe ExitCode.SALVAGED

@@ -122,7 +122,7 @@ class ProgramOnWindowsSpec : FunSpec({
         others.filter { (name, bytes) -> made[name] != bytes }.keys shouldBe emptySet()
     }
 
-    test("quoted wildcards, which no shell there expands, name files").config(enabledOrReasonIf = { enabled }) {
+    test("quoted wildcards, which no shell expands on Windows, name files").config(enabledOrReasonIf = { enabled }) {
         val said = answerHere(listOf("info", "--only", "*battery voltage", "torn.bag", "torn.recovered.bag"))
         answerOfWindows(listOf("info", "--only", "*battery voltage", "torn*.bag")) shouldBe said
     }
@@ -132,7 +132,7 @@ class ProgramOnWindowsSpec : FunSpec({
         answerOfWindows(listOf("info", "--json", "\\\\?\\$path")) shouldBe answerOfWindows(listOf("info", "--json", path))
     }
 
-    test("a file that another program has open is not replaced, a sentence says so, and nothing is left beside it").config(enabledOrReasonIf = { enabled }) {
+    test("a file that another program has open is not replaced: a sentence has the reason, and no other file is left beside it").config(enabledOrReasonIf = { enabled }) {
         File(windows, "held.bat").writeText("@call badlog\\bin\\badlog.bat cut torn.bag --from 1 --to 2 --force --out held.bag > held.bag\r\n")
         answerOfWindows(listOf("held.bat")) shouldContain "held.bag cannot be replaced: it is read-only, or another program has it open"
         File(windows, "held.bag").length() shouldBe 0

@@ -51,7 +51,7 @@ class CutWpilogSpec : FunSpec({
         readRecording(folder / "a.cut.wpilog", LOG_FORMATS)
     }
 
-    test("a part begins with the value of each topic there, without repeating events") {
+    test("a part begins with the current value of each topic, without repeating events") {
         val part = cut("--from", "2.5", "--to", "4")
         part.held("Speed") shouldContainExactly listOf("2.5 1.0", "3.0 2.0", "4.0 3.0")
         part.held("Count") shouldContainExactly listOf("2.5 7.0")

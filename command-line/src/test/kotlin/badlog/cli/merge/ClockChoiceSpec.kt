@@ -166,7 +166,7 @@ class ClockChoiceSpec : FunSpec({
         }
     }
 
-    test("the log of a robot comes before that of a CAN bus, whatever their names") {
+    test("the log of a robot comes before the log of a CAN bus, whatever their names") {
         inFolder { folder ->
             val recording = readRecording(folder.match("robot", "a", 7.0), LOG_FORMATS)
             listOf("aaa.hoot", "robot.wpilog").map { LogPart(folder / it, recording) }.sortedWith(PART_ORDER).map { "${it.file.fileName}" } shouldBe

@@ -43,7 +43,7 @@ class ReportBesideStationSpec : FunSpec({
         listOf("trip time > 50", "battery < 7").joinToString("\n") { "[[rule]]\nname='$it'\nseverity='warning'\nwhen='$it'\ntext='at {time}'\n" },
     )
 
-    test("rules get the link and the power from the Driver Station's log where the robot's has none") {
+    test("rules get the link and the power from the Driver Station's log if the robot's lacks them") {
         inFolder { folder ->
             folder.with("ds/2026_03_07 10_04_05 Sat.dslog", dslog.bytes)
             val arguments = arrayOf<Any>("report", folder.robot(battery = false), "--no-cache", "--rules", folder.rules())

@@ -73,7 +73,7 @@ class NewLogsSpec : FunSpec({
         onNodeWithText("Browned out at 1:33.", substring = true).assertExists()
     }
 
-    test("a log that arrives is announced, replaces nothing, and is shown at its worst finding; the first logs of a folder did not arrive") {
+    test("a log that arrives is announced, replaces no other log, and is shown at its worst finding; the first logs of a folder are not announced") {
         onFolder { viewer, arrives ->
             waitFor { viewer.library.state.entries.all { it.found != null || it.isGray } }
             onAllNodesWithContentDescription("New log").assertCountEquals(0)

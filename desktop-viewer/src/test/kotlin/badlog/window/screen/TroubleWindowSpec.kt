@@ -123,7 +123,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("a folder without read permission says so").config(enabledOrReasonIf = { needsOrdinaryUser() }) {
+    test("a folder without read permission is reported").config(enabledOrReasonIf = { needsOrdinaryUser() }) {
         val folder = tempdir().toPath()
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("---------"))
         try {
