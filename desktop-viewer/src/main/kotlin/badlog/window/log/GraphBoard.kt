@@ -118,7 +118,8 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     }
 
     /**
-     * Shows the graphs of [board] above all others, replacing the graphs of the previous finding. Graphs that a person has changed since stay.
+     * Shows the graphs of [board] above all others, replacing the graphs of the previous finding. Graphs that a person has changed since
+     * stay.
      */
     fun showEvidence(board: Board) {
         send(BoardAction.ShowEvidence(board))

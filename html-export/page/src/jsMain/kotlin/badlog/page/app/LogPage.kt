@@ -282,7 +282,8 @@ internal class LogPage(
         search.followFindings()
         // The place in the address is known only now.
         link.followAgain()
-        // A reader who has pinned the cursor in the meantime is not taken there. Nor is one who follows the log: the cursor is pinned at its end.
+        // A reader who has pinned the cursor in the meantime is not taken there. Nor is one who follows the log: the cursor is pinned at
+        // its end.
         if (showsWorst && !scene.cursor.now.isPinned) findings.goToWorst(found.findings)
         // Draws into the existing graphs, since a reader may be dragging over one.
         if (found.findings.isNotEmpty()) redraw()

@@ -11,8 +11,8 @@ import badlog.signals.match.isSameAs
 class FoundStation<out F>(val log: F, val station: ClockedLog, val fit: ClockFit)
 
 /**
- * Finds the Driver Station log of the same match as the log [robot]. It compares the matches, otherwise the times of enabling, otherwise the
- * times of day. Clocks are often wrong, so any of these may be the only clue.
+ * Finds the Driver Station log of the same match as the log [robot]. It compares the matches, otherwise the times of enabling, otherwise
+ * the times of day. Clocks are often wrong, so any of these may be the only clue.
  *
  * @param startOf returns when a log began, in s since 1970, if that is known before it is read; otherwise null.
  * @param read reads a log; returns null if it is not one.
@@ -22,7 +22,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     /**
      * Returns the matching one of [logs]; null if none can be identified. A log of another match is never the one, whatever its clock says:
-     * a laptop's may be an hour off. Of several, the one of the same match counts, then the one with the same moments of enabling and clock.
+     * a laptop's may be an hour off. Of several, the one of the same match counts, then the one with the same moments of enabling and
+     * clock.
      *
      * @param acceptsOnly whether to accept the only log, even if just one moment of enabling matches.
      * @param mostRead if there are more logs than this, only those that may match by time of day are read.
