@@ -74,7 +74,7 @@ private fun List<PossiblePart>.best(): PossiblePart? =
 /** A number or type of match that contradicts excludes a file, whichever of [robots] has it. */
 private fun isOfAnother(file: MatchFile, robots: List<MatchPart>) = robots.any { file.log.match.isSameAs(it.file.log.match) == false }
 
-/** Returns [seconds]. They put a log on the clock of this one, and their [error] on the clock of the match. */
+/** Returns [file] on the clock of the match. [seconds] and their [error] put it on the clock of this log. */
 private fun MatchPart.placed(file: MatchFile, seconds: Double, reason: ClockReason, error: Double? = null, edges: Int = 0): MatchPart =
     MatchPart(file, this.seconds + seconds, reason, error?.let { it + (this.error ?: 0.0) }, edges)
 
