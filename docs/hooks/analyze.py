@@ -13,7 +13,7 @@ with open(header_path, encoding="utf-8") as file:
 units = {topic["name"]: topic.get("unit", "ul") for topic in header["topics"]}
 x_names = [topic["name"] for topic in header["topics"] if "xaxis" in topic.get("attrs", [])]
 
-# Standard input is the log as CSV: UTF-8, one column for each topic, an empty cell where there is no sample.
+# Standard input is the log as CSV in UTF-8. Each topic is a column; a cell is empty where there is no sample.
 sys.stdin.reconfigure(encoding="utf-8", newline="")
 rows = csv.reader(sys.stdin)
 titles = next(rows, [])

@@ -1,4 +1,4 @@
-"""Measures the speed of reading a WPILOG, a log of the Driver Station, and a bag with the WPILOG's samples, in one run.
+"""Measures the speed of reading in one run. Reads a WPILOG, a log of the Driver Station, and a bag with the WPILOG's samples.
 
     python ports/python/benchmark_records.py LOG.bag [runs] [copies]
 

@@ -15,7 +15,7 @@ constexpr size_t MAX_BYTES = 1 << 20;
 constexpr size_t CLEARLY = 3;
 constexpr size_t MIN_ROWS = 3;  // this many rows of one width count more than the titles
 
-// Among random bytes, every ninth is a control character; in a text with a few damaged places, fewer than one in this many.
+// Among random bytes, every ninth is a control character. In a text with a few damaged places, fewer than one in this many.
 constexpr size_t MIN_TEXT = 20;
 constexpr size_t MIN_CONTROLS = 16;
 

@@ -120,7 +120,7 @@ RowReader::Next RowReader::QuotedLines(size_t start, size_t secondLine) {
 }
 
 bool RowReader::HasSameNumbers() const {
-    // A line of a quoted text may have as many cells as a row, but seldom a number wherever the row has one.
+    // A line of a quoted text may have as many cells as a row. It seldom has a number wherever the row has one.
     for (size_t i = 0; i < m_numbersBefore.size(); i++) {
         if (m_numbersBefore[i] && KindOf(i) == CellKind::TEXT) return false;
     }

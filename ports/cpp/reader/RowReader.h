@@ -20,7 +20,7 @@ namespace badlog::reader {
  */
 class RowReader {
 public:
-    /** `endsInNewline` says that every whole row of this file ends in a newline, so that a last row without one is cut. */
+    /** `endsInNewline` says that every whole row of this file ends in a newline. A last row without one is cut. */
     RowReader(Cursor& cursor, std::vector<Column>& columns, ProblemList& problems, bool endsInNewline);
 
     int64_t rowCount = 0;

@@ -293,7 +293,7 @@ def _fault_of(folder: Path, number: int) -> str | None:
     rows = int((folder / f"{number}.returned").read_text())
     recording = badlog.read(folder / (f"{number}.bag.gz" if number % 2 == 1 else f"{number}.bag"))
     samples = recording["Row"].samples.tolist() if "Row" in recording else []
-    # Only the row with an unfinished call of log() may be cut, with the compressed bytes that hold it, and nothing before it.
+    # Only the row with an unfinished call of log() may be cut, with the compressed bytes that hold it. Nothing before it may be cut.
     cut = [problem for problem in recording.problems if problem.severity.name == "ERROR" and problem.kind is not ProblemKind.GZIP_CUT]
     lost = [problem for problem in cut if (problem.line or 0) < 3 + rows]
     if rows > 0 and samples[:rows] == list(range(rows)) and not lost:

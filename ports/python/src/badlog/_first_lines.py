@@ -14,8 +14,7 @@ _ROWS = 20  # the number of rows that are examined
 _MAX_BYTES = 1 << 20
 _CLEARLY = 3
 
-# Among random bytes, every ninth is a control character; in a text with a few damaged places, fewer than one in this
-# many.
+# Among random bytes, every ninth is a control character. In a text with a few damaged places, fewer than one in this many.
 _MIN_TEXT = 20
 _MIN_CONTROLS = 16
 

@@ -122,7 +122,7 @@ class RowRepair:
         return None
 
     def _has_same_numbers(self) -> bool:
-        # A line of a quoted text may have as many cells as a row, but seldom a number wherever the row has one.
+        # A line of a quoted text may have as many cells as a row. It seldom has a number wherever the row has one.
         return not any(is_number and self._kind_of(i) == _cell.TEXT for i, is_number in enumerate(self._numbers_before))
 
     def _kind_of(self, i: int) -> int:

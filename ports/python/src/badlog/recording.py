@@ -52,7 +52,7 @@ class TopicKind(str, Enum):
     BOOLEAN = "boolean"
     """Only `true` and `false`, kept as 1 and 0."""
     STATE = "state"
-    """Mostly texts, in at least half of the rows, or with times of its own and few different texts: the states of something."""
+    """The states of something: mostly texts, in at least half of the rows. With times of its own, few different texts."""
     EVENT = "event"
     """Mostly texts, in fewer than half of the rows, or with times of its own and many different texts: events."""
 

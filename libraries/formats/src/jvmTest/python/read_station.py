@@ -1,4 +1,4 @@
-# Prints what another reader of Driver Station logs finds: the module `oracle`, which stands beside real logs, in the folder given first.
+# Prints what another reader of Driver Station logs finds. That reader is the module `oracle` beside real logs, in the folder given first.
 import sys
 
 sys.path.insert(0, sys.argv[1])

@@ -1,4 +1,4 @@
-"""Prints what WPILib's own reader finds in a WPILOG, one line a record: name, type, time in us and value, by tabs."""
+"""Prints what WPILib's own reader finds in a WPILOG, one line a record. A line has name, type, time in us and value, separated by tabs."""
 import sys
 
 from wpiutil.log import DataLogReader

@@ -1,4 +1,4 @@
-"""Reads the Parquet file of a single log by pandas, and its metadata by pyarrow, and prints the results as JSON."""
+"""Reads the Parquet file of a single log by pandas, and its metadata by pyarrow. Prints the results as JSON."""
 import json
 import sys
 

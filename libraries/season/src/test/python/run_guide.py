@@ -1,4 +1,4 @@
-"""Runs the Python examples of a guide, each by itself, and prints as JSON what each says of the lowest voltage of each log."""
+"""Runs the Python examples of a guide, each by itself. Prints as JSON what each says of the lowest voltage of each log."""
 import contextlib
 import json
 import re

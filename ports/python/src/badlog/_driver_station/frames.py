@@ -50,7 +50,8 @@ class FrameSplitter:
         self._begin = begin
         self._skipped = skipped
         self._frames: Frames | None = None
-        # The places at which another file's header may be: with a time in the same month, and with the same time.
+        # The places at which another file's header may be. The first list is of those with a time in the same month, the second of those
+        # with the same time.
         self._near: list[int] = []
         self._same: list[int] = []
         self._at = 0

@@ -37,7 +37,7 @@ class _StationParser:
         self._records: StationRecords | None = None
         self._events: StationEvents | None = None
         self._refusal: str | None = None
-        # The time of day at which x is 0, in whole seconds since 1904 and their fraction; None if no header was read.
+        # The time of day at which x is 0, in whole seconds since 1904 and their fraction. None if no header was read.
         self._origin: tuple[float, float] | None = None
 
     def recording(self) -> Recording:

@@ -114,7 +114,7 @@ class StationRecords:
         return at + count * size, count
 
     def _alike(self, start: int, like: int, size: int, count: int) -> int:
-        """The number of records from `start` on, up to `count`, with the size of the one at `like` and a possible status."""
+        """The number of records from `start` on, up to `count`. They have the size of the one at `like` and a possible status."""
         if count <= 0:
             return 0
         data = self._data

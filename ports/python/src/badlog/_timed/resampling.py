@@ -17,7 +17,7 @@ _MICROSECOND = 1e-6
 _MAX_ROWS = 1e8
 # Times are rounded to this fraction of a second.
 _ROUNDING_SCALE = 1e9
-# A sample up to this much later than a row is in it: times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
+# A sample up to this much later than a row is in it. Times of rows are rounded, and 829 times 0.02 s is 16.580000000000002 s.
 _MAX_LATENESS = 1 / _ROUNDING_SCALE
 
 

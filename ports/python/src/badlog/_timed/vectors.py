@@ -70,7 +70,8 @@ class Vectors(Protocol):
         """The indices, all or those `among`, at which `counts` is above `least`."""
 
     def with_followers(self, indices: Places, size: int) -> tuple[Places, Places]:
-        """`indices` with the index after each run of them, if that is below `size`; and where the original ones are among these."""
+        """`indices` with the index after each run of them, if that is below `size`. The second array has the places of the original ones
+        among these."""
 
     def spread(self, numbers: Numbers, size: int, positions: Places) -> Numbers:
         """`size` numbers, those at `positions` from `numbers`, NaN elsewhere."""

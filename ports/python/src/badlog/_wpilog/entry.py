@@ -19,7 +19,7 @@ _SCHEMA_FOLDER = "/.schema/"
 # The names under which WPILib's logger puts the program's output, and the Driver Station of 2027 its own.
 _MESSAGES = ("messages", "console")
 _CONSOLE = "DS:/Dscomm/Console/"
-# The name under which dashboards, and Telemetry from 2027 on, give the type of the object that the topics beside it form.
+# The name under which dashboards, and Telemetry from 2027 on, give an object's type. The object is made of the topics beside it.
 _TYPE = "/.type"
 
 

@@ -36,7 +36,8 @@ class NumpyRuns:
         self._table = table
         self._histogram = histogram
         self._most = _MIN_RUN
-        # For each id, and for all larger ones, the number of its entry, or -1; the width of its values; and whether it has any number of them.
+        # For each id, the number of its entry, or -1; the last element stands for all larger ids. Then the width of its values, and whether
+        # it has any number of them.
         self._numbers = numpy.full(_MAX_ID + 1, -1, numpy.int32)
         self._widths = numpy.ones(_MAX_ID + 1, numpy.uint32)
         self._are_arrays = numpy.zeros(_MAX_ID + 1, bool)
@@ -109,7 +110,7 @@ class NumpyRuns:
 
 
 def _chain(data: bytes, at: int, most: int) -> list[int]:
-    """The starts of up to `most` records from `at` on, up to a control record, bytes that are not a record, or the last record."""
+    """The starts of up to `most` records from `at` on. They end at a control record, bytes that are not a record, or the last record."""
     limit = len(data) - MAX_HEAD
     places: list[int] = []
     add = places.append

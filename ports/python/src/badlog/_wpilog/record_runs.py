@@ -37,9 +37,7 @@ class RecordRuns(Protocol):
         """Called when `id` begins to stand for `entry`, or for nothing."""
 
     def read(self, at: int, most: int, most_bytes: int) -> Run:
-        """Reads records by the rules of `RecordSink.records`: none that is odd in any way, or is followed by an odd
-        one.
-        """
+        """Reads records by the rules of `RecordSink.records`. Stops before one that is odd in any way, or is followed by an odd one."""
 
 
 class PlainRuns:

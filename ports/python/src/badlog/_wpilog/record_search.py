@@ -16,7 +16,7 @@ from badlog._wpilog.record_head import CONTROL_HEAD, FITTING, MORE, NONE, ODD, R
 NOWHERE = -1
 """The result of `find` if records continue nowhere."""
 
-# This many fitting records in a row are not a coincidence; fewer are enough at the end of the file, or if they are very large.
+# This many fitting records in a row are not a coincidence. Fewer are enough at the end of the file, or if they are very large.
 _MIN_FITTING = 10
 _MIN_AT_END = 3
 _MIN_FAR = 5
@@ -56,7 +56,7 @@ class RecordSearch:
         self._head = RecordHead()
 
     def look(self, head: RecordHead, at: int, near: float) -> int:
-        """Reads the bytes at `at` into `head`, and returns their look after a record at `near` µs, or NaN if there was none."""
+        """Reads the bytes at `at` into `head`, and returns their look after a record at `near` µs. `near` is NaN if there was none."""
         possible = head.read(self._data, at, self._end)
         if possible != FITTING:
             return possible
@@ -73,7 +73,8 @@ class RecordSearch:
         return FITTING if control_texts(self._data, end - head.size, end) is not None else ODD
 
     def find(self, start: int, end: int, near: float, is_inside: bool) -> int:
-        """The first place from `start` and before `end` at which several fitting records in a row continue after damage; or NOWHERE.
+        """The first place from `start` and before `end` at which several fitting records in a row continue after damage. NOWHERE if
+        there is none.
 
         `is_inside` says whether the place is inside bytes that may themselves be a record; the first records there must be of types with a fixed
         size.

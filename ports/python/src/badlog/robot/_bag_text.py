@@ -30,7 +30,7 @@ def title_of(name: str) -> str:
 
 
 def header_lines(topics: Iterable[tuple[str, str, Sequence[str]]], values: Iterable[tuple[str, str]]) -> bytes:
-    """Line 1 and line 2: the names, units and attributes of all topics, and the names and texts of all values."""
+    """Line 1 and line 2. They have the names, units and attributes of all topics, and the names and texts of all values."""
     topics = [(title_of(name), unit, attributes) for name, unit, attributes in topics]
     described = ",".join(
         f'{{"unit":{_quoted(unit)},"name":{_quoted(name)},"attrs":[{",".join(map(_quoted, attributes))}]}}'

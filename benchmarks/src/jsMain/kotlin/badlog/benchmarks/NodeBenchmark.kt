@@ -16,7 +16,9 @@ private external fun require(module: String): dynamic
 
 private const val ROUNDS = 8
 
-/** Prints the speed of core's parser on Node in MB/s: the best of some rounds over a synthetic bag, or over the file in the argument. */
+/**
+ * Prints the speed of core's parser on Node in MB/s. It is the best of some rounds over a synthetic bag, or over the file in the argument.
+ */
 fun main() {
     val file = process.argv.getOrNull(2)
     val bag = if (file == null) syntheticBag() else bytesOf(file)

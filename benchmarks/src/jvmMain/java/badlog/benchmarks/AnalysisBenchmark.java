@@ -19,7 +19,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Measures operations on a series of a million samples: a zoom on a screen 1,600 columns wide, a derivation, and statistics. */
+/** Measures a zoom, a derivation and statistics on a series of a million samples. The zoom is on a screen 1,600 columns wide. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)

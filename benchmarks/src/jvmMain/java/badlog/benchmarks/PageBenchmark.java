@@ -18,8 +18,8 @@ import org.openqa.selenium.chrome.ChromeOptions;
 import org.openqa.selenium.interactions.Actions;
 
 /**
- * Measures exported pages in headless Chromium: the time from opening to the first graphs, the memory of JavaScript then, and the time
- * until a zoom by mouse has reached all graphs on screen. The zoom is also measured with ten graphs on the board, and with the processor
+ * Measures exported pages in headless Chromium. Times: from opening to the first graphs, and until a zoom by mouse has reached all graphs
+ * on screen. Memory: of JavaScript at the first graphs. The zoom is also measured with ten graphs on the board, and with the processor
  * slowed down six times, to about a phone's speed.
  *
  * <p>Arguments: the program that exports, the folder to work in, the file for the results, and a folder of bags or nothing. Needs {@code
@@ -218,7 +218,7 @@ public final class PageBenchmark {
         return times.stream().sorted().toList();
     }
 
-    /** Returns the graph at {@code place}; not the first one, because header and values take part of the screen around it. */
+    /** Returns the graph at {@code place}. It is not the first one, because header and values take part of the screen around it. */
     private static WebElement graph(ChromeDriver browser, String graphs, int place) {
         return browser.findElements(By.cssSelector(graphs)).get(place);
     }

@@ -12,7 +12,7 @@ import java.util.Random;
 import java.util.function.IntFunction;
 import org.openqa.selenium.chrome.ChromeDriver;
 
-/** Measures the script of zooms into a graph of y over x, of a million samples, on a page: all of it is redrawn within the event. */
+/** Measures the script of zooms into a graph of y over x, of a million samples, on a page. All of it is redrawn within the event. */
 final class PathOnPage {
     private static final int SAMPLES = 1_000_000;
     private static final int ZOOMS = 30;
@@ -20,7 +20,10 @@ final class PathOnPage {
     private PathOnPage() {
     }
 
-    /** Returns the table's lines for pages that {@code program} makes in the folder {@code work}: a robot's path, and voltage over current. */
+    /**
+     * Returns the table's lines for pages that {@code program} makes in the folder {@code work}. The pages show a robot's path, and voltage
+     * over current.
+     */
     static List<String> measure(String program, Path work) throws Exception {
         Path path = work.resolve("path.bag");
         write(path, "Drive/Pose X", "Drive/Pose Y", "m", "m", i -> new double[] {

@@ -17,8 +17,7 @@ import java.util.function.Supplier;
 import kotlin.Unit;
 
 /**
- * Measures a question and a report over a folder of logs: first without a cache, which is filled meanwhile, then from
- * the cache.
+ * Measures a question and a report over a folder of logs. The first run is without a cache and fills it; the second one uses it.
  */
 public final class ReportBenchmark {
     private static final String QUESTION = "min(System/Battery Voltage) < 7";

@@ -60,7 +60,7 @@ class BadlogSpec : FunSpec({
         }
     }
 
-    test("it shows its version") {
+    test("the program shows its version") {
         badlog("--version").out shouldBe "badlog $BADLOG_VERSION\n"
     }
 

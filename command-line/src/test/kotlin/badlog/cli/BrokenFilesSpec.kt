@@ -72,7 +72,7 @@ class BrokenFilesSpec : FunSpec({
         }
     }
 
-    test("info reports an empty file as damaged, and recover and cut make nothing of it") {
+    test("info reports an empty file as damaged, and recover and cut write no file") {
         inFolder { folder ->
             val empty = folder.with("empty.bag", "")
             badlog("info", empty).code shouldBe ExitCode.SALVAGED
@@ -118,7 +118,7 @@ class BrokenFilesSpec : FunSpec({
                     val ended = badlog(*command.toTypedArray(), "--force")
                     if (ended.code == ExitCode.NOTHING) continue
                     val written = readRecording(Path.of(command.last().toString()), LOG_FORMATS)
-                    // A lone record that is left of a log may have a wrong time, which shows only beside the records of another log.
+                    // A lone record that is left of a log may have a wrong time. Only the records of another log show it.
                     written.copy(problems = written.problems.filter { it.kind != ProblemKind.WILD_TIMES }).isSalvaged shouldBe false
                 }
             }

@@ -22,7 +22,7 @@ internal val IF_ENDED_GENTLY: Enabled =
 /** Ends [process] as Ctrl+C does, or where that is ignored by SIGTERM, to which Java does the same. */
 internal fun endGently(process: Process) = if (isInterruptIgnored()) process.destroy() else interrupt(process)
 
-/** Whether programs started here ignore SIGINT, as far as the system says: only Linux does. */
+/** Whether programs started here ignore SIGINT. False if the system does not say so; only Linux does. */
 private fun isInterruptIgnored(): Boolean {
     val status = File("/proc/self/status").takeIf { it.canRead() } ?: return false
     val ignored = status.readLines().firstOrNull { it.startsWith("SigIgn:") }?.substringAfter(':')?.trim() ?: return false

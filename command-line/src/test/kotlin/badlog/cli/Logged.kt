@@ -7,13 +7,13 @@ import java.nio.file.Path
 import kotlin.math.roundToLong
 
 /**
- * What a test writes into a WPILOG.
+ * A topic that a test writes into a WPILOG.
  *
  * @property samples times in s, and numbers, truth values or texts.
  */
 internal class Logged(val name: String, val type: String, val metadata: String, val samples: List<Pair<Double, Any>>)
 
-/** A WPILOG of [topics] called [name] in this folder, byte by byte as the format says, with records in the order of time. */
+/** A WPILOG of [topics] called [name] in this folder, with records in the order of time. It is written byte by byte as the format says. */
 internal fun Path.wpilog(name: String, topics: List<Logged>): Path = with(name, wpilogBytes(topics))
 
 /** The bytes of a WPILOG of [topics]. */

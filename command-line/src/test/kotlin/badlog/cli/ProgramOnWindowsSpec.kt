@@ -64,7 +64,7 @@ private val SAID_BY_WINE = Regex("(?m)^wine: .*\n")
 /** The output, with the exit code; line ends and paths are written alike for both machines. */
 private fun saidBy(run: LimitedRun) = run.text.replace("\r\n", "\n").replace(SAID_BY_WINE, "").replace(WRITTEN, "").replace('\\', '/') + "-> ${run.code}"
 
-/** The names of the files that commands have made in [folder], and their bytes; but not of the tables, which hold paths and times. */
+/** The names of the files that commands have made in [folder], and their bytes. Tables are left out, since they hold paths and times. */
 private fun madeIn(folder: File): Map<String, List<Byte>> = folder.walk().onEnter { it.name !in setOf("badlog", "cache", "Tabellen") }.filter { it.isFile && it.name != LOG }
     .associate { it.relativeTo(folder).invariantSeparatorsPath to it.readBytes().toList() }
 
@@ -97,7 +97,7 @@ class ProgramOnWindowsSpec : FunSpec({
         }
         val variables = variables(windows) + mapOf(
             "JAVA_HOME" to "Z:" + java.replace('/', '\\'),
-            // Otherwise its console has the signs of Western Europe only, and badlog spells out the others, such as “ohm” for Ω.
+            // Otherwise its console has the characters of Western Europe only. For the others, badlog writes words, such as “ohm” for Ω.
             "JAVA_OPTS" to "-Dsun.stdout.encoding=UTF-8 -Dsun.stderr.encoding=UTF-8",
             "LOCALAPPDATA" to "Z:" + "$windows/cache".replace('/', '\\'),
         )
@@ -122,7 +122,7 @@ class ProgramOnWindowsSpec : FunSpec({
         others.filter { (name, bytes) -> made[name] != bytes }.keys shouldBe emptySet()
     }
 
-    test("quoted wildcards, which no shell there expands, name files").config(enabledOrReasonIf = { enabled }) {
+    test("quoted wildcards, which no shell expands on Windows, name files").config(enabledOrReasonIf = { enabled }) {
         val said = answerHere(listOf("info", "--only", "*battery voltage", "torn.bag", "torn.recovered.bag"))
         answerOfWindows(listOf("info", "--only", "*battery voltage", "torn*.bag")) shouldBe said
     }
@@ -132,7 +132,7 @@ class ProgramOnWindowsSpec : FunSpec({
         answerOfWindows(listOf("info", "--json", "\\\\?\\$path")) shouldBe answerOfWindows(listOf("info", "--json", path))
     }
 
-    test("a file that another program has open is not replaced, a sentence says so, and nothing is left beside it").config(enabledOrReasonIf = { enabled }) {
+    test("a file that another program has open is not replaced: a sentence has the reason, and no other file is left beside it").config(enabledOrReasonIf = { enabled }) {
         File(windows, "held.bat").writeText("@call badlog\\bin\\badlog.bat cut torn.bag --from 1 --to 2 --force --out held.bag > held.bag\r\n")
         answerOfWindows(listOf("held.bat")) shouldContain "held.bag cannot be replaced: it is read-only, or another program has it open"
         File(windows, "held.bag").length() shouldBe 0

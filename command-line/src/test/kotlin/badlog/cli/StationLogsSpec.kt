@@ -68,7 +68,7 @@ class StationLogsSpec : FunSpec({
         }
     }
 
-    test("it becomes a WPILOG, rows, a part and a clean log") {
+    test("a Driver Station's log becomes a WPILOG, rows, a part and a clean log") {
         inFolder { folder ->
             folder.pair()
             badlog("convert", folder / log, "--to", "wpilog")

@@ -41,7 +41,7 @@ internal class AppendFile(private var file: File, private val move: (from: File,
         }
     }
 
-    /** @throws IOException if not all bytes could be written; then none are in the file, and the next call may try again. */
+    /** @throws IOException if not all bytes could be written. Then none are in the file, and the next call may try again. */
     fun append(bytes: ByteArray, size: Int) {
         if (isDetached) reopen()
         if (isTorn) cutTornEnd()

@@ -99,7 +99,7 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
     /** Deletes the oldest logs until there is enough space, but keeps ten. Returns the deleted files. */
     fun makeSpace(): List<File> {
         val logs = path.listFiles { file -> LogName.isLog(file.name) }.orEmpty()
-            // First those without a final name: nobody was at the robot when they were written.
+            // First those without a final name, because they were written without a Driver Station.
             .sortedWith(compareByDescending<File> { LogName.isProvisional(it.name) }.thenBy { it.lastModified() })
         val deleted = ArrayList<File>()
         for (log in logs.dropLast(KEPT_LOGS)) {
@@ -114,7 +114,7 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private const val ENOUGH_BYTES = 50_000_000L
         private const val KEPT_LOGS = 10
 
-        // The mount points of a USB stick and their link; the homes of the roboRIO and of Systemcore, and a simulation's folder.
+        // The mount points of a USB stick and their link. Then the homes of the roboRIO and of Systemcore, and a simulation's folder.
         private val STICKS = listOf("/U", "/V", "/u").map(::File)
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 

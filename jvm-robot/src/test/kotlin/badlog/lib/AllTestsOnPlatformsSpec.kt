@@ -45,7 +45,7 @@ class AllTestsOnPlatformsSpec : FunSpec({
 })
 
 /**
- * Calls [run] with a folder in memory in which tests can run as in [folder], which is core's or an empty one. The corpus is copied, because
+ * Calls [run] with a folder in memory. Tests can run in it as in [folder], which is core's or an empty one. The corpus is copied, because
  * tests list its files; the rest of the project is linked.
  */
 private fun <T> inMemory(folder: File, run: (File) -> T): T {

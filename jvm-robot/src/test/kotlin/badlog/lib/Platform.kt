@@ -26,7 +26,7 @@ internal class Platform private constructor(val name: String, private val proper
         return run(wine, classpath, listOf(program.name) + arguments, File("."), LimitedRun.LIMIT_MINUTES)
     }
 
-    /** Runs Java with [arguments], the first of which is its main class, in [folder], for at most [minutes]. */
+    /** Runs Java with [arguments] in [folder], for at most [minutes]. The first argument is its main class. */
     fun run(wine: () -> Wine, classpath: List<String>, arguments: List<String>, folder: File, minutes: Long): LimitedRun {
         val line = command + listOf("-cp", classpath.joinToString(separator)) + arguments
         return if (command.first() == "wine") {

@@ -294,7 +294,7 @@ class RobotLogSpec : FunSpec({
         }
     }
 
-    test("the folder is the wanted one, a stick's, the robot's, or beside the program") {
+    test("the folder is the requested one, a stick's, the robot's, or beside the program") {
         inFolder { folder ->
             val stick = File(folder, "u").apply { mkdir() }
             val home = File(folder, "home").apply { mkdir() }

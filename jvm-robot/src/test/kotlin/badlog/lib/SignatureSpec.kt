@@ -10,7 +10,7 @@ import java.lang.reflect.Modifier
 private const val RELEVANT = Modifier.PUBLIC or Modifier.STATIC
 
 class SignatureSpec : FunSpec({
-    test("every public member of the original is there, at its erased signature") {
+    test("every public member of the original exists with its erased signature") {
         val list = checkNotNull(SignatureSpec::class.java.getResource("/original-signatures.txt"))
         val wanted = list.readText().trim().lines()
         val classes = wanted.map { it.split(' ')[1] }.distinct().map { Class.forName(it) }

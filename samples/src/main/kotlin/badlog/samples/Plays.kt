@@ -17,7 +17,7 @@ val TWO_PIECE_AUTONOMOUS: List<Order> = listOf(
     Order(15.3, Task.Wait, Superstructure.STOWED),
 )
 
-/** Returns a cycle of teleop from second [at] on: across the field for a piece and back to score it, in 17 s. */
+/** Returns a cycle of teleop from second [at] on. It goes across the field for a piece and back to score it, in 17 s. */
 fun cycle(at: Double, load: Task.DriveTo = Task.DriveTo(13.4, 5.6)): List<Order> = listOf(
     Order(at, load, Superstructure.STOWED),
     Order(at + 5.6, Task.Creep, Superstructure.INTAKING),

@@ -66,7 +66,7 @@ class IncidentTableSpec : FunSpec({
     test("the first incident names the planted fault in nine of ten matches, another one in one at most, and a healthy match has none") {
         for (fault in Fault.entries) {
             val matches = clear.filter { it.match.fault == fault }
-            // A battery with a single brownout under a load that a sensor shows too late looks like a good one, so the rules are silent.
+            // A battery with a single brownout under a load that a sensor shows too late looks like a good one. The rules are silent.
             val least = if (fault == Fault.TIRED_BATTERY) 8 else 9
             withClue(fault.title) {
                 10 * matches.count { it.isRight } shouldBeGreaterThanOrEqual least * matches.size

@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldBe
 class Qualification57Spec : FunSpec({
     val view = viewOf("qualification-57.bag.gz")
 
-    test("its gzip stream has no end, and no trailer") {
+    test("the gzip stream of Qualification 57 has no end, and no trailer") {
         Inflated(sampleFile("qualification-57.bag.gz").readBytes()).isWhole shouldBe false
     }
 

@@ -18,7 +18,7 @@ class SampleFilesSpec : FunSpec({
         qualification57().copyOf(inflated.size).contentEquals(inflated) shouldBe true
     }
 
-    test("there are no other samples") {
+    test("the folder of samples has no other logs") {
         val files = File(".").listFiles().orEmpty().map { it.name }
         files.filter { it.endsWith(".bag") || it.endsWith(".gz") || it.endsWith(".csv") }.toSet() shouldBe SAMPLES.keys
     }

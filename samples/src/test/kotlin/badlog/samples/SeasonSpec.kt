@@ -48,7 +48,7 @@ class SeasonSpec : FunSpec({
         (found - setOf(found[15])).flatten().shouldBeEmpty()
     }
 
-    test("a tired battery has a resistance above those of the other matches") {
+    test("a tired battery has a higher resistance than in the other matches") {
         val tired = numbersOf(viewOf(500, Fault.TIRED_BATTERY))
         tired.resistance shouldBeGreaterThan 1.4 * season.map { it.resistance }.average()
         findingsOf(season + tired).last().map { it.substringBefore(':') } shouldContain "Resistance above other matches"
@@ -66,7 +66,7 @@ class SeasonSpec : FunSpec({
         found.filterIndexed { place, _ -> place != 10 }.flatten().shouldBeEmpty()
     }
 
-    test("with only four other matches nothing is compared") {
+    test("with only four other matches, no match is compared") {
         findingsOf(season.take(4) + scaled(500, "Drivetrain/Left Current", 5.0)).flatten().shouldBeEmpty()
         findingsOf(season.take(5) + scaled(500, "Drivetrain/Left Current", 9.0)).last().size shouldBe 1
     }

@@ -106,7 +106,7 @@ final class DownloadBenchmark {
         return millis;
     }
 
-    /** Starts a program with a robot's garbage collector on one core, with a higher priority if this user may set it. */
+    /** Starts a program with a robot's garbage collector on one core. Its priority is higher if this user may set it. */
     private static Process pinned(int core, String classpath, Class<?> program, String... args) throws IOException {
         List<String> command = new ArrayList<>(List.of(
             "nice", "-n", "-19", "taskset", "-c", Integer.toString(core), Path.of(System.getProperty("java.home"), "bin", "java").toString(),

@@ -21,7 +21,7 @@ import org.openjdk.jmh.annotations.TearDown;
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 public class LoopBenchmark {
-    /** Creates a file for each iteration, on a memory disk if there is one, so that the log is measured, not the disk. */
+    /** Creates a file for each iteration. It is on a memory disk if there is one, so that the log is measured, not the disk. */
     abstract static class Logging {
         final Signals signals = new Signals();
         private Path file;

@@ -15,7 +15,7 @@ import java.util.StringJoiner;
 import java.util.function.Supplier;
 
 /**
- * A simple bag logger for comparison, like the original badLog: it formats numbers by {@code String.format}, keeps published values in a
+ * A simple bag logger for comparison, like the original badLog. It formats numbers by {@code String.format}, keeps published values in a
  * map of {@code Optional}s, and joins each row for a buffered writer.
  */
 final class StraightforwardLog implements AutoCloseable {

@@ -23,7 +23,7 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
         val NONE = TerminalColors(isOn = false)
 
         /**
-         * Returns the colors of a stream if [isTerminal], unless the environment [variable] NO_COLOR turns them off, or the terminal has
+         * Returns the colors of a stream if [isTerminal]. None if the environment [variable] NO_COLOR turns them off, or the terminal has
          * none.
          */
         fun of(

@@ -27,7 +27,7 @@ internal class FilesBeside {
     // All logs of a folder have the same files around them.
     private val around = HashMap<Path, List<Path>>()
 
-    /** Returns the files of the match of [robot], which was read from [file]; none for the log of anything else, or a whole match. */
+    /** Returns the files of the match of [robot], which was read from [file]. None for the log of anything else, or a whole match. */
     fun of(file: Path, robot: ClockedLog): List<FileBeside> {
         if (robot.recording.isOfDriverStation || roleOf(file.fileName.toString()) != null) return emptyList()
         if (MatchMaker.isSource(file)) return emptyList()

@@ -6,7 +6,8 @@ import badlog.signals.vocabulary.SignalTopic
 import kotlinx.serialization.Serializable
 
 /**
- * Returns the topics that were recognized as signals, with the reasons, in lines of [width] columns; without a limit, names are not shortened.
+ * Returns the topics that were recognized as signals, with the reasons, in lines of [width] columns. Without a limit, names are not
+ * shortened.
  */
 internal fun signalLines(signals: List<SignalTopic>, width: Int): List<String> {
     if (signals.isEmpty()) return listOf("No topic matches a known signal; docs/signals.md explains how to name yours.")

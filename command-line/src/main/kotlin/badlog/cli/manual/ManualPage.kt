@@ -7,8 +7,8 @@ import com.github.ajalt.clikt.core.PrintHelpMessage
 import com.github.ajalt.clikt.output.HelpFormatter.ParameterHelp
 
 /**
- * Returns the manual page [name], such as `badlog-cut`, in the format of `man`: the help of [command], and [seeAlso], the names of other
- * pages.
+ * Returns the manual page [name], such as `badlog-cut`, in the format of `man`. It has the help of [command], and [seeAlso], the names of
+ * other pages.
  *
  * @param context the context of the command's help.
  */

@@ -128,7 +128,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     private fun placesOf(parts: List<LogPart>): List<ClockPlace?> {
         val given = parts.indices.mapNotNull { i -> offsets.find { it.isOf(parts[i].file) }?.let { i to it.seconds } }.toMap()
         val others = parts.indices.filter { it !in given && !isOfMotors(parts[it]) }
-        // The others are aligned with a log that has an offset, or else with the first; without --align, all keep their clocks.
+        // The others are aligned with a log that has an offset, otherwise with the first. Without --align, all keep their clocks.
         val isBesideGiven = given.keys.any { !isOfMotors(parts[it]) }
         val kept = if (!alignsEnabled) {
             others
@@ -143,7 +143,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         return places
     }
 
-    /** Returns when each of [parts] was enabled and disabled; of those that were [given] a place, only if they show it. */
+    /** Returns when each of [parts] was enabled and disabled. Those that were [given] a place count only if they show it. */
     private fun edgesOf(parts: List<LogPart>, others: List<Int>, given: Set<Int>): Map<Int, List<EnabledEdge>> {
         val shown = (others + given).associateWith { clocked(parts[it]).edges }
         others.find { shown.getValue(it).isEmpty() }?.let { silent ->
@@ -171,7 +171,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
         )
     }
 
-    /** Returns by how much all of [parts] move, so that one keeps its clock, and none without rows begins before 0. */
+    /** Returns by how much all of [parts] move. One of them keeps its clock, and none without rows begins before 0. */
     private fun laterFor(parts: List<LogPart>, places: List<ClockPlace?>): Double {
         val offsets = parts.indices.filterNot { isOfMotors(parts[it]) }.map { parts[it] to (places[it]?.seconds ?: 0.0) }
         val last = offsets.maxOfOrNull { (_, offset) -> offset } ?: return 0.0
@@ -181,7 +181,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     }
 
     /**
-     * Returns how the clock of a log of REV's motor controllers, which does not show when the robot was enabled, relates to [robot]'s.
+     * Returns how the clock of a log of REV's motor controllers relates to [robot]'s. Such a log does not show when the robot was enabled.
      */
     private fun byMotors(part: LogPart, robot: LogPart): ClockFit? {
         val signals = signalsBeside(robot.file)
@@ -198,7 +198,7 @@ internal fun clocked(part: LogPart) = ClockedLog(part.file.fileName.toString(), 
 /** What wrote this log. */
 internal val LogPart.role: FileRole get() = roleOf(file.fileName.toString(), recording)
 
-/** The order of logs in a merge, whatever the order in which they were named: by what wrote them, and then by name. */
+/** The order of logs in a merge: by what wrote them, then by name. The order in which they were named does not matter. */
 internal val PART_ORDER: Comparator<LogPart> =
     compareBy<LogPart> { it.role }
         .thenBy(NaturalOrder) { it.file.fileName.toString() }

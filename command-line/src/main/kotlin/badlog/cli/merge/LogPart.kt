@@ -36,10 +36,10 @@ internal class LogPart(
     /** Whether its samples are in rows, rather than at times of their own. */
     val hasRows: Boolean get() = recording.format.hasRows
 
-    /** The folder for topics whose names are taken. */
+    /** The folder for topics with names that are taken. */
     val folder: String get() = FileName.of(file).stem
 
-    /** The topic of its x axis, or null if x is only the row's index, or the time of each sample. */
+    /** The topic of its x axis. Null if x is only the row's index, or the time of each sample. */
     val xTopic: Topic? get() = axis.topic
 
     /** The x of each row; may hold gaps. */
@@ -59,8 +59,8 @@ internal class LogPart(
 }
 
 /**
- * Returns the same log without rows: each topic has times of its own, in s, which replace the topic of x. Rows after one with a
- * later x, as from a clock that was set, are sorted; a row without x belongs with the previous row.
+ * Returns the same log without rows. Each topic has times of its own, in s, which replace the topic of x. Rows after one with a later x, as
+ * from a clock that was set, are sorted; a row without x belongs with the previous row.
  *
  * @throws Failure if its x is not a time.
  */

@@ -12,7 +12,7 @@ import java.nio.file.Path
 /** Which logs a command reads as one. */
 internal sealed interface MatchChoice {
     /**
-     * Returns the result of [work] on the paths to read in place of [paths], and on a maker of logs for them.
+     * Returns the result of [work] on the paths to read instead of [paths]. [work] also receives a maker of logs for them.
      *
      * @param outcomes reports logs that cannot be read.
      */

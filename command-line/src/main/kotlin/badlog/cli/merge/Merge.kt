@@ -60,7 +60,8 @@ internal class Merge(parts: List<LogPart>, mode: MergeMode) {
     }
 
     /**
-     * Returns the topics of [group], in the order of its first log, then what others add; only the x topic of the first log is included.
+     * Returns the topics of [group]: first the topics of its first log, then the ones that others add. Only the x topic of the first log is
+     * included.
      */
     private fun namesOf(group: AppendedRows): Set<String> {
         val names = group.parts.first().recording.topics.mapTo(LinkedHashSet()) { it.name }

@@ -39,7 +39,7 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
 }
 
-/** Returns the outcome of a ZIP of the logs [moved], as they are, which was written to [target] without the clocks of the logs [open]. */
+/** Returns the outcome of a ZIP of the logs [moved], as they are, written to [target]. It does not have the clocks of the logs [open]. */
 internal fun zipOutcome(moved: MovedLogs, target: Path, open: List<LogPart>): Outcome {
     val count = counted(moved.parts.size.toLong(), "log")
     val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved.moves, moved.pauses) +

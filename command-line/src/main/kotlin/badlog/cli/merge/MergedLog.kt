@@ -53,7 +53,7 @@ internal class MergedLog private constructor(val first: Path, private val merged
 }
 
 /**
- * Puts beside each log of a robot the Driver Station's of its match; a log without one is read as it is.
+ * Puts beside each log of a robot the Driver Station's of its match. A log without one is read as it is.
  *
  * @param isJson whether to report only doubts.
  * @param warn reports how logs were moved.

@@ -113,7 +113,7 @@ internal class Merging(
         throw Failure(why + if (other.log.hasClock) remedy else "")
     }
 
-    /** Returns the log of a robot that has the clock of the match: one that was not moved, if there is one. */
+    /** Returns the log of a robot that has the clock of the match. It is one that was not moved, if there is one. */
     private fun leadIn(moved: MovedLogs): LogPart {
         val robots = moved.parts.filter { it.role == FileRole.ROBOT }
         val kept = robots.filter { it.offset == 0.0 }.ifEmpty { robots }

@@ -62,7 +62,7 @@ internal fun LogPart.since(seconds: Double): LogPart {
 
 private const val ONE_MICRO = 1e-6
 
-/** Returns this log, which was moved beside [robot], with the time of day at which its new x is 0; without it if [robot] has its own. */
+/** Returns this log, moved beside [robot], with the time of day at which its new x is 0. Without it if [robot] has its own. */
 private fun LogPart.withStartOf(robot: LogPart): LogPart {
     val start = loggedStart(recording)
     val values = recording.values.mapNotNull { value ->

@@ -32,8 +32,8 @@ internal enum class OutputFormat(val ending: String, private val recordingFormat
     val hasRows: Boolean get() = this != WPILOG
 
     /**
-     * Writes the rows [runs], which ascend, of [recording]; for a recording without rows, all samples, which needs a format
-     * without rows.
+     * Writes the rows [runs], which ascend, of [recording]. For a recording without rows, writes all samples, which needs a format without
+     * rows.
      *
      * @param changesOnly whether to skip a sample that equals the previous one; only in a format without rows.
      * @param progress called with the amount written so far, and the total.
@@ -72,7 +72,10 @@ internal enum class OutputFormat(val ending: String, private val recordingFormat
         /** Returns the format of the file that [recording] was read from, or else WPILOG. */
         fun of(recording: Recording): OutputFormat = entries.find { it.recordingFormat == recording.format } ?: WPILOG
 
-        /** Returns the name of a log made from [recording]: the name of its [file], with another ending if its format cannot be written. */
+        /**
+         * Returns the name of a log made from [recording]. It is the name of its [file], with another ending if its format cannot be
+         * written.
+         */
         fun nameFor(file: Path, recording: Recording): FileName = FileName.of(file).let { name ->
             if (entries.any { it.recordingFormat == recording.format }) name else name.like(of(recording).ending)
         }

@@ -110,7 +110,7 @@ internal class OutputOptions : OptionGroup() {
         .help("Write to this file; without an ending, to this folder.")
     private val isForced by option("--force").flag().help("Replace files that exist, but never a log that is read.")
 
-    /** Returns the plan for the logs below [paths], which may be one, with the Driver Station logs in [station] beside them. */
+    /** Returns the plan for the logs below [paths], which may be one. The Driver Station logs in [station] go beside them. */
     fun plan(paths: List<Path>, isOne: Boolean = false, station: Path? = null) = OutputPlan(out, paths, isForced, isOne, station)
 
     /** What `--out` names, or null. */

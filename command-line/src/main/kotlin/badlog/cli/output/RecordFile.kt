@@ -31,7 +31,7 @@ internal fun <T> copyRecords(log: RecordLog, target: Path, progress: Progress, c
     RecordCopy(log, progress::advanced) { bytes, size -> stream.write(bytes, 0, size) }.copy()
 }
 
-/** Returns the records of [log] that differ from the previous one of their entry; all records of an entry if [isEvent]. */
+/** Returns the records of [log] that differ from the previous one of their entry. Returns all records of an entry if [isEvent]. */
 internal fun changesOf(log: RecordLog, isEvent: (RecordEntry) -> Boolean): RecordLog = RecordLog.Reader().run {
     RecordCopy(log) { bytes, size -> accept(bytes, 0, size) }.changes(isEvent)
     finish()

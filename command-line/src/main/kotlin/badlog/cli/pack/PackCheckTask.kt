@@ -12,7 +12,7 @@ import badlog.rules.pack.RulePack
 import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
-/** Runs the rules of the pack [path] over its slices, and lists the rules without a slice in which they must fire, or be silent. */
+/** Runs the rules of the pack [path] over its slices. Lists the rules without a slice in which they must fire, or be silent. */
 internal class PackCheckTask(private val path: Path, private val isJson: Boolean) : Task {
     override fun run(console: Console): ExitCode = try {
         RulePack.open(path).use { check(it, console) }

@@ -54,7 +54,7 @@ internal class ReportPages(private val folder: ReportFolder) {
         } catch (e: VirtualMachineError) {
             throw e
         } catch (e: Throwable) {
-            // Also an error of loading a class or of finding fonts: without charts, the index of the pages is still useful.
+            // This may be an error of loading a class or of finding fonts, too. Without charts, the index of the pages is still useful.
             outcomes.leaveOut("Charts cannot be drawn, so the index has none: ${e.message ?: e.javaClass.simpleName}")
             PageCharts.NONE
         }

@@ -40,7 +40,7 @@ internal class Search(
     fun hooksWith(named: RulesFile?): List<HookRunner> =
         hooks + named?.hooks.orEmpty().map { HookRunner.of(it, rules?.toAbsolutePath()?.parent) }
 
-    /** Returns the rules in [skipped] that the user must know; none for built-in rules, because a log need not have all their topics. */
+    /** Returns the rules in [skipped] that the user must know. None for built-in rules, because a log need not have all their topics. */
     fun reportedOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
     /** Returns the rules that were skipped for all logs; [skipped] has the skipped rules of each log. */

@@ -47,7 +47,9 @@ internal class SqlTask(
         }
     }
 
-    /** Returns [folder] if it is a lake, or else its updated lake, null if it has no logs; with the exit code for missing logs. */
+    /**
+     * Returns [folder] if it is a lake, otherwise its updated lake, or null if it has no logs. Comes with the exit code for missing logs.
+     */
     private fun lakeOf(service: SeasonService, console: Console): Pair<Path?, ExitCode> {
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
         val logs = LogFiles(listOf(folder), console)

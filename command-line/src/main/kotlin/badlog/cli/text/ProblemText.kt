@@ -24,5 +24,8 @@ private fun wordOf(severity: Severity) = if (severity == Severity.NOTE) "hint" e
 
 private const val SEVERITY = 9
 
-/** Returns a line or more for each of [errors], indented by two spaces: the virtual topics that could not be calculated, and why. */
+/**
+ * Returns a line or more for each of [errors], indented by two spaces. Each is a virtual topic that could not be calculated, with the
+ * reason.
+ */
 internal fun undefinedLines(errors: List<ExpressionError>): List<String> = errors.flatMap { it.pointed().lines() }.map { "  $it" }

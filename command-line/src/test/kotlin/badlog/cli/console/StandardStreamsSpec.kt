@@ -33,7 +33,7 @@ class StandardStreamsSpec : FunSpec({
         piped("", "info", "-", "no.bag").err shouldContain "no.bag"
     }
 
-    test("the result of a log from the standard input, and nothing else, goes to the standard output") {
+    test("only the result of a log from the standard input goes to the standard output") {
         val ended = piped(BAG, "cut", "-", "--from", "0.05")
         ended.code shouldBe ExitCode.WHOLE
         val (header, rows) = ended.out.split("\n", limit = 2)

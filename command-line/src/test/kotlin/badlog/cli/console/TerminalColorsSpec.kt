@@ -19,7 +19,7 @@ class TerminalColorsSpec : FunSpec({
 
     fun isColored(colors: TerminalColors) = '\u001b' in colors.result("  error    cut")
 
-    test("there are colors on a terminal that has them, unless NO_COLOR is set") {
+    test("a terminal with colors gets them unless NO_COLOR is set") {
         isColored(colors()) shouldBe true
         isColored(colors(isTerminal = false)) shouldBe false
         isColored(colors(true, "Linux", "NO_COLOR" to "1")) shouldBe false

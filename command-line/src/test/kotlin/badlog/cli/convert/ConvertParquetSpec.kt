@@ -61,7 +61,7 @@ class ConvertParquetSpec : FunSpec({
         }
     }
 
-    test("the name after --out shows the format, and nothing is replaced unasked") {
+    test("the name after --out shows the format, and no file is replaced unasked") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("convert", log, "-o", folder / "b.parquet").code shouldBe ExitCode.WHOLE

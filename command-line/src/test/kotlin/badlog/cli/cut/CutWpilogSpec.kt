@@ -35,7 +35,7 @@ private fun Recording.held(name: String): List<String> {
 }
 
 class CutWpilogSpec : FunSpec({
-    /** Speed rises by 1 a second from 0 at 1 s on; the robot is enabled from 2 to 4 s and from 6 to 7 s. */
+    /** Speed rises by 1 a second from 0 at 1 s on. The robot is enabled from 2 to 4 s and from 6 to 7 s. */
     val log = listOf(
         Logged("Speed", "double", "{\"unit\":\"m/s\"}", (1..8).map { it * 1.0 to it - 1.0 }),
         Logged("Count", "int64", "{\"a\":1}", listOf(1.5 to 7.0)),
@@ -51,7 +51,7 @@ class CutWpilogSpec : FunSpec({
         readRecording(folder / "a.cut.wpilog", LOG_FORMATS)
     }
 
-    test("a part begins with the value of each topic there, without repeating events") {
+    test("a part begins with the current value of each topic, without repeating events") {
         val part = cut("--from", "2.5", "--to", "4")
         part.held("Speed") shouldContainExactly listOf("2.5 1.0", "3.0 2.0", "4.0 3.0")
         part.held("Count") shouldContainExactly listOf("2.5 7.0")

@@ -26,7 +26,7 @@ import kotlin.io.path.readText
 
 @Tags("InCheck")
 class ExportSpec : FunSpec({
-    test("a page stands beside its log, or below the folder for all") {
+    test("a page is beside its log, or below the folder for all") {
         inFolder { folder ->
             folder.with("logs/a.bag", BAG)
             folder.with("logs/deep/b.bag", CUT_BAG)
@@ -109,7 +109,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("a page has the named rules, or else the rules beside the log, or else the built-in ones, or none") {
+    test("a page has the named rules, otherwise the rules beside the log, otherwise the built-in ones, and none on request") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             val builtIn = "The roboRIO browned out"
@@ -211,7 +211,7 @@ class ExportSpec : FunSpec({
         }
     }
 
-    test("rules that are wrong, or that a log cannot be asked, are reported") {
+    test("wrong rules, and rules with topics that the log lacks, are reported") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             fun export(condition: String): Ended {

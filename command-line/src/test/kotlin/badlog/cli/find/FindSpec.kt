@@ -68,7 +68,7 @@ class FindSpec : FunSpec({
         }
     }
 
-    test("plain CSV can be asked by time") {
+    test("questions about plain CSV files may use the time") {
         val csv = samples / "elevator-bench.csv"
         badlog("find", csv, "Time > 1 for 1 s", "--x", "Time", "--no-cache").out shouldContain "Found in 1 of 1 log."
         badlog("find", csv, "Time >= 0 for 100 s", "--x", "Time", "--no-cache").out shouldContain "Found in 0 of 1 log."

@@ -144,7 +144,7 @@ class InfoSpec : FunSpec({
         badlog("info", SAMPLES / "elevator-bench.csv", "--x", "nix").err shouldContain "elevator-bench.csv has no topic “nix”"
     }
 
-    test("problems have their losses") {
+    test("each problem is shown with its loss") {
         inFolder { folder ->
             val ended = badlogJson("info", folder.with("a.bag", CUT_BAG))
             ended.code shouldBe ExitCode.SALVAGED
@@ -169,7 +169,7 @@ class InfoSpec : FunSpec({
         }
     }
 
-    test("a topic that can be calculated for none of many logs is reported once") {
+    test("a topic that cannot be calculated for any of many logs is reported once") {
         inFolder { folder ->
             for (i in 1..4) folder.with("$i.bag", BAG)
             folder.with("5.bag", BAG.replace("Speed", "Sped"))

@@ -47,7 +47,7 @@ class LakeCommandSpec : FunSpec({
         }
     }
 
-    test("without --out it says what is missing") {
+    test("without --out, lake reports the missing folder") {
         badlog("lake", "a").code shouldBe ExitCode.USAGE
     }
 })

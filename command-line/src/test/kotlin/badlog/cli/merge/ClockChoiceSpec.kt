@@ -37,7 +37,7 @@ class ClockChoiceSpec : FunSpec({
 
     fun samples(begin: Double) = List(20) { begin + it / 2.0 to it.toDouble() }
 
-    /** Enabled in the seconds 15 to 30 and 33 to 100 after [begin], by the robot's clock, which is [late] now and then. */
+    /** Enabled in the seconds 15 to 30 and 33 to 100 after [begin]. Times are of the robot's clock, which is [late] now and then. */
     fun enabled(begin: Double, late: Double = 0.0) = listOf(
         begin to false,
         begin + 15 to true,
@@ -166,7 +166,7 @@ class ClockChoiceSpec : FunSpec({
         }
     }
 
-    test("the log of a robot comes before that of a CAN bus, whatever their names") {
+    test("the log of a robot comes before the log of a CAN bus, whatever their names") {
         inFolder { folder ->
             val recording = readRecording(folder.match("robot", "a", 7.0), LOG_FORMATS)
             listOf("aaa.hoot", "robot.wpilog").map { LogPart(folder / it, recording) }.sortedWith(PART_ORDER).map { "${it.file.fileName}" } shouldBe

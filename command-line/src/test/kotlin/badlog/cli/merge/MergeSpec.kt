@@ -46,7 +46,7 @@ class MergeSpec : FunSpec({
         }
     }
 
-    test("other topics stand beside, each at its own times, and taken names go into a folder") {
+    test("other topics are added, each at its own times, and topics with taken names go into a folder") {
         inFolder { folder ->
             val one = folder.with("one.bag", bag("a", "0,1 1,2 2,3"))
             val two = folder.with("two.bag", bag("a,b", "0.5,10,20 1,11,21 9,12,22"))
@@ -100,7 +100,7 @@ class MergeSpec : FunSpec({
         }
     }
 
-    test("plain CSV files without x stand in the order in which they were named") {
+    test("plain CSV files without x are merged in the order in which they were named") {
         inFolder { folder ->
             val one = folder.with("one.csv", "a,b\n1,x\n")
             val two = folder.with("two.csv", "b,a\ny,2\n")

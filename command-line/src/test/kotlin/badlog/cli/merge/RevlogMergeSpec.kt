@@ -18,7 +18,10 @@ import java.nio.ByteOrder
 import java.nio.file.Path
 import kotlin.io.path.div
 
-/** The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s; a status frame every 20 ms from [from] s until 30 s. */
+/**
+ * The bytes of a `.revlog` of Spark 3, which is at half of its output in [driven] s. A status frame follows every 20 ms from [from] s until
+ * 30 s.
+ */
 private fun revlog(from: Double, driven: List<ClosedRange<Double>>): ByteArray {
     val frames = ((from * 50).toInt() until 1500).map { it * 20 }
     val bytes = ByteBuffer.allocate(frames.size * 20).order(ByteOrder.LITTLE_ENDIAN)
@@ -74,7 +77,7 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("--align finds the clock of each log, also if the first of them would begin before 0 and there is one of motor controllers") {
+    test("--align finds the clock of each log, even beside one of motor controllers and if the first would begin before 0") {
         inFolder { folder ->
             fun enabled(late: Double) = listOf(late to false, late + 3 to true, late + 20 to false, late + 22 to true, late + 29 to false)
             val early = folder.wpilog("a.wpilog", listOf(Logged("a/Robot Enabled", "boolean", "", enabled(5.0)), Logged("a/x", "double", "", listOf(0.0 to 1.0))))
@@ -88,7 +91,7 @@ class RevlogMergeSpec : FunSpec({
         }
     }
 
-    test("a ZIP does not state the clock of a log that was found beside one whose own clock is open") {
+    test("a ZIP does not state the clock of a log that was found beside one with an open clock") {
         inFolder { folder ->
             fun enabled(late: Double) = listOf(late to false, late + 3 to true, late + 20 to false, late + 22 to true, late + 29 to false)
             val first = folder.wpilog("a_Q3.wpilog", listOf(Logged("a/Robot Enabled", "boolean", "", enabled(12.0)), Logged("a/x", "double", "", listOf(12.0 to 1.0))))

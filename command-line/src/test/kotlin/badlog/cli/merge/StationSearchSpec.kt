@@ -72,7 +72,7 @@ class StationSearchSpec : FunSpec({
         }
     }
 
-    test("a robot's log without a clock gets the only Driver Station log, but none of several") {
+    test("a robot's log without a clock gets the only Driver Station log, but not one of several") {
         inFolder { folder ->
             val robot = folder.robot("robot.wpilog", -2.0, hasTime = false)
             said("merge", robot, "--with-ds", "-o", folder / "none.wpilog") shouldContain "No Driver Station log found in"

@@ -59,7 +59,7 @@ class OpenSpec : FunSpec({
         }
     }
 
-    test("without the window, the page of the newest log opens in the browser, and nothing is written beside the logs") {
+    test("without the window, the page of the newest log opens in the browser, and no file is written beside the logs") {
         inFolder { folder ->
             val desk = Desk(folder, hasWindow = false)
             val logs = listOf("a.bag", "b.bag", "c.bag").map { folder.with("logs/$it", BAG) }
@@ -96,7 +96,7 @@ class OpenSpec : FunSpec({
         }
     }
 
-    test("--browser opens the page that opens other logs, and says which folder to choose there") {
+    test("--browser opens the page for other logs, and prints the folder to choose on it") {
         inFolder { folder ->
             val desk = Desk(folder, hasWindow = true)
             val page = folder / "cache/pages/badlog.html"

@@ -92,7 +92,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("a pack without slices has the exit code for nothing, and a wrong pack the one for usage") {
+    test("a pack without slices has the exit code for no result, and a wrong pack the one for usage") {
         inFolder { folder ->
             (folder / "p").with("badlog-rules.toml", RULE)
             badlog("rules", "check", folder / "p").code shouldBe ExitCode.NOTHING
@@ -174,7 +174,7 @@ class RulesCommandSpec : FunSpec({
         }
     }
 
-    test("packs beside logs are used by report, find and export, and a page has what its exporter embedded") {
+    test("packs beside logs are used by report, find and export, and a page has the rules that its exporter embedded") {
         inFolder { folder ->
             folder.with("a.bag", SLOW)
             val pack = folder / "ours.badlog-rules"

@@ -40,7 +40,7 @@ class PluginLoaderSpec : FunSpec({
         namesIn(LIBRARIES) shouldContainExactly wanted
     }
 
-    test("a part has its own libraries, and none that it shares with the program") {
+    test("a part has its own libraries, but not those of the program") {
         val part = namesIn(LIBRARIES / PluginLoader.FOLDER)
         part shouldContain "assistant"
         part.filter { it.startsWith("kotlin-stdlib") || it.startsWith("kotlinx-serialization") } shouldContainExactly emptyList()

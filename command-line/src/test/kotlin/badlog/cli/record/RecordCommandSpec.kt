@@ -91,7 +91,7 @@ class RecordCommandSpec : FunSpec({
         }()
     }
 
-    test("a program gets a line for each log, and nothing else") {
+    test("a program only gets a line for each log") {
         besideReplay { robot ->
             inFolder { folder ->
                 val ended = recorded(folder, robot, "--json")
@@ -106,7 +106,7 @@ class RecordCommandSpec : FunSpec({
         }()
     }
 
-    test("without a robot there is no log, and a sentence says so") {
+    test("without a robot, no log is written, and a sentence has the reason") {
         inFolder { folder ->
             ServerSocket(0).use { nobody ->
                 val tries = AtomicInteger()

@@ -36,7 +36,7 @@ import kotlin.io.path.div
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 
-/** All that has a record in the log that is made of [recording]; as text, because NaN does not equal NaN. */
+/** All that has a record in the log that is made of [recording]. It is text, because NaN does not equal NaN. */
 private fun contentOf(recording: Recording): List<String> = recording.values.map { "$it" } + recording.topics.map { topic ->
     val texts = List(topic.texts.size) { "${topic.texts.rows[it]}: ${topic.texts[it]}" }
     "${topic.name} ${topic.type} ${topic.metadata} ${topic.unit} ${topic.attributes} ${topic.times?.toList()} ${topic.samples.toList()} $texts"

@@ -21,7 +21,7 @@ import java.nio.file.Path
 import kotlin.io.path.div
 
 class ReportBesideStationSpec : FunSpec({
-    /** Enabled from 5 to 8 s of 17, with a slow link and a low battery for the last second of that. */
+    /** Enabled from 5 to 8 s of 17. The link is slow and the battery low for the last second of that. */
     val dslog = TestDslog().apply {
         records(250)
         records(100, Status.BOTH_TELEOP)
@@ -43,7 +43,7 @@ class ReportBesideStationSpec : FunSpec({
         listOf("trip time > 50", "battery < 7").joinToString("\n") { "[[rule]]\nname='$it'\nseverity='warning'\nwhen='$it'\ntext='at {time}'\n" },
     )
 
-    test("rules get the link and the power from the Driver Station's log where the robot's has none") {
+    test("rules get the link and the power from the Driver Station's log if the robot's lacks them") {
         inFolder { folder ->
             folder.with("ds/2026_03_07 10_04_05 Sat.dslog", dslog.bytes)
             val arguments = arrayOf<Any>("report", folder.robot(battery = false), "--no-cache", "--rules", folder.rules())

@@ -108,7 +108,7 @@ class ReportChartsSpec : FunSpec({
         }
     }
 
-    test("logs without the data of charts get none, with a reason for each chart") {
+    test("logs without the data of a chart get no chart, with a reason for each") {
         inFolder { folder ->
             folder.with("logs/a.bag", BAG)
             val ended = badlog("report", folder / "logs", "--out", folder / "report", "--charts", "--no-cache")

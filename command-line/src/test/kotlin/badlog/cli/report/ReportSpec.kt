@@ -61,7 +61,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a report is made again where it was, but nothing else is replaced without being asked to") {
+    test("a report replaces an earlier report, but no other file unless requested") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             repeat(2) { badlog("report", log, "--no-cache", "--out", folder / "pages").code shouldBe ExitCode.WHOLE }
@@ -109,7 +109,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("rules that cannot be read, or say nothing, are a wrong usage") {
+    test("rules that cannot be read, or are empty, are a wrong usage") {
         inFolder { folder ->
             val log = folder.with("a.bag", BAG)
             badlog("report", log, "--rules", folder / "nix.toml").code shouldBe ExitCode.USAGE

@@ -51,7 +51,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("--only gives the topics that match their lowest, mean and highest values, in logs that have different ones too") {
+    test("--only adds the lowest, mean and highest value of each matching topic, also for logs with different topics") {
         inFolder { folder ->
             folder.match("1")
             folder.match("2").let { it.writeText(it.readText().replace("Speed", "Arm/Speed")) }
@@ -129,7 +129,7 @@ class TableSpec : FunSpec({
         }
     }
 
-    test("damaged logs and other files are reported, and a folder without logs has the exit code for nothing") {
+    test("damaged logs and other files are reported, and a folder without logs has the exit code for no result") {
         inFolder { folder ->
             val none = Files.createDirectories(folder / "none")
             val logs = folder / "logs"

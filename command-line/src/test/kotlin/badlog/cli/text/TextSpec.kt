@@ -15,7 +15,7 @@ class TextSpec : FunSpec({
         wrapped("- ", "a bcdefghij k", width = 6) shouldBe "- a bc\n  defg\n  hij\n  k"
     }
 
-    test("no line is wider than it may be, and nothing is lost") {
+    test("no line exceeds its maximum width, and no word is lost") {
         checkAll(Arb.list(Arb.stringPattern("[a-z]{0,30}"), 0..20), Arb.int(8, 40)) { words, width ->
             val lines = wrapped("first", words.joinToString(" "), width = width).lines()
             lines.filter { it.length > width }.shouldBeEmpty()

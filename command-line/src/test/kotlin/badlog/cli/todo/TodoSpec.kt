@@ -108,7 +108,7 @@ class TodoSpec : FunSpec({
         }
     }
 
-    test("the page replaces an earlier one, and nothing else") {
+    test("the page replaces only an earlier page") {
         inFolder { folder ->
             val page = folder.resolve("list.html")
             folder.write(OwnTask("Radio"), TodoDeed.Open)

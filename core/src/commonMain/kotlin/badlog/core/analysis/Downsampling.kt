@@ -68,7 +68,7 @@ public class Downsampling(private val series: Series) {
         return end
     }
 
-    // Searches in growing steps from the column's start: neighboring columns end close together, so this is faster than a search of the
+    // Searches in growing steps from the column's start. Neighboring columns end close together, so this is faster than a search of the
     // whole array.
     private fun firstAtOrAfter(position: Double, from: Int, until: Int): Int {
         val x = series.x

@@ -58,7 +58,10 @@ private val SIGNATURES = listOf(
 /** Names in the first bytes of a ZIP that a spreadsheet program wrote. */
 private val WORKBOOKS = listOf("[Content_Types].xml", "opendocument.spreadsheet")
 
-/** Returns whether [text] begins like an RLOG: a version, a time as a double, and the first field's number, name length and name. */
+/**
+ * Returns whether [text] begins like an RLOG. An RLOG begins with a version, a time as a double, and the first field's number, name length
+ * and name.
+ */
 private fun isRlog(text: String): Boolean {
     if (text.length < RLOG_NAME + 2 || text[0].code !in 1..2 || text[1].code != 0 || text[RLOG_FIELD].code != 1) return false
     val length = text[RLOG_NAME - 2].code shl 8 or text[RLOG_NAME - 1].code

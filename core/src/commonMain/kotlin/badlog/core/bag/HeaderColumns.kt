@@ -18,8 +18,8 @@ internal class HeaderColumns private constructor(val columnNames: List<String>, 
 
     companion object {
         /**
-         * Matches the topics of [header] with the column titles of line [line] by name; of equal names, the first with the first. A plain
-         * CSV file has no header.
+         * Matches the topics of [header] with the column titles of line [line] by name. Of equal names, the first matches the first. A
+         * plain CSV file has no header.
          */
         fun match(header: BagHeader?, titles: List<String>, line: Int, problems: ProblemList): HeaderColumns {
             val described = header?.topics.orEmpty()

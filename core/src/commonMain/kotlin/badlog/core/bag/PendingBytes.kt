@@ -120,8 +120,8 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
 }
 
 /**
- * Returns the end of the line that contains [from]: its LF or CR, or a NUL, where the original content is lost. Returns [until] if there is
- * none.
+ * Returns the end of the line that contains [from]. It is its LF or CR, or a NUL, where the original content is lost. Returns [until] if
+ * there is none.
  */
 internal fun lineEndIn(bytes: ByteArray, from: Int, until: Int): Int {
     var at = from

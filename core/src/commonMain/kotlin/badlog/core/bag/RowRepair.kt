@@ -123,7 +123,7 @@ internal class RowRepair(
         for (i in hasNumber.indices) hasNumber[i] = i < count && kindOf(bytes, i) == CellKind.NUMBER
     }
 
-    // Returns whether the line has no text where the row has a number: a line of a quoted text may have as many cells as a row, but seldom
+    // Returns whether the line has no text where the row has a number. A line of a quoted text may have as many cells as a row, but seldom
     // a number wherever the row has one.
     private fun hasSameNumbers(bytes: ByteArray): Boolean = hasNumber.indices.none { hasNumber[it] && kindOf(bytes, it) == CellKind.TEXT }
 
@@ -211,7 +211,7 @@ internal class RowRepair(
         return at < end && isLetterOrDigit(bytes[at].toInt().toChar())
     }
 
-    // Returns whether the newline is in a text: two short rows of numbers could also be joined, but a newline is never inside a number.
+    // Returns whether the newline is in a text. Two short rows of numbers could also be joined, but a newline is never inside a number.
     private fun isTextTornAt(bytes: ByteArray, newline: Int, next: Int): Boolean {
         for (i in 0 until cells.columns) {
             val start = splitter.starts[i]

@@ -55,8 +55,7 @@ internal class ExactDigits {
         val shift = reach.countLeadingZeroBits()
         val factor = reach shl shift
         val top = exponent + 63 - shift
-        // Multiplying by log10(2) and rounding down is right for all exponents of doubles; 10^(decimal + 1) may still
-        // be within the binade.
+        // Multiplying by log10(2) and rounding down is right for all exponents of doubles. 10^(decimal + 1) may still be within the binade.
         var decimal = (top * LOG10_OF_2) shr LOG10_OF_2_SHIFT
         var digits = scale(factor, top, 4 - decimal)
         if (digits >= 100_000) {

@@ -5,8 +5,7 @@ import badlog.core.text.PLUS
 import badlog.core.text.ZERO
 
 /**
- * Writes a [Double] as text with five significant digits, byte for byte as `String.format(Locale.ROOT, "%.5g",
- * value)` does on Java 17, for every possible value.
+ * Writes any [Double] as text with five significant digits. Each byte is as from `String.format(Locale.ROOT, "%.5g", value)` on Java 17.
  *
  * | value                                     | texts                                      |
  * |-------------------------------------------|--------------------------------------------|

@@ -6,7 +6,7 @@ package badlog.core.recording
  * @property severity the importance of such a problem.
  */
 public enum class ProblemKind(public val severity: Severity) {
-    /** The bytes are neither a bag, nor a CSV file, nor any other log this library reads; there is nothing to show. */
+    /** The bytes are neither a bag, nor a CSV file, nor any other log this library reads. There is nothing to show. */
     NOT_A_RECORDING(Severity.ERROR),
 
     /** The file has no bytes, or no bytes but NULs. */

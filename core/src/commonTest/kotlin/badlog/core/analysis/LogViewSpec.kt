@@ -184,7 +184,7 @@ class LogViewSpec : FunSpec({
             listOf(ProblemKind.UNKNOWN_ATTRIBUTE, ProblemKind.DUPLICATE_ATTRIBUTE)
     }
 
-    test("the first of two x axes wins; an x axis of texts gives way to the index") {
+    test("the first of two x axes is used; the index replaces an x axis of texts") {
         val two = view(TIME, BagTopic("Clock", "ms", listOf("xaxis")))
         two.xAxis.name shouldBe "Time"
         two.kinds() shouldBe listOf(ProblemKind.SECOND_X_AXIS)

@@ -16,7 +16,7 @@ class SeriesSpec : FunSpec({
         Series(doubleArrayOf(5.0, 6.0, 0.0, 1.0), DoubleArray(4)).nearest(0.9) shouldBe 3
     }
 
-    test("the range is that of x in any order") {
+    test("the range has the least and greatest x in any order") {
         ordered.range shouldBe 0.0..4.0
         Series(doubleArrayOf(5.0, 6.0, 0.0), DoubleArray(3)).range shouldBe 0.0..6.0
         Series(DoubleArray(0), DoubleArray(0)).range shouldBe null

@@ -160,7 +160,7 @@ class BagParserSpec : FunSpec({
         parse("{\"topics\":[{\"name\":\"a\"}],\"values\":[]}\na\n1.0000\n").problems.shouldBeEmpty()
     }
 
-    test("a header alone opens, with its topics, and says that there are no rows") {
+    test("a header alone opens with its topics, and the lack of rows is reported") {
         val recording = parse("{\"topics\":[{\"name\":\"a\",\"unit\":\"V\"}],\"values\":[]}\n")
         recording.topics.single().unit shouldBe "V"
         recording.problems.map { it.kind } shouldContain ProblemKind.NO_ROWS

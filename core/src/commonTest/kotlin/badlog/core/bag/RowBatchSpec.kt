@@ -92,7 +92,7 @@ class RowBatchSpec : FunSpec({
     }
 })
 
-/** Reads [bytes] in pieces of about [size] bytes that end in a newline, and counts those that were [taken] as batches. */
+/** Reads [bytes] in pieces of about [size] bytes that end in a newline. Counts those that were [taken] as batches. */
 private class Batches(private val bytes: ByteArray, private val size: Int, private val keepSamples: Boolean) {
     var taken = 0
 

@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 class ConformanceSpec : FunSpec({
     val names = corpusFileNames().filter { it.endsWith(".bag") }.map { it.removeSuffix(".bag") }
 
-    test("the corpus is there") {
+    test("the corpus has files") {
         names.size shouldBeGreaterThan 45
     }
 

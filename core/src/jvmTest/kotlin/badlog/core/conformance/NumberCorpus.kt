@@ -10,7 +10,7 @@ import kotlin.math.pow
 internal const val NUMBER_CORPUS = "numbers/five-digits.txt"
 
 /**
- * Doubles by their bits, with the text that a writer of bags gives them, and digests of the texts of very many doubles.
+ * Doubles by their bits, with the text that a writer of bags gives them. For very many doubles, digests of the texts.
  */
 internal fun numberCorpus(): String = buildString {
     for (value in namedNumbers()) append(value.toRawBits().toULong().toString(16).padStart(16, '0')).append(' ').append(textOf(value)).append('\n')

@@ -83,7 +83,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         }
     }
 
-    test("equals Java for doubles whose distance to a tie is half of that to the next double").config(enabledOrReasonIf = { IF_REFERENCE }) {
+    test("equals Java for doubles that lie half an ulp from a tie").config(enabledOrReasonIf = { IF_REFERENCE }) {
         for (digits in 295_145..590_305 step 10) expectJavaAround("${digits}e15".toDouble(), 1)
         for (digits in 100_005..118_105 step 10) expectJavaAround("${digits}e16".toDouble(), 1)
     }
@@ -145,7 +145,7 @@ class FiveDigitFormatJavaSpec : FunSpec({
         for (value in values) expectJava(value)
     }
 
-    test("allocates nothing").config(enabledOrReasonIf = { IF_REFERENCE }) {
+    test("writing a number allocates nothing").config(enabledOrReasonIf = { IF_REFERENCE }) {
         val random = Random(6)
         val values = DoubleArray(4096) {
             when (it % 4) {

@@ -16,7 +16,7 @@ private val CELLS = listOf(
 
 private const val HEADER = "{\"topics\":[{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\",\"attrs\":[\"log\"]}]}\na,b,c\n"
 
-/** Returns a bag with a bit of everything, and something odd in a few rows; sometimes it is cut, or in Latin-1. */
+/** Returns a bag with a bit of everything, and something odd in a few rows. Some are cut, or in Latin-1. */
 internal fun randomBag(random: Random): ByteArray {
     val rows = List(random.nextInt(0, 40)) {
         val row = List(3) { CELLS.random(random) }.joinToString(",")

@@ -14,7 +14,7 @@ internal fun measureFrames(pictures: Path): List<FrameTimes> =
         val full = viewer.view.viewport.full
         val random = Random(1)
 
-        // From the whole log to a fiftieth of it: the more samples a pixel column has, the longer its strokes are.
+        // From the whole log to a fiftieth of it. The more samples a pixel column has, the longer its strokes are.
         fun zoom(): Double = window.measure({
             val visible = viewer.view.viewport.visible
             val isIn = if (visible.width < full.width / 50) false else !viewer.view.viewport.isZoomed || random.nextBoolean()

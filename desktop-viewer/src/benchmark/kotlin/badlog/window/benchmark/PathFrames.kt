@@ -12,7 +12,10 @@ import kotlin.math.cos
 import kotlin.math.sin
 import kotlin.random.Random
 
-/** Returns the durations of frames while zooming and moving the cursor over a robot's path of a million poses, beside its plan. */
+/**
+ * Returns the durations of frames while zooming and moving the cursor over a robot's path. The path has a million poses, and its plan is
+ * beside it.
+ */
 internal fun measurePathFrames(pictures: Path): List<FrameTimes> {
     val lines = listOf("Drive/Pose X", "Drive/Pose Y", "Drive/Target Pose X", "Drive/Target Pose Y")
     val board = Board(listOf(BoardGraph(1, "Path", lines, isXy = true, height = GraphHeight.LARGE.pixels)))

@@ -7,7 +7,7 @@ import kotlin.io.path.fileSize
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** Measures the window, and writes the results to the file that the first argument names; the second may name a folder of bags. */
+/** Measures the window, and writes the results to the file that the first argument names. The second may name a folder of bags. */
 fun main(args: Array<String>) {
     val report = Path.of(args[0])
     val bags = args.getOrElse(1) { "" }

@@ -17,8 +17,8 @@ import kotlin.math.roundToInt
 import kotlin.math.sin
 
 /**
- * Draws a few small invisible graphs, so that the code of graphs is loaded while a person looks for a log. The first graphs of a program
- * take half a second longer than later ones. Call it on the window's thread, which can do other work in between.
+ * Draws a few small invisible graphs. They load the code of graphs while a person looks for a log. The first graphs of a program take half
+ * a second longer than later ones. Call it on the window's thread, which can do other work in between.
  */
 internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     val recording = withContext(Dispatchers.Default) {

@@ -20,8 +20,8 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Shows the newest log automatically, if nothing is open or the open log was opened here and is not in use. Use it only on the window's
- * thread.
+ * Shows the newest log automatically. It does so if nothing is open, or the open log was opened here and is not in use. Use it only on the
+ * window's thread.
  *
  * @param recorded returns the log that this window is recording, which is shown or offered elsewhere; null for none.
  * @param isInUse returns whether a person is using the open log.

@@ -51,14 +51,14 @@ internal data class StartPlace(val folder: Path?, val file: Path?, val complaint
     }
 }
 
-/** Returns the path called [name]; null if the system does not allow such names, as with a question mark on Windows. */
+/** Returns the path called [name]. Returns null if the system does not allow such names, as with a question mark on Windows. */
 private fun pathNamed(name: String): Path? = try {
     Path.of(name)
 } catch (_: InvalidPathException) {
     null
 }
 
-/** Opens [start] when the window appears; for a folder, the log that was last open there, until a newer one is found. */
+/** Opens [start] when the window appears. For a folder, opens the log that was last open there, until a newer one is found. */
 internal suspend fun openFirst(
     start: StartPlace,
     library: Library,

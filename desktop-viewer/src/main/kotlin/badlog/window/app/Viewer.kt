@@ -340,7 +340,7 @@ internal class Viewer(
         if (open == null) "badlog" else headingOf(open.label, isListed)
     }
 
-    /** Opens the sample match without its folder, which is part of the cache and not a place for the user’s own logs. */
+    /** Opens the sample match without its folder. That folder is part of the cache, not a place for the user’s own logs. */
     private fun openSample() {
         tasks.run("Opening the sample match", { SampleLog.unpack(folders.cache) }, loader::open)
     }

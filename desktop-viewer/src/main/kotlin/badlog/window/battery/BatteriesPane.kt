@@ -108,7 +108,7 @@ private fun SeasonTable(batteries: Batteries, library: Library, season: FolderSe
     }
 }
 
-/** The advice on the batteries, the most urgent first, in large letters: it is read while the robot is on its cart. */
+/** The advice on the batteries, the most urgent first, in large letters. It is read while the robot is on its cart. */
 @Composable
 private fun Advice(batteries: Batteries) = Column(Modifier.padding(vertical = 12.dp), Arrangement.spacedBy(6.dp)) {
     val palette = LocalPalette.current

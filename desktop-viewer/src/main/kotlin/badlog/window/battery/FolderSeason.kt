@@ -75,7 +75,7 @@ internal class FolderSeason(
         written.value++
     }
 
-    /** Records beside the logs of [match] that the battery called [name] was in the robot; an empty name removes the record. */
+    /** Records beside the logs of [match] that the battery called [name] was in the robot. An empty name removes the record. */
     fun assign(name: String, match: BatteryMatch) {
         val logs = library.state.entries.filter { it.path in match.paths }.sortedBy { match.paths.indexOf(it.path) }
         if (logs.isEmpty()) return

@@ -81,7 +81,7 @@ internal class ShownRecordings(
     private fun showNow(made: OpenRecording) {
         compared.share(made)
         val before = current.recording?.takeIf { it.file == made.file } ?: return
-        // Standard graphs change with the axis, as the time has a graph only if it is not the axis, and with the Driver Station's topics.
+        // Standard graphs change with the axis and with the Driver Station's topics. The time has a graph only if it is not the axis.
         val isOtherAxis = made.isOverTime != before.isOverTime
         val isDefault = (if (isOtherAxis) board.arranged else board.history.now).showsSame(before.standardGraphs)
         current.replace(made)

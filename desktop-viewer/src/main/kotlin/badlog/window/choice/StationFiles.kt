@@ -44,5 +44,5 @@ private fun checkInterrupt() {
     if (Thread.interrupted()) throw InterruptedException()
 }
 
-/** The largest number of logs to read: more than a team plays in a day would take too much time and memory. */
+/** The largest number of logs to read. More than a team plays in a day would take too much time and memory. */
 private const val MAX_READ = 40

@@ -32,7 +32,7 @@ internal fun tableFile(recording: OpenRecording, draft: CsvDraft, target: Path, 
     return "Wrote ${countText(table.rowCount, "row")} to $target${table.remark}."
 }
 
-/** @throws IOException with a sentence for the user, if there are no [rows], or [target] is the file of [recording] itself. */
+/** @throws IOException if there are no [rows], or [target] is the file of [recording] itself. The message is a sentence for the user. */
 internal fun requireOther(recording: OpenRecording, rows: Int, target: Path) {
     if (rows == 0) throw IOException("There are no samples in the visible range; show a part of the log that has some.")
     if (Files.exists(target) && Files.exists(recording.file) && Files.isSameFile(target, recording.file)) {

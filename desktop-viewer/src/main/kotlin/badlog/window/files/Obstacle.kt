@@ -10,7 +10,7 @@ internal fun obstacleTo(folder: Path): Path? {
     return nearest?.takeUnless { Files.isDirectory(it) && (Files.isWritable(it) || takesFile(it)) }
 }
 
-/** Returns whether a file can be created in [folder]: on Windows, Java mistakes some folders of a network for read-only ones. */
+/** Returns whether a file can be created in [folder]. On Windows, Java mistakes some folders of a network for read-only ones. */
 private fun takesFile(folder: Path): Boolean = try {
     Files.delete(Files.createTempFile(folder, ".badlog-", ".part"))
     true

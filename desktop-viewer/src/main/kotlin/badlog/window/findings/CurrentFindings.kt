@@ -110,7 +110,7 @@ internal class CurrentFindings(
     /** Runs the rules over the open log again; until they are done, no findings are known. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
-    /** Assigns [topic] to the signal [signal] in all logs of the folder, and runs the rules again; or reports why it cannot. */
+    /** Assigns [topic] to the signal [signal] in all logs of the folder, and runs the rules again. Reports why, if it cannot. */
     fun assign(signal: String, topic: String) {
         val open = current.recording ?: return
         val refusal = SignalAssignment(open.file, folder()).assign(signal, topic, open.forRules)

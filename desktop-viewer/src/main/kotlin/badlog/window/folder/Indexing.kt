@@ -32,7 +32,7 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TimeSource
 
 /**
- * Keeps an index of the logs of [folder]: lists the folder repeatedly, and reads new or grown files, on all cores.
+ * Keeps an index of the logs of [folder]. Lists the folder repeatedly, and reads new or grown files, on all cores.
  *
  * Listing takes about 2 ms for 1,000 files on a local drive. Having the system report changes would cost less, but it reports none on
  * network drives, and late on macOS.
@@ -176,7 +176,7 @@ internal class Indexing(
     // The rules do not run here over a log that is being written.
     private fun isSettled(file: LogFile) = file.modified < System.currentTimeMillis() - SETTLED.inWholeMilliseconds
 
-    /** Runs the rules over logs without results of the current rules, the newest first, while no file is waiting to be read. */
+    /** Runs the rules over logs without results of the current rules, the newest first. Pauses while a file is waiting to be read. */
     private suspend fun searchAll() = coroutineScope {
         while (true) {
             val state = queue.state()

@@ -126,7 +126,7 @@ internal fun LibraryHead(library: Library, robot: RobotLink, settings: SettingsS
     }
 }
 
-/** The field that filters the logs; Enter opens the first listed one, which gets the keyboard focus, Escape lists all again. */
+/** The field that filters the logs. Enter opens the first listed one, which gets the keyboard focus; Escape lists all again. */
 @Composable
 internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: Modifier = Modifier) {
     val focus = rememberAskedFocus(library.state.isSearchAsked) { library.change { copy(isSearchAsked = false) } }

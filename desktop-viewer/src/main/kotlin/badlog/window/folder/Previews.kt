@@ -24,7 +24,7 @@ internal class Previews(entries: List<LogEntry>, private val name: String?) {
     fun of(entry: LogEntry): TopicSummary? = (name ?: entry.summary.batteryTopic)?.let(entry.summary::topic)
 }
 
-/** Returns a range for nearly all values of [topics]: a single log with a wild value must not flatten the others. */
+/** Returns a range for nearly all values of [topics]. A single log with a wild value must not flatten the others. */
 private fun commonRange(topics: List<TopicSummary>): Span? {
     if (topics.isEmpty()) return null
     val lows = topics.map { it.statistics.min }.sorted()

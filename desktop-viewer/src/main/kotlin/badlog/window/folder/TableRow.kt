@@ -195,7 +195,7 @@ private fun RowPreview(entry: LogEntry, previews: Previews, palette: Palette) {
 }
 
 private fun cellText(entry: LogEntry, column: LogColumn, folder: Path?): String = when {
-    // A log without a match has its name in the first column; in a small window, the file's column is out of sight.
+    // A log without a match has its name in the first column. In a small window, the file's column is out of sight.
     column == LogColumn.EVENT && entry.summary.match.event == null && entry.summary.match.number == null -> entry.fileName
 
     column != LogColumn.FILE -> column.text(entry).orEmpty()

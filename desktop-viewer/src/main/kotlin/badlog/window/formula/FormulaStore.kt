@@ -99,7 +99,7 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
  */
 internal data class FormulaSheet(val before: String? = null, val start: String = before.orEmpty())
 
-/** Returns the names that [definition] may use in [open]: the topics, and the formulas before it; for null, all of them. */
+/** Returns the names that [definition] may use in [open]: the topics, and the formulas before it. For null, returns all of them. */
 internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
     val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
     return earlier.fold(open.logged.namesWith(open.vocabulary).vocabulary) { names, topic -> names.with(topic) }

@@ -64,7 +64,7 @@ internal fun GraphPane(scene: GraphScene, modifier: Modifier = Modifier, isOpeni
     }
 }
 
-/** Removes the focus from text fields on a press, so that keys are commands again; calls [onMove] when the pointer moves. */
+/** Removes the focus from text fields on a press, so that keys are commands again. Calls [onMove] when the pointer moves. */
 private fun Modifier.takesKeyboard(onMove: () -> Unit) = composed {
     val focus = LocalFocusManager.current
     pointerInput(focus) {

@@ -71,7 +71,7 @@ internal fun GraphPlot(scene: GraphScene, spec: BoardGraph, modifier: Modifier) 
     }
 }
 
-/** Everything that does not move with the pointer, in a layer of its own that is not redrawn when the pointer moves. */
+/** Everything that does not move with the pointer. It has a layer of its own, which is not redrawn when the pointer moves. */
 @Composable
 private fun GraphDrawing(scene: GraphScene, state: PlotState) {
     val palette = LocalPalette.current

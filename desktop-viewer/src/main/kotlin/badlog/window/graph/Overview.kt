@@ -45,7 +45,7 @@ import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 
-/** The whole recording as a strip, with a small curve, the events, the findings, and the visible part as a movable window. */
+/** The whole recording as a strip, with a small curve, the events and the findings. The visible part is a movable window. */
 @Composable
 internal fun Overview(scene: GraphScene) {
     val palette = LocalPalette.current

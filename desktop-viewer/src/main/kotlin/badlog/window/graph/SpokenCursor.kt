@@ -18,8 +18,8 @@ import badlog.window.log.GraphBoard
 import badlog.window.state.StateHolder
 
 /**
- * The text for a screen reader after a key has moved the cursor: its place, with the values or the finding there. The pointer does not
- * change the text, because it moves too fast to be followed.
+ * The text for a screen reader after a key has moved the cursor. It is the cursor's place, with the values or the finding there. The
+ * pointer does not change the text, because it moves too fast to be followed.
  */
 internal class SpokenCursor(private val current: CurrentRecording, private val board: GraphBoard, private val view: AxisView) :
     StateHolder<String>("") {

@@ -23,7 +23,7 @@ internal class ArrangedGraphs(
     private val whenStillOpen: ((OpenRecording) -> Unit) -> Unit,
     private val saved: (OpenRecording) -> Board?,
 ) {
-    /** The initial graphs of the last log for which no graphs were arranged; null if there was none in this folder. */
+    /** The initial graphs of the last log for which no graphs were arranged. Null if there was none in this folder. */
     private var begun: Board? = null
 
     /** The other initial graphs of the open log, if it can draw none of the arranged ones. */

@@ -77,7 +77,7 @@ internal class KeptLayouts(
         }
     }
 
-    /** Lists the layout that was saved as [file], if it is beside the logs and has a name of its own. */
+    /** Lists the layout that was saved as [file]. It must be beside the logs and have a name of its own. */
     fun add(file: Path) {
         val name = FolderLayout.nameOf(file) ?: return
         if (file.parent == folder) change { LayoutsOfFolder(FolderLayout.inOrder(files + (name to file)), name) }

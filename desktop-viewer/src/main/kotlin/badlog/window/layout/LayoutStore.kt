@@ -292,9 +292,9 @@ internal class LayoutStore(
     }
 
     /**
-     * Takes over the formulas and graphs that other windows have changed in [theirs], the stored layout; null if it cannot be read. Returns
-     * the layout of this window, and the layout to write; null if there is nothing to save. In the layout to write, parts that this window
-     * has not changed are as the others have written them.
+     * Takes over the formulas and graphs that other windows have changed in [theirs], the stored layout. It is null if it cannot be read.
+     * Returns the layout of this window, and the layout to write; null if there is nothing to save. In the layout to write, parts that this
+     * window has not changed are as the others have written them.
      */
     private fun merged(theirs: Layout?): Pair<Layout, Layout>? {
         val mine = change() ?: return null

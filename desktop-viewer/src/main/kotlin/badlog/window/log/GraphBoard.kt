@@ -60,10 +60,12 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** The id of the graph that the pointer was last over; keys apply to that. */
     var pointed: Int? = null
 
-    /** The graph that a key has just moved: until the pointer moves, keys go on with it, whatever is below the pointer now. */
+    /** The graph that a key has just moved. Until the pointer moves, keys go on with it, whatever is below the pointer now. */
     private var moved: Int? = null
 
-    /** The graph that keys apply to: the one just moved, the one last pointed at, or else the first visible one; null if there are none. */
+    /**
+     * The graph that keys apply to: the one just moved, otherwise last pointed at, otherwise the first visible one. Null if there are none.
+     */
     val current: BoardGraph?
         get() = state.graphs.find { it.id == moved } ?: state.graphs.find { it.id == pointed }
             ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
@@ -72,7 +74,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Returns the title of [graph], which no other graph has. */
     fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
 
-    /** Returns whether the shown graphs are those of [board] that the open log can draw. */
+    /** Returns whether exactly the graphs of [board] that the open log can draw are shown. */
     fun shows(board: Board): Boolean = state.showsSame(drawn(board))
 
     /** Scrolls to the changed graphs, and to the graph that a key has moved, if they are out of sight. */
@@ -116,8 +118,8 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     }
 
     /**
-     * Shows the graphs of [board] above all others, replacing those of the previous finding, except graphs that a person has changed
-     * since.
+     * Shows the graphs of [board] above all others, replacing the graphs of the previous finding. Graphs that a person has changed since
+     * stay.
      */
     fun showEvidence(board: Board) {
         send(BoardAction.ShowEvidence(board))
@@ -127,7 +129,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Returns whether graph [id] is there only to show a finding. */
     fun isEvidence(id: Int): Boolean = evidence.graphs.any { it.id == id }
 
-    /** Keeps graph [id], which shows a finding, or all of them for null: they then count as arranged by a person. */
+    /** Keeps graph [id], which shows a finding, or all such graphs for null. They then count as arranged by a person. */
     fun keep(id: Int? = null) = send(BoardAction.Keep(id))
 
     /** Goes to graph [id]; null if it is visible. */

@@ -92,7 +92,7 @@ internal class OpenRecording(
     /** The result of each of [definitions], in order. */
     val formulas: List<Formula> get() = stages.formulas
 
-    /** All signals to draw: the topics in the order of the file, the topics of formulas, and then the derived ones. */
+    /** All signals to draw: the topics in the order of the file, topics of formulas, then the derived ones. */
     val signals: List<DrawableTopic> = signalsOf(view, formulas)
 
     /** The topics without any logged value: only a search lists them. */

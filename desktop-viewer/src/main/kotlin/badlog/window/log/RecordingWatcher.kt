@@ -71,7 +71,7 @@ internal class RecordingWatcher(
         ended()
     }
 
-    /** Returns [shown] with its current content; null if it could not be read: the next check shows whether the file is gone. */
+    /** Returns [shown] with its current content. Null if it could not be read: the next check shows whether the file is gone. */
     private suspend fun readAgain(shown: OpenRecording, isGrowing: Boolean): OpenRecording? = try {
         runInterruptible(Dispatchers.IO) { read(shown, isGrowing) }
     } catch (e: NotReadException) {

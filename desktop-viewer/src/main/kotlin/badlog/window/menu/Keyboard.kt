@@ -113,7 +113,7 @@ internal class Keyboard {
     }
 }
 
-/** Whether the event is the character that some systems report after Ctrl and a digit: a field would take it for text. */
+/** Whether the event is the character that some systems report after Ctrl and a digit. A field would take it for text. */
 private val KeyEvent.isDigitWithCtrl: Boolean
     get() = type == KeyEventType.Unknown && isCtrlPressed && utf16CodePoint in '0'.code..'9'.code
 

@@ -27,7 +27,7 @@ internal class OpenMenus {
         return true
     }
 
-    /** Handles a press of the mouse at [place] in the window: closes the open menus, latest first, until one contains it. */
+    /** Handles a press of the mouse at [place] in the window. Closes the open menus, latest first, until one contains it. */
     fun pressed(place: Offset) {
         for (menu in shown.asReversed().toList()) {
             // A press on the element that opened a menu is left to that element, which closes the menu itself.

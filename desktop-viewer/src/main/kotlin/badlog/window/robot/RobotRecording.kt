@@ -52,7 +52,7 @@ internal class RobotRecording(
         if (shown != target) notices.say("The recording still goes into $target.")
     }
 
-    /** Records [robot], a team's number or an address, until [stop]; with [isPerEnable], a log for each time that it is enabled. */
+    /** Records [robot], a team's number or an address, until [stop]. With [isPerEnable], writes a log for each time that it is enabled. */
     fun start(robot: String, isPerEnable: Boolean) {
         if (state.isOn) return
         val target = folder() ?: return notices.complain("First open the folder for the robot’s logs.")

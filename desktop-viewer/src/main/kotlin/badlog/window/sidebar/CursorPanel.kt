@@ -104,11 +104,11 @@ internal fun CursorPanel(board: GraphBoard, findings: CurrentFindings, view: Axi
 
 private data class CursorQuestion(val query: String, val graphs: Board, val found: Set<String>, val x: Double?)
 
-/** A line of the panel: the [name] of a topic, its value, also [exact] to the last digit, and whether that just [hasChanged]. */
+/** A line of the panel: the [name] of a topic and its value, also [exact] to the last digit. [hasChanged] tells whether it just did. */
 internal data class CursorRow(val name: String, val text: String, val exact: String, val hasChanged: Boolean)
 
 /**
- * Returns the topics with a name or unit that [query] finds; without a search, the topics in the graphs of [board].
+ * Returns the topics with a name or unit that [query] finds. Without a search, the topics in the graphs of [board].
  *
  * @param found the names of the topics that a finding is about.
  */

@@ -70,7 +70,7 @@ internal fun InspectorPane(
     val tab = panels.state.inspector ?: return
     Column(modifier.background(LocalPalette.current.surface)) {
         BoxWithConstraints {
-            // The bar above the graphs has all buttons, too; a narrow window, which has no such bar, has a wide panel.
+            // The bar above the graphs has all buttons, too. A narrow window, which has no such bar, has a wide panel.
             val tabs = tabsOf(current.recording).filter { it != InspectorTab.MODULES || maxWidth >= ALL_TABS }
             // In a small window, the panel is narrower than all of its buttons.
             FlowRow(
@@ -144,7 +144,7 @@ internal fun PanelHint(text: String) {
 private fun tabsOf(open: OpenRecording?): List<InspectorTab> =
     InspectorTab.entries.filter { it != InspectorTab.MODULES || open?.drive != null }
 
-/** Opens and closes the panels on the right; each button shows how much is in its panel, and its title if it [hasLabels]. */
+/** Opens and closes the panels on the right. Each button shows how much is in its panel, and its title if it [hasLabels]. */
 @Composable
 internal fun InspectorTabs(
     current: CurrentRecording,

@@ -64,7 +64,7 @@ internal data class Panels(
         )
     }
 
-    /** Shows the log that a person has opened in the list, instead of statistics across logs, beside which the list is, too. */
+    /** Shows the log that a person has opened in the list, instead of statistics across logs. The list is beside those, too. */
     fun showingLog(): Panels = if (main == MainView.STATISTICS) copy(main = MainView.GRAPHS, front = FrontPart.GRAPHS) else this
 
     /** Opens [tab] on the right, or closes it if it is open. */

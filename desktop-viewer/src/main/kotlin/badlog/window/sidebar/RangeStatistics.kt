@@ -54,7 +54,7 @@ internal class SignalStatistics(
     val histogram: Histogram? = null,
 )
 
-/** A name with its value, also [exact] to the last digit, in a separate line if [isWide]; [unit] is `ul` for none. */
+/** A name with its value, also [exact] to the last digit, in a separate line if [isWide]. [unit] is `ul` for none. */
 internal class StatCell(val name: String, val text: String, val unit: String, val isWide: Boolean = false, val exact: String = text)
 
 /**

@@ -26,7 +26,7 @@ internal class StatisticsGrid(rows: List<StatisticsRow>, choice: StatisticsChoic
 
     private val names = choice.topics.zip(shortNames(choice.topics)).toMap()
 
-    /** Returns the name of the topic in the heading of [column]: the part of its path that distinguishes it from the others. */
+    /** Returns the name of the topic in the heading of [column]. It is the part of its path that distinguishes it from the others. */
     fun nameOf(column: FigureColumn): String = names.getValue(column.topic)
 
     /** Returns the common unit of [column]; null if recordings differ. */

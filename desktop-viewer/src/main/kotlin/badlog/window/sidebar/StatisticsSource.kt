@@ -79,10 +79,10 @@ private fun dateOf(recording: OpenRecording): String = try {
     ""
 }
 
-/** Returns [second] of a clock on the wall, in s since 1970 on that clock, as text that sorts by time: `2024-03-16 10:41`. */
+/** Returns [second] of a clock on the wall as text that sorts by time: `2024-03-16 10:41`. [second] is in s since 1970 on that clock. */
 private fun sortableText(second: Long): String = isoText(second).replace('T', ' ')
 
-/** Returns a row for each of [logs], the newest first, with the statistics that are known without reading the log again. */
+/** Returns a row for each of [logs], the newest first. It has the statistics that are known without reading the log again. */
 internal fun rowsOf(logs: List<LogEntry>): List<StatisticsRow> =
     logs.filter { it.isReadable && it.summary.topics.isNotEmpty() }.sortedWith(NEWEST_FIRST).map { log ->
         StatisticsRow(

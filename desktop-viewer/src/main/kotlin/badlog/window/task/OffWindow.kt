@@ -2,5 +2,5 @@ package badlog.window.task
 
 import java.awt.EventQueue
 
-/** Asserts, in tests and in development, that work on files and whole logs is off the window's thread, which it would block. */
+/** Asserts that work on files and whole logs is off the window's thread, which it would block. Only in tests and in development. */
 internal fun assertOffWindow() = assert(!EventQueue.isDispatchThread()) { "A file or a whole log is worked on by the window’s thread." }

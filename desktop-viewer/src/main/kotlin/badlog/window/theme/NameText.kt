@@ -109,11 +109,11 @@ internal fun TextMeasurer.measureName(name: AnnotatedString, style: TextStyle, w
     val tail = if (cut == NameCut.WORDS) wordFrom(name, letters) ?: letters else letters
     val end = name.subSequence(tail + name.drop(tail).takeWhile { it.isWhitespace() }.length, name.length)
     val shown = name.subSequence(0, head) + AnnotatedString(ELLIPSIS) + end
-    // Where scripts of both directions mix, places do not follow the order of letters, so it may still be too long.
+    // Where scripts of both directions mix, places do not follow the order of letters. It may still be too long.
     return measure(shown, style, TextOverflow.Ellipsis, softWrap = false, maxLines = 1, constraints = Constraints(maxWidth = width))
 }
 
-/** Returns the place of the first word of [name] that begins at [from] or behind it; null if there is none. */
+/** Returns the place of the first word of [name] that begins at [from] or behind it. Returns null if there is none. */
 private fun wordFrom(name: CharSequence, from: Int): Int? =
     (maxOf(1, from) until name.length).firstOrNull { name[it - 1].isWhitespace() && !name[it].isWhitespace() }
 
@@ -135,5 +135,5 @@ private fun TextLayoutResult.isBetweenLetters(index: Int) = index >= layoutInput
 
 private const val ELLIPSIS = "…"
 
-/** The number of layouts that are kept: the whole name is measured for its size, and again when it is drawn. */
+/** The number of layouts that are kept. The whole name is measured for its size, and again when it is drawn. */
 private const val MEASURED = 3

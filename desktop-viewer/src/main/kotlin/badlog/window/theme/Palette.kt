@@ -38,7 +38,7 @@ internal class Palette private constructor(val isDark: Boolean) {
     /** Returns the color of line [index], from 0; the colors repeat. */
     fun line(index: Int): Color = lines[index.mod(LINE_COLORS)]
 
-    /** Returns the color of a lane in state [index], from 0: a line's color, muted enough for text on top of it. */
+    /** Returns the color of a lane in state [index], from 0. It is a line's color, muted enough for text on top of it. */
     fun state(index: Int): Color = line(index).copy(alpha = stateOpacity(isDark).toFloat()).compositeOver(surface)
 
     /** Returns the color that shades the times of [mode]. */

@@ -59,7 +59,7 @@ internal fun SearchField(
     val focus = LocalFocusManager.current
     val interactions = remember { MutableInteractionSource() }
     var edited by remember { mutableStateOf(TextFieldValue(text, TextRange(0, if (isSelectedAtFirst) text.length else 0))) }
-    // The whole area is the field: a click beside the text must give it the keyboard focus, otherwise typing would run commands.
+    // The whole area is the field. A click beside the text must give it the keyboard focus; otherwise typing would run commands.
     BasicTextField(
         edited.copy(text = text),
         { typed ->

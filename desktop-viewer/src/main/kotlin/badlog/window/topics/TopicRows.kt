@@ -9,7 +9,7 @@ import badlog.window.log.DrawableTopic
 import badlog.window.log.isFoundBy
 
 /**
- * Returns the rows of the list of topics: in each folder its [signals] in their order, then its folders by name. Folders in [folded] are
+ * Returns the rows of the list of topics. Each folder has its [signals] in their order, then its folders by name. Folders in [folded] are
  * closed, unless there is a [query]. A query also finds the [empty] topics.
  *
  * @param found the names of the topics that a finding is about.

@@ -38,7 +38,7 @@ internal data class ShownVideo(
 )
 
 /**
- * The video beside the [current] log: once they are aligned, the cursor moves the video, and stepping the video moves the cursor.
+ * The video beside the [current] log. Once they are aligned, the cursor moves the video, and stepping the video moves the cursor.
  *
  * @param settings remember the video of each log and its alignment.
  * @param source opens a file; it receives the callbacks for frames and for failures.

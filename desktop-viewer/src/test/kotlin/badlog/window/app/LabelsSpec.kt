@@ -46,7 +46,7 @@ class LabelsSpec : FunSpec({
         }
     }
 
-    /** The buttons of the bars at the top and above the graphs, by their words, unless they show more than these. */
+    /** The buttons of the bars at the top and above the graphs, by their words. Those that show more than words are left out. */
     val words = mapOf(
         "Logs: the list at the left" to "Logs",
         "Topics" to "Topics",

@@ -12,7 +12,10 @@ internal fun recordingOf(text: String, file: Path = Path.of("match.bag").toAbsol
     return OpenRecording(file, LogView.of(parser.finish()))
 }
 
-/** Returns a bag of [rows] rows, 0.02 s apart: `Arm/Angle` in degrees, `Arm/Current` in amperes, `Arm/Mode` in texts; with a value. */
+/**
+ * Returns a bag of [rows] rows, 0.02 s apart, with a value. Its topics: `Arm/Angle` in degrees, `Arm/Current` in amperes, `Arm/Mode` in
+ * texts.
+ */
 internal fun armBag(rows: Int, angle: (Int) -> String = { (it % 50).toString() }): String = buildString {
     append("""{"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Arm/Angle","unit":"deg","attrs":["zero"]},""")
     append("""{"name":"Arm/Current","unit":"A","attrs":[]},{"name":"Arm/Mode","unit":"ul","attrs":[]}],""")

@@ -14,7 +14,7 @@ internal fun ruleText(name: String, condition: String, severity: String = "warni
 /** Writes [rules] as the rules of [folder]. */
 internal fun writeRules(folder: Path, vararg rules: String): Path = Files.writeString(Files.createDirectories(folder).resolve(RulesFile.NAME), rules.joinToString("\n"))
 
-/** Returns a recording in [folder] of a hundred rows, one each second: `A` counts them, `B` is 1 in every tenth. */
+/** Returns a recording in [folder] of a hundred rows, one each second. `A` counts them, `B` is 1 in every tenth. */
 internal fun counted(folder: Path, rows: Int = 100): OpenRecording = recordingOf(
     bagOf(listOf("Time|xaxis", "A", "B"), List(rows) { "$it,$it,${if (it % 10 == 0) 1 else 0}" }),
     folder.resolve("counted.bag").toString(),

@@ -43,7 +43,7 @@ import kotlin.io.path.div
 @OptIn(ExperimentalTestApi::class)
 @Tags("InCheck")
 class NewLogsSpec : FunSpec({
-    /** Opens a folder of samples without Qualification 42, which [arrives] copies into it, as if it had been written an hour ago. */
+    /** Opens a folder of samples without Qualification 42. [arrives] copies it into the folder, as if it had been written an hour ago. */
     fun onFolder(steps: DesktopComposeUiTest.(Viewer, arrives: () -> Unit) -> Unit) {
         val home = tempdir().toPath()
         val logs = tempdir().toPath().also { it.putSamples(areSettled = true) }
@@ -73,7 +73,7 @@ class NewLogsSpec : FunSpec({
         onNodeWithText("Browned out at 1:33.", substring = true).assertExists()
     }
 
-    test("a log that arrives is announced, replaces nothing, and is shown at its worst finding; the first logs of a folder did not arrive") {
+    test("a log that arrives is announced, replaces no other log, and is shown at its worst finding; the first logs of a folder are not announced") {
         onFolder { viewer, arrives ->
             waitFor { viewer.library.state.entries.all { it.found != null || it.isGray } }
             onAllNodesWithContentDescription("New log").assertCountEquals(0)

@@ -51,7 +51,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("while a log is being read, the pane says so, and not that none is open") {
+    test("while a log is being read, the pane shows that, not that no log is open") {
         runDesktopComposeUiTest(900, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { GraphPane(viewerOf(null).graphs, isOpening = true) } }
             onNodeWithText("Opening the log…").assertExists()
@@ -74,7 +74,7 @@ class GraphPaneSpec : FunSpec({
         }
     }
 
-    test("a recording without samples says so") {
+    test("a recording without samples has a sentence about that") {
         val viewer = viewerOf(recordingOf(bagOf(0) { 0.0 }))
         runDesktopComposeUiTest(900, 600) {
             setContent { TestGraphs(viewer) }

@@ -174,7 +174,7 @@ class SharedFolderSpec : FunSpec({
         layouts.read(folder)?.graphs shouldBe null
     }
 
-    test("graphs arranged for a folder survive changes while a young log has none or few of their lines") {
+    test("graphs arranged for a folder survive changes while a young log has few or no lines of them") {
         for (before in listOf(arranged("Arm/Angle", "Arm/Mode"), arranged("Arm/Angle", "Arm/Current", "Arm/Mode"))) {
             val folder = folders.next()
             layouts.update(folder) { Layout(Layout.VERSION, before) }

@@ -76,7 +76,7 @@ class LogNotesSpec : FunSpec({
         }
     }
 
-    test("a note written before the notes of the log are read replaces none of them") {
+    test("a note written before the notes of the log are read does not replace any of them") {
         val earlier = listOf(Note(7.0, "from yesterday"))
         NotesFile.update(log, earlier, read = emptyList())
         // Notes are not read here.

@@ -5,7 +5,7 @@ import java.awt.image.IndexColorModel
 import java.nio.file.Path
 import javax.imageio.ImageIO
 
-/** Writes [picture] into docs as the picture [name] of the guides, with its 256 most frequent colors, which halves the file. */
+/** Writes [picture] into docs as the picture [name] of the guides. Only its 256 most frequent colors are kept, which halves the file. */
 internal fun writeGuidePicture(picture: BufferedImage, name: String) {
     val pixels = picture.getRGB(0, 0, picture.width, picture.height, null, 0, picture.width)
     val colors = pixels.toList().groupingBy { it and RGB }.eachCount().entries.sortedByDescending { it.value }.take(COLORS).map { it.key }

@@ -46,7 +46,7 @@ class PathWindowSpec : FunSpec({
 
 private fun isGreen(color: Color) = color.green > color.red + 12 && color.green > color.blue + 12
 
-/** Returns an invented field: a green carpet, a line and a goal for each alliance, and rings in the places of pieces. */
+/** Returns an invented field: a green carpet, a line and a goal for each alliance, and rings for pieces. */
 private fun drawnField(): BufferedImage {
     val picture = BufferedImage(LENGTH + 2 * EDGE, WIDTH + 2 * EDGE, BufferedImage.TYPE_INT_RGB)
     val pen = picture.createGraphics()

@@ -131,7 +131,7 @@ internal class RealWindow(
         }
     }
 
-    /** Clicks [times] times on the element with the description or text [text]; again if a busy machine paused between the clicks. */
+    /** Clicks [times] times on the element with the description or text [text]. Repeats it if a busy machine paused between the clicks. */
     fun click(text: String, times: Int = 1) {
         awaitRest(text)
         point(text, 0.5, 0.5)

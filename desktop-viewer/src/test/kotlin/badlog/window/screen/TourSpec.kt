@@ -14,7 +14,7 @@ import java.nio.file.Path
 import javax.imageio.ImageIO
 import kotlin.math.abs
 
-/** The moving picture of the window: a person with a mouse, from a folder of logs to the cause of a failed match. */
+/** The moving picture of the window. A person with a mouse goes from a folder of logs to the cause of a failed match. */
 @Tags("InCheck")
 class TourSpec : FunSpec({
     test("one click leads from the table of logs to the brownout, which is looked at closely and compared with another match").config(

@@ -123,7 +123,7 @@ class TroubleWindowSpec : FunSpec({
         }
     }
 
-    test("a folder without read permission says so").config(enabledOrReasonIf = { needsOrdinaryUser() }) {
+    test("a folder without read permission is reported").config(enabledOrReasonIf = { needsOrdinaryUser() }) {
         val folder = tempdir().toPath()
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("---------"))
         try {
@@ -137,7 +137,7 @@ class TroubleWindowSpec : FunSpec({
     }
 })
 
-/** Waits until the window reads its file; a machine that stands still just then may only see that it was read. */
+/** Waits until the window reads its file. A machine that stands still just then may only see that it was read. */
 private fun RealWindow.awaitReading() = awaitState("the large file to be read") { it.tasks.all.isNotEmpty() || it.current.recording != null }
 
 /** Returns a bag of 300,000 rows. */

@@ -42,7 +42,7 @@ class InspectorPaneSpec : FunSpec({
         panels.change { copy(inspector = tab) }
     }
 
-    test("a click on an event takes the cursor and the view there; the cursor marks the nearest") {
+    test("a click on an event moves the cursor and the view to it; the cursor marks the nearest one") {
         val rows = List(100_000) { "$it,event $it" }
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "Log|log"), rows)), InspectorTab.EVENTS)
         viewer.view.send(PlaceAction.Show(50_000.0, 50_010.0))
@@ -118,7 +118,7 @@ class InspectorPaneSpec : FunSpec({
         }
     }
 
-    test("the histogram of a topic is opened from its statistics, and says if there is none") {
+    test("the histogram of a topic is opened from its statistics; a sentence replaces a missing one") {
         val rows = List(11) { "$it,${it * it},7" }
         val viewer = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A", "Flat"), rows)), InspectorTab.STATISTICS)
         viewer.board.replace(Board().withGraph(listOf("A")).withGraph(listOf("Flat")))

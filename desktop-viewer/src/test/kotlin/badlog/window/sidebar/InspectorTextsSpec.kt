@@ -18,7 +18,7 @@ class InspectorTextsSpec : FunSpec({
     val note = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
     val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.", topic = "Arm/Angle")
 
-    test("problems come worst first") {
+    test("problems are listed with the worst first") {
         worstFirst(listOf(note, warning, cut)) shouldContainExactly listOf(cut, warning, note)
     }
 
@@ -73,7 +73,7 @@ class InspectorTextsSpec : FunSpec({
         statistics.channels.zipWithNext().all { (more, less) -> more.charge!! >= less.charge!! } shouldBe true
     }
 
-    test("lines of one graph are also told by how they differ") {
+    test("the statistics of a graph with two lines include their difference") {
         val open = recordingOf(bagOf(listOf("Time|xaxis", "Drive/Target", "Drive/Actual"), List(101) { "${it / 10.0},${it % 7},${it % 7 + 0.5}" }))
         val part = NamedSpan("Whole log", open.span)
         val statistics = rangeStatistics(listOf(DrawnRecording(open)), emptyList(), part, listOf(listOf("Drive/Target", "Drive/Actual")))

@@ -79,7 +79,7 @@ class ModulesPanelSpec : FunSpec({
         }
     }
 
-    test("without targets, there are arrows and no errors; without modules, there is no button, and the panel says why") {
+    test("without targets, arrows and no errors are shown; without modules, the button is missing, and the panel has the reason") {
         val without = viewerOf(drive(hasTargets = false))
         without.panels.change { inspecting(InspectorTab.MODULES) }
         runDesktopComposeUiTest(420, 800) {

@@ -33,7 +33,7 @@ class StatisticsGridSpec : FunSpec({
         labels(choice.sortedBy(DateColumn)) shouldContainExactly listOf("none", "A", "b", "c")
     }
 
-    test("the smallest and the largest value of a column stand out, unless all are the same") {
+    test("the smallest and the largest value of a column are highlighted, unless all are the same") {
         val grid = StatisticsGrid(rows, choice)
         rows.filter { grid.isLowest(maximum, it) }.map { it.label } shouldContainExactly listOf("A")
         rows.filter { grid.isHighest(maximum, it) }.map { it.label } shouldContainExactly listOf("c")

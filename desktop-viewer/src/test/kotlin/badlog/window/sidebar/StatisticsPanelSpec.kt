@@ -38,7 +38,7 @@ class StatisticsPanelSpec : FunSpec({
         asked().part shouldBe NamedSpan(Cursors.BETWEEN, Span(12.0, 15.0))
     }
 
-    test("statistics are of what is shown, of the time enabled, or of all") {
+    test("statistics are of the visible range, of the time enabled, or of the whole log") {
         val home = tempdir().toPath()
         val viewer = Viewer(MainScope(), UserFolders(home, home))
         val open = sample("qualification-42.bag")

@@ -73,7 +73,7 @@ class LargeLogSpec : FunSpec({
         }
     }
 
-    test("a topic without samples is found, and says so") {
+    test("a topic without samples is found, and shown as empty") {
         val viewer = viewerOf(large)
         runDesktopComposeUiTest(300, 700) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }

@@ -76,7 +76,7 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("the values are those under the cursor: none before the log, and the last ones without a cursor") {
+    test("the values are from under the cursor: none before the log, and the last ones without a cursor") {
         val viewer = viewerOf(arm)
         runDesktopComposeUiTest(240, 600) {
             setContent { ViewerTheme(Theme.LIGHT) { TestTopics(viewer) } }
@@ -139,7 +139,7 @@ class TopicPaneSpec : FunSpec({
         }
     }
 
-    test("without a recording, and with an empty one, a sentence says so") {
+    test("without a recording, and with an empty one, a sentence replaces the topics") {
         for ((recording, sentence) in listOf(
             null to "Open a log to see its topics.",
             recordingOf("") to "This log has no topics with samples.",

@@ -11,7 +11,7 @@ import org.bytedeco.javacv.Frame
 import java.nio.ByteBuffer
 import java.nio.file.Path
 
-/** A video with pictures that count its frames: white squares are the ones of a binary number, worth 1 at the left. */
+/** A video with pictures that count its frames. White squares are the ones of a binary number, worth 1 at the left. */
 internal object CountedVideo {
     const val FRAMES_PER_SECOND = 30
     const val FRAMES = 300

@@ -15,7 +15,7 @@ class TestRoundsSpec : FunSpec({
         timed.sorted() shouldContainExactly (MAY_USE_TIME + STILL_USE_TIME).sorted()
     }
 
-    test("a tag is the name of a round, so that no spec is in none") {
+    test("a tag is the name of a round, so that each spec is in a round") {
         tests.flatMap { path -> TAG.findAll(File(ROOT, path).readText()).map { "$path: ${it.groupValues[1]}" } }
             .filterNot { it.endsWith(": \"InCheck\"") || it.endsWith(": \"InProve\"") }.shouldBeEmpty()
     }

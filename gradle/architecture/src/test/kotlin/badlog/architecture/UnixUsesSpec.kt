@@ -5,7 +5,7 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
 import java.io.File
 
-/** Tests that uses of Unix are guarded, so that `check` passes on Windows: a test without its requirements is skipped with a reason. */
+/** Tests that uses of Unix are guarded, so that `check` passes on Windows. A test without its requirements is skipped with a reason. */
 class UnixUsesSpec : FunSpec({
     test("tests and builds guard their uses of Unix") {
         val tests = sourcesUnder(ROOT).filter { it.isTest || it.path.startsWith("benchmarks/") }.map { it.path }

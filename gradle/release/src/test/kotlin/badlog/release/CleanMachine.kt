@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit
 internal class ProgramResult(val code: Int, val text: String)
 
 /**
- * A machine with only [programs]: an empty environment, a PATH of its own, a home folder of its own, and no network.
+ * A machine with only [programs]. It has an empty environment, a PATH and a home folder of its own, and no network.
  *
  * @param folder an empty folder for its files.
  */

@@ -10,7 +10,7 @@ import kotlin.io.path.readText
 
 /** The types that the API's pages describe. */
 internal object ApiTypes {
-    /** A type: its short [name], its [full] name with its package, and where its page is, relative to the API's folder. */
+    /** A type: its short [name], its [full] name with its package, and its page, relative to the API's folder. */
     data class Type(val name: String, val full: String, val address: String)
 
     /** Reads the list that Dokka left in [folder]. Types have their kind in front of their name, as in “class BagParser”; enum entries do not. */

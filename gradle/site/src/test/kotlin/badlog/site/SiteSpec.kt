@@ -47,7 +47,7 @@ class SiteSpec : FunSpec({
         BuiltSite.pages.flatMap { (address, page) -> brokenLinks(address, page) }.joinToString("\n") shouldBe ""
     }
 
-    test("the guides load nothing from elsewhere") {
+    test("the guides load no files from other sites") {
         plan.pages.values.flatMap { address ->
             BuiltSite.pages.getValue(address).select("script[src], img[src], iframe[src], link[rel=stylesheet]")
                 .map { it.attr("src") + it.attr("href") }.filter { OUTSIDE.containsMatchIn(it) }

@@ -14,7 +14,7 @@ import java.nio.file.Path
  */
 class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
     /**
-     * Writes the page to [output], whose folder is created if necessary.
+     * Writes the page to [output]; creates its folder if necessary.
      *
      * @param network the servers that the page may ask.
      * @throws ExportException if it cannot be written.

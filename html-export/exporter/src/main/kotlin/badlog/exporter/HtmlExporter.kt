@@ -114,7 +114,7 @@ class HtmlExporter(
             val writer = PageWriter(file.out, parts)
             val signals = additions.rules.signals
             val heads = sequenceOf(head) + logParts.asSequence().drop(1).map(::headOf)
-            // A file's name may belong to another match, so it decides only if no part of the log identifies the match.
+            // A file's name may belong to another match. It decides only if no part of the log identifies the match.
             val identifying = heads.firstOrNull { it.identifiesMatch(signals) } ?: head
             writer.begin(identifying.titleIn(name, signals) ?: name, additions.video != null)
             writer.program(additions)

@@ -21,8 +21,8 @@ import java.util.UUID
 
 /**
  * The files with the notes of one log, beside it. Each computer appends lines to its own file, such as `q42.bag.notes-pit-3f2a.jsonl` for
- * `q42.bag`, and all files are read, so that a synced folder or git has no conflicts to resolve. Older versions wrote `q42.bag.notes.json`,
- * whose notes come first.
+ * `q42.bag`, and all files are read, so that a synced folder or git has no conflicts to resolve. Older versions wrote `q42.bag.notes.json`;
+ * its notes come first.
  */
 object NotesFile {
     /** The maximum size of a file with notes. */

@@ -10,7 +10,7 @@ enum class PageNetwork(internal val policy: String, internal val word: String?) 
     /** No server, ever. */
     NONE("", null),
 
-    /** The page's own server on a robot, whose logs the page lists. */
+    /** The page's own server on a robot. The page lists the robot's logs. */
     ROBOT("connect-src 'self'; ", "robot"),
 
     /** The page's own server, and others by https. A link may name a log there, which the page requests if its reader agrees. */

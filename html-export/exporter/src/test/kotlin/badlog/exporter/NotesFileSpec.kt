@@ -38,7 +38,7 @@ class NotesFileSpec : FunSpec({
         Files.delete(NotesFile.of(log))
     }
 
-    test("the file has the changes of two windows, whichever writes last, and those of another laptop") {
+    test("the file has the changes of two windows, whichever writes last, and of another laptop") {
         NotesFile.update(log, notes, read = emptyList())
         val first = NotesFile.update(log, listOf(notes[0], Note(5.0, "first window")), read = notes).notes
         first shouldBe listOf(notes[0], Note(5.0, "first window"))
@@ -80,7 +80,7 @@ class NotesFileSpec : FunSpec({
         listOf(NotesFile.beginningOf(log), unreadable, damaged, NotesFile.of(log)).forEach(Files::delete)
     }
 
-    test("a laptop whose clock is years behind can change a note; the new text is written before the removal of the old one") {
+    test("a laptop with a clock years behind can change a note; the new text is written before the removal of the old one") {
         val ahead = NoteChange("1", "2099-03-07T14:05:12.345Z", "Ada", notes[0], isRemoved = false)
         Files.writeString(log.resolveSibling("q42.bag.notes-pit.jsonl"), ahead.toLine())
         NotesFile.update(log, listOf(Note(1.0, "no hit")), read = notes.take(1)).notes shouldBe listOf(Note(1.0, "no hit"))

@@ -63,7 +63,7 @@ internal class CompareSpec : PageSpec({
             }
             element("#stop-comparing").click()
             press(Keys.ESCAPE)
-            step("several logs are read one after the other, also gzipped ones, and each can go again; a search goes on when they come") {
+            step("several logs are read one after the other, also gzipped ones, and each can be removed; a search continues meanwhile") {
                 press("/", VOLTS)
                 settle()
                 graphNames shouldContainExactly listOf(VOLTS)
@@ -80,7 +80,7 @@ internal class CompareSpec : PageSpec({
                 element("#compare").isDisplayed shouldBe false
                 texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State")
             }
-            step("all files that are chosen at once are compared; what is none is named when the others were read, and changes nothing") {
+            step("all files that are chosen at once are compared; a file that is not a log is named after the others were read") {
                 for ((name, bytes) in listOf("pit.jpg" to byteArrayOf(-1, -40, -1, 0, 0, 16), "empty.bag" to ByteArray(0))) {
                     compare(name to bytes)
                     await("the sentence") { name in texts(".notice p").single() && "Reading" !in texts(".notice p").single() }
@@ -124,15 +124,15 @@ internal class CompareSpec : PageSpec({
         }
     }
 
-    browserTest("logs are called by their match, whether dropped or exported with the page") {
-        step("logs whose match only their topics or their file names say are called by it, as in the window") {
+    browserTest("compared logs are named after their match, whether dropped or exported with the page") {
+        step("logs are named after a match that only topics or file names show, as in the window") {
             onPage(TestPages.of(wpilog(), "FRC_20260314_150000_MIARC_Q42.wpilog")) {
                 compare("FRC_20260314_170000_MIARC_Q57.wpilog" to wpilog())
                 awaitLogs(2)
                 texts(".compared-log bdi") shouldContainExactly listOf("Qualification 42", "Qualification 57")
             }
         }
-        step("a page exported with other logs begins with them, also on a phone, and matches of one event are called by their number") {
+        step("a page exported with other logs begins with them, also on a phone, and matches of one event are named by their number") {
             onPage(TestPages.ofSamples("qualification-42.bag", listOf("qualification-57.bag.gz"))) {
                 awaitLogs(2)
                 for (screen in listOf(Screen.WIDE, Screen.PHONE)) {

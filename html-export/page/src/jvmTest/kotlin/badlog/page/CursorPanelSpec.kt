@@ -79,7 +79,7 @@ internal class CursorPanelSpec : PageSpec({
         }
     }
 
-    browserTest("names and numbers of the values are read as they are written") {
+    browserTest("names keep their order of characters, and numbers have six digits, or all under the pointer") {
         step("a name that begins or ends with a sign is read as it is written") {
             onPage(TestPages.of(bagOf(listOf(TIME, BagTopic("/Arm/Angle (raw)")), 11) { row, _ -> row })) {
                 press("v")

@@ -40,7 +40,7 @@ internal class CursorSpec : PageSpec({
 
     browserTest("one cursor is read in all graphs, pinned, compared with a second one, and its statistics have histograms") {
         onPage(page) {
-            step("on a screen of any width the cursor's time is there to read, with nothing over it") {
+            step("on a screen of any width, the cursor's time is readable, with nothing over it") {
                 for (width in listOf(1280, 1000, 960, 900, 800, 761)) {
                     show(Screen(width, 800))
                     graph("Row").hover(0.5)
@@ -72,7 +72,7 @@ internal class CursorSpec : PageSpec({
             }
             script("scrollTo(0, 0)")
             settle()
-            step("values and time at the cursor are those of the very sample, however many share a pixel, also after a zoom, until Escape") {
+            step("values and time at the cursor are those of a single sample, however many share a pixel, also after a zoom, until Escape") {
                 graph("Spike").steepest() shouldBe (SPIKE_ROW / (ROWS - 1.0) plusOrMinus 0.002)
                 for (across in listOf(0.1234, 0.987, 0.5)) {
                     graph("Row").hover(across)
@@ -119,7 +119,7 @@ internal class CursorSpec : PageSpec({
                 element(".histogram").getAttribute("role") shouldBe "img"
                 element(".histogram").getAttribute("aria-label") shouldBe "Histogram of Row"
                 keepScreenshot("histogram")
-                // The table stays, and the keyboard on its button, also when the statistics are those of another range.
+                // The table stays, and the keyboard on its button, also when the statistics are about another range.
                 script("document.querySelector('.statistics table').dataset.mark = 'same'")
                 click(".statistics tbody .icon-button")
                 elements(".histogram").size shouldBe 0
@@ -155,7 +155,7 @@ internal class CursorSpec : PageSpec({
         }
     }
 
-    browserTest("on a screen of any width the time and the match clock of a match are there to read, beside modes and events") {
+    browserTest("on a screen of any width, time and match clock are readable beside modes and events") {
         onPage(TestPages.ofSample("qualification-42.bag", PageAdditions(rules = RuleSet.BUILT_IN))) {
             for (width in listOf(1366, 1240, 1200, 1101, 1080, 1000, 961, 900)) {
                 show(Screen(width, 800))

@@ -17,7 +17,7 @@ internal class DownloadSpec : PageSpec({
 
     val whole by lazy { Files.readAllBytes(SAMPLES.resolve("qualification-42.bag")) }
 
-    browserTest("each log is saved byte for byte, and its CSV") {
+    browserTest("each log is saved byte for byte, and as CSV") {
         step("a bag is saved byte for byte, and its CSV is everything after its first line") {
             onPage(TestPages.ofSample("qualification-42.bag")) {
                 downloaded("download", "qualification-42.bag") shouldBe whole

@@ -39,11 +39,11 @@ internal class EmptyPageSpec : PageSpec({
 
     val bag = bagOf(listOf(TIME, BagTopic("Volts", "V")), rows = 11) { row, column -> if (column == 0) row / 10.0 else 12.0 }
 
-    test("it is at most 600,000 bytes with its sample") {
+    test("the page without a log is at most 600,000 bytes with its sample") {
         Files.size(page) shouldBeLessThanOrEqual 600_000L
     }
 
-    test("it may load nothing from any network") {
+    test("the page without a log may load nothing from any network") {
         page.readText() shouldContain "default-src 'none'"
         page.readText().contains("connect-src") shouldBe false
     }
@@ -57,7 +57,7 @@ internal class EmptyPageSpec : PageSpec({
         record.put(4).put(2).putShort(32)
         for (millis in listOf(1500, 1520)) record.putInt(millis).putInt((2 shl 24) or (5 shl 16) or (46 shl 10) or 3).putLong(bits)
         onEmptyPage {
-            step("it names the logs that it opens, and opens its sample with findings") {
+            step("the page names the logs that it opens, and opens its sample with findings") {
                 for (screen in listOf(Screen.WIDE, Screen.PHONE, dark)) {
                     show(screen)
                     text shouldContain "Open a robot’s log"
@@ -145,7 +145,7 @@ internal class EmptyPageSpec : PageSpec({
                 (elements("#go-back").isEmpty()) shouldBe true
             }
         }
-        step("they are copied as two files") {
+        step("a copy of the page has both files of a Driver Station log") {
             onPage(folder / "$log.html") {
                 saved(log) { click("#download") } shouldBe station.getValue(log)
                 saved(events) { click("#download-second") } shouldBe station.getValue(events)

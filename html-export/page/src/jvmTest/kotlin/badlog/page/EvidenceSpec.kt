@@ -137,7 +137,7 @@ internal class EvidenceSpec : PageSpec({
         }
     }
 
-    browserTest("evidence of two findings at once, of each place, and of findings without topics") {
+    browserTest("evidence belongs to the visited one of two findings and to its place, and needs no topics") {
         step("a link and N select the right one of two findings that begin together, and its address names it") {
             val both = listOf(
                 finding("First", Severity.ERROR, "first of two", 3.0),

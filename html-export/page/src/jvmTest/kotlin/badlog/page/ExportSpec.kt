@@ -91,7 +91,7 @@ internal class ExportSpec : PageSpec({
         }
     }
 
-    browserTest("files saved of other logs have their path, their graphs and their cells") {
+    browserTest("saved files of paths, CSV files, WPILOGs and damaged logs have the content of the log") {
         step("saved files also contain a path, with the robot at the cursor") {
             onPage(TestPages.ofSample("wrong-turn.bag")) {
                 script("location.hash = '#t=8.2'")

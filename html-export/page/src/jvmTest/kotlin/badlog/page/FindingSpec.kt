@@ -123,7 +123,7 @@ internal class FindingSpec : PageSpec({
         }
     }
 
-    browserTest("findings of several places, none, and ones outside the recording") {
+    browserTest("N goes through the places of a finding, does nothing without findings, and stays within the recording") {
         step("a finding with several places is listed once, marked at each place, and N goes through the places") {
             val further = listOf(Span(4.0, 4.5), Span(9.0, 9.0))
             val twin = finding("Twin", Severity.NOTE, "at the same time", 9.0, NEVER)

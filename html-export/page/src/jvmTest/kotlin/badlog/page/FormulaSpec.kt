@@ -24,7 +24,7 @@ internal class FormulaSpec : PageSpec({
         awaitGraph(definition.substringBefore(" ="))
     }
 
-    browserTest("formulas are added, changed, removed, mistaken, completed and searched") {
+    browserTest("formulas are added, changed, removed, completed and searched, and their mistakes are shown") {
         onPage(TestPages.of(bag)) {
             step("a new formula has a graph at once and after a reload, does not count as a topic of the log, and can be removed") {
                 press("f")
@@ -162,7 +162,7 @@ internal class FormulaSpec : PageSpec({
         }
     }
 
-    browserTest("a page begins with its own formulas, and is drawn once with those of its reader and of a link") {
+    browserTest("a page begins with its own formulas, and is drawn once it also has those of its reader and of a link") {
         step("the formulas of a page are graphs in their folders, may use each other, and a wrong one is shown with its mistake") {
             val definitions = listOf("Power/Product [VA] = Voltage * Current", "Bad = Voltge * 2", "Half = Product / 2")
             onPage(TestPages.of(bag, additions = PageAdditions(definitions))) {

@@ -4,7 +4,7 @@ import org.openqa.selenium.Keys
 import org.openqa.selenium.WebElement
 import java.util.Base64
 
-/** Returns the graph whose full name is [name]. */
+/** Returns the graph with the full name [name]. */
 internal fun OpenPage.graph(name: String): GraphOnPage = GraphOnPage(this, name)
 
 /** One graph of an open page, as a reader sees and operates it. */

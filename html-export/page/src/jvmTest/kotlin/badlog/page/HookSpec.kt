@@ -32,7 +32,7 @@ internal class HookSpec : PageSpec({
     )
     val failed = HookPart("slow.R", error = "it took longer than 30 s")
 
-    browserTest("the section of a hook has its values, lines and pictures, and a failed one its reason") {
+    browserTest("the section of a hook has its values, lines and pictures, and a failed hook has a reason") {
         val page = TestPages.of(stepBag(graphs = 1), additions = PageAdditions(hooks = listOf(hook, failed)))
         onPage(page, script = "window.alarms = 0; window.alert = () => { window.alarms++ }") {
             step("a hook's section names the hook and has its values, lines and pictures; its findings are listed, and failed hooks have a reason") {

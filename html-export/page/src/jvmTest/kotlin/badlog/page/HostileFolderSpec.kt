@@ -32,7 +32,7 @@ internal class HostileFolderSpec : PageSpec({
 
     fun OpenPage.status() = texts(".log-tools [role=status]").single()
 
-    browserTest("folders of very many logs, that disappear, and whose logs shrink") {
+    browserTest("a folder of 3,000 logs is listed at once; a folder that disappears and a log that shrinks are reported") {
         step("a folder of 3,000 files is listed at once and can be searched while its logs are read") {
             val many = folder("many") { folder -> repeat(3_000) { Files.write(folder / "practice-$it.bag", bag) } }
             // Workers receive nothing until they are released.

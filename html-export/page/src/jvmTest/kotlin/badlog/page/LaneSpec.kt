@@ -49,7 +49,7 @@ internal class LaneSpec : PageSpec({
                 }
             }
         }
-        step("the brownouts of a match can be seen among all of it") {
+        step("the brownouts of a match are visible in the whole match") {
             onPage(TestPages.ofSample("qualification-42.bag")) {
                 graph("System/States").scrollTo()
                 for (other in listOf("Enabled", "Autonomous")) graph("System/States").legend(other).click()
@@ -62,7 +62,7 @@ internal class LaneSpec : PageSpec({
                 seen.forAll { it.toDouble() / columns.size shouldBe (0.61 plusOrMinus 0.03) }
             }
         }
-        step("states that follow one another are lanes of one graph, 18 px each, and tell how long and how often") {
+        step("states that follow one another are lanes of one graph, 18 px each, and show how long and how often") {
             val bag = bagOf(listOf(TIME, BagTopic("A/On"), BagTopic("A/Mode"), BagTopic("A/Level", "V")), 401) { row, column ->
                 when (column) {
                     0 -> row / 10.0

@@ -166,7 +166,7 @@ internal class LiveSpec : RunningLogSpec({
     }
 
     browserTest("a log is followed wherever its parts end: a row is shown once it is complete, so that 12.4 is never read as 1") {
-        // In a table whose x axis is the row number, the last row needs no line end.
+        // In a table with the row number as x axis, the last row needs no line end.
         val file = logs("parts") / "running.csv"
         file.writeText("Time,Volts\n" + (0..499).joinToString("") { "${it / 50.0},12\n" })
         val binary = file.resolveSibling("binary.dslog")

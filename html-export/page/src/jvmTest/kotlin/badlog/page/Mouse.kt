@@ -22,7 +22,7 @@ internal fun Actions.mouseUp(): Actions = tick(MOUSE.createPointerUp(MouseButton
 internal fun OpenPage.doubleClick(x: Int, y: Int) = clicks(listOf(x to y, x to y), pause = 0.1)
 
 /**
- * Clicks at [places] of the window, with [pause] seconds before each click. The times are those of the events, so a slow machine does not
+ * Clicks at [places] of the window, with [pause] seconds before each click. The events carry these times, so a slow machine does not
  * matter.
  */
 internal fun OpenPage.clicks(places: List<Pair<Int, Int>>, pause: Double) {

@@ -147,7 +147,7 @@ internal class NotesSpec : PageSpec({
         )
     }
 
-    browserTest("notes of another tab, of an older badlog and damaged ones") {
+    browserTest("notes of another tab and of an older badlog are kept, and damaged ones are reported") {
         step("damaged notes are listed as a problem, and nothing else changes") {
             onPage(pageOf(tempdir().toPath()) { Files.writeString(NotesFile.beginningOf(it), "{") }) {
                 element("#notes").isDisplayed shouldBe false

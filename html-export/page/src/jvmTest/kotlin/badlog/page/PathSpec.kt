@@ -112,7 +112,7 @@ internal class PathSpec : PageSpec({
         }
     }
 
-    browserTest("a path over the picture of a field, with states, and two topics over each other") {
+    browserTest("a path is drawn over the picture of a field and above states, and two topics are drawn over each other") {
         step("the picture of the field is behind the path, in the size given by its corners") {
             val picture = ByteArrayOutputStream().also { out ->
                 // Nothing else on the page has this green.

@@ -224,7 +224,7 @@ internal class ServedPageSpec : PageSpec({
         }
     }
 
-    browserTest("a robot without logs is reported, and a page that hides the list because it is called index.html") {
+    browserTest("a robot without logs is reported, and so is a page called index.html, which hides the list") {
         val empty = folder("none/logs") {}
         withRobot(empty) { address ->
             onServedPage(address, state = "failed") { text shouldContain "There are no logs on this robot" }

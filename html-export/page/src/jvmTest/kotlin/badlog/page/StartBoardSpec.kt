@@ -9,7 +9,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
 
-/** The board with which a log begins, and whose changes to it take effect. */
+/** Tests the board with which a log begins, and when a change to it takes effect. */
 @Tags("InCheck")
 internal class StartBoardSpec : PageSpec({
     fun OpenPage.titles() = texts("#board .graph-title")

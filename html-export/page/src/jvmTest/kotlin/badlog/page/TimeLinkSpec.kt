@@ -16,7 +16,7 @@ internal class TimeLinkSpec : PageSpec({
 
     fun OpenPage.cursor() = texts(".cursor-readout").single()
 
-    browserTest("a link moves the cursor, the view and the focus to a time, and the mouse alone makes none") {
+    browserTest("a link moves the cursor, the view and the focus to a time, and moving the mouse makes no link") {
         val focused = "const e = document.activeElement; return e.className + ' ' + e.closest('.graph')?.dataset.name"
         onPage(TestPages.of(stepBag(graphs = 20))) {
             step("anything but a time is ignored, and later times go to the recording's end") {

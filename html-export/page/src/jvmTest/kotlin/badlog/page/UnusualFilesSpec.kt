@@ -125,7 +125,7 @@ internal class UnusualFilesSpec : PageSpec({
         }
     }
 
-    browserTest("an exported file without bytes, or with 300 topics in 20 folders") {
+    browserTest("an exported file without bytes is reported, and 300 topics in 20 folders are opened") {
         step("an exported file without bytes is reported") {
             onPage(TestPages.of("")) { problems() shouldContain "EMPTY_FILE" }
         }

@@ -159,7 +159,7 @@ internal class VideoSpec : PageSpec({
             }
             step("at its end the video and the cursor are at the last frame, and it plays again from its start") {
                 goToFrame(585)
-                // Most frames are skipped, so the page cannot know the length of a frame, and the last one is not reported.
+                // Most frames are skipped. The page thus cannot know the length of a frame, and the last one is not reported.
                 setSpeed("5")
                 script("reports.areLost = true; video().play()")
                 await("the last picture and cursor") { shown() == CountedVideo.FRAMES - 1 && abs(cursor() - 5 - (CountedVideo.FRAMES - 1) / 30.0) < 0.002 }

@@ -43,7 +43,7 @@ fun jsonObject(vararg members: Pair<String, String?>): String =
 internal fun <T> array(items: List<T>, json: (T) -> String): String = items.joinToString(",", "[", "]", transform = json)
 
 /**
- * Returns [json] in a form that is safe in a script element: without any `<`, it can neither end the element nor begin a comment. UTF-8
+ * Returns [json] in a form that is safe in a script element. Without any `<`, it can neither end the element nor begin a comment. UTF-8
  * cannot express half of a surrogate pair, so all surrogates are escaped.
  */
 fun inScript(json: String): String {

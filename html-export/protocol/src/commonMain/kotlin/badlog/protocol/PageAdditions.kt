@@ -16,7 +16,7 @@ import badlog.viewer.choices.note.NoteHistory
  * @property rules the rules that the page runs after its graphs are drawn, and the names of signals' topics.
  * @property rulesProblem the reason why these are not the intended rules, as a sentence, followed by the line with the mistake if there is
  *   one; null if there is no problem.
- * @property findings findings that do not come from [rules], such as those of a comparison with other logs.
+ * @property findings findings that do not come from [rules], such as findings of a comparison with other logs.
  * @property hooks the results of programs that examined the recording, one for each program.
  * @property differences the log's differences from the team's other logs, greatest first; incidents mention related ones.
  * @property layout the text of a layout file with the page's first graphs; null for none. The page reports mistakes in it.

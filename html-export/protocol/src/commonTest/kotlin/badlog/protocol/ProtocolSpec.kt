@@ -126,7 +126,7 @@ class ProtocolSpec : FunSpec({
         }
     }
 
-    test("a log from another page is shown with that page's notes, and with nothing else of it") {
+    test("a log from another page is shown with only that page's notes") {
         val own = PageAdditions(field = "field", layout = "own", notes = listOf(Note(9.0, "own")))
         val shown = own.withNotesOf(PageAdditions(field = "other", layout = "other", notes = listOf(Note(1.0, "hit")), notesProblem = "One is missing."))
         listOf(shown.field, shown.layout, shown.notesProblem) shouldBe listOf("field", null, "One is missing.")

@@ -22,7 +22,10 @@ private const val SECRET = "secret of the robot"
 
 @Tags("InCheck")
 class HostileRequestSpec : FunSpec({
-    /** Starts a server with one log, and with secrets beside its folder, in hidden files, behind links, and under other names. */
+    /**
+     * Starts a server with one log, and with secrets beside its folder. Secrets are also in hidden files, behind links, and under other
+     * names.
+     */
     fun withSecrets(test: (TestServer) -> Unit) = withServer { server ->
         val logs = server.logs
         logs.resolve("match.bag").writeText("log")

@@ -193,7 +193,7 @@ class LogServerSpec : FunSpec({
             server.get("/logs/?format=json").status shouldBe 200
             clock.run()
             for (socket in sockets) socket.getInputStream().readBytes().takeLast(9) shouldBe BYTES.takeLast(9)
-            // Each byte took its time, except for those in the last part: the rest of a log after six parts of 16 KiB.
+            // Each byte took its time, except for those in the last part. That is the rest of a log after six parts of 16 KiB.
             clock.nanos() shouldBe (200_000 - (100_000 - 6 * 16_384)) * 20_000L
             sockets.forEach { it.close() }
             awaited("a free place") { server.get("/logs/a.bag").takeIf { it.status == 200 } }.body.size shouldBe BYTES.size

@@ -29,7 +29,7 @@ import java.io.OutputStream
 import java.util.Base64
 
 /**
- * Speaks the Model Context Protocol: lists the [tools], and answers one call at a time, since each may need much memory.
+ * Speaks the Model Context Protocol. Lists the [tools], and answers one call at a time, since each may need much memory.
  *
  * @param folder the folder of the logs; no answer reveals it.
  */
@@ -47,7 +47,7 @@ internal class AssistantServer(private val tools: List<AssistantTool>, folder: S
     /** Answers requests from [transport], until it is closed. */
     suspend fun serve(transport: Transport) {
         val end = CompletableDeferred<Unit>()
-        // A short conversation may have ended before its session is made: the session would not notice that, and closing the server would
+        // A short conversation may have ended before its session is made. The session would not notice that, and closing the server would
         // wait for it forever. When the transport is closed, nothing is left to close.
         transport.onClose { end.complete(Unit) }
         server().createSession(transport)

@@ -31,7 +31,7 @@ class ChartsSpec : FunSpec({
 
     fun chart(name: String, of: Charts = charts) = of.all.single { it.name == name }
 
-    test("with complete data there is a chart for each question") {
+    test("complete data makes a chart for each question") {
         charts.all.map { it.name } shouldContainExactly
             listOf("battery", "loop-times", "loops-per-match", "battery-over-current", "resistance", "packet-loss", "motor-temperatures")
         charts.lacking.shouldBeEmpty()
@@ -85,7 +85,7 @@ class ChartsSpec : FunSpec({
         textsIn(chart("battery", empty).svg()).mapNotNull { it.toDoubleOrNull() }.max() shouldBeGreaterThan 6.0
     }
 
-    test("practice is left out if there are enough matches, and the chart says so") {
+    test("practice is left out if there are enough matches, with a note in the chart") {
         val practice = (21..22).map { measuredLog(it, match = MatchOfLog(type = "Practice"), kind = MatchKind.PRACTICE) }
         val of4 = chart("battery", chartsOf((1..4).map { measuredLog(it) } + practice)).svg()
         parsed(of4).getElementsByTagName("circle").length shouldBe 4

@@ -170,7 +170,7 @@ class FunctionsSpec : FunSpec({
         }
     }
 
-    test("rounding makes no changes where there are none") {
+    test("rounding adds no changes to a constant") {
         val x = DoubleArray(50) { it * 0.7 }
         val signals = SampleSignals(
             mapOf(

@@ -107,7 +107,7 @@ class ParsingSpec : FunSpec({
         errorOf("Speed Limiter", vocabulary).message shouldContain "“Speed Limiter” is not a topic of this log. Did you mean “Speed Limited”?"
     }
 
-    test("times have units, and a number needs none") {
+    test("times need units, and numbers do not") {
         val written = listOf(
             "2 h",
             "0.5min",

@@ -3,7 +3,7 @@ package badlog.expression
 /** A sample: a number, a condition, a text or, for a gap, null. */
 internal data class Row(val time: Double, val value: Any?)
 
-/** The value of a part of an expression: [rows] over time, with a [course] if their clock was set back, or [single]. */
+/** The value of a part of an expression. It is [rows] over time, with a [course] if their clock was set back, or [single]. */
 internal class SlowValue(
     val rows: List<Row>?,
     val single: Any? = null,

@@ -100,7 +100,7 @@ class ViewWithVirtualTopicsSpec : FunSpec({
         view.withVirtualTopics(listOf("no formula")).view shouldBeSameInstanceAs view
     }
 
-    test("a recording without rows gives a virtual topic without samples") {
+    test("in a recording without rows, a virtual topic has no samples") {
         val with = viewOf().withVirtualTopics(listOf("Power = Voltage * Current"))
         with.view.points("Power").shouldBeEmpty()
         with.view.xAxis.range shouldBe null

@@ -22,7 +22,7 @@ private fun virtual(text: String, vocabulary: Vocabulary) = when (val result = V
 class VirtualTopicSpec : FunSpec({
     val vocabulary = names("Voltage", "PDP/Current")
 
-    test("a definition has a name, a unit or none, and an expression") {
+    test("a definition has a name, an optional unit and an expression") {
         virtual("Power [W] = Voltage * Current", vocabulary).run {
             name shouldBe "Power"
             unit shouldBe "W"

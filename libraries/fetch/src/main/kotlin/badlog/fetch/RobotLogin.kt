@@ -91,7 +91,7 @@ internal class RobotLogin(
         }
     }
 
-    /** Returns a session whose host key is trusted. */
+    /** Returns a session with a trusted host key. */
     private fun open(address: RobotAddress, user: String): ClientSession {
         repeat(2) {
             shownKey = null

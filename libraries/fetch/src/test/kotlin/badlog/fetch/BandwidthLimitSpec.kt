@@ -18,7 +18,7 @@ class BandwidthLimitSpec : FunSpec({
         slept shouldBe 6000
     }
 
-    test("without a limit there is no wait") {
+    test("without a limit, no transfer waits") {
         BandwidthLimit(null, { 0 }) { error("waits") }.spend(1_000_000)
     }
 })

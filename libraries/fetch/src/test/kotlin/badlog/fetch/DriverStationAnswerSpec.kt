@@ -40,7 +40,7 @@ class DriverStationAnswerSpec : FunSpec({
         learned("""{"robotIP":"10.10.14.2"}""", status = 404) shouldBe null
     }
 
-    test("without a Driver Station there is no address") {
+    test("without a Driver Station, the address is unknown") {
         val free = ServerSocket(0).use { it.localPort }
         robotOfDriverStation(PATIENCE, free) shouldBe null
     }

@@ -185,7 +185,7 @@ class LogFetchSpec : FunSpec({
         }
     }
 
-    test("there is no second question about a known robot at any address, and a changed key is reported as changed") {
+    test("a known robot is trusted at any address without a second question, and a changed key is reported as changed") {
         val disk = Files.createTempDirectory("badlog")
         try {
             val pit = Pit(disk)

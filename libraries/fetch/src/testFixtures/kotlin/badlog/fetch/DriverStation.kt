@@ -8,7 +8,7 @@ import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.withSignals
 
-/** Enables and disables a robot whose NetworkTables answer at [port] of this computer. */
+/** Enables and disables a robot. Its NetworkTables answer at [port] of this computer. */
 class DriverStation : AutoCloseable {
     private val server = ReplayServer(view(), ReplayOptions(port = 0)).apply { open() }
 

@@ -93,7 +93,7 @@ public fun requireRegularFile(file: Path) {
 }
 
 /**
- * Checks, before any work, that [target] can be written: that it is not a folder, and is not among the files that are read.
+ * Checks, before any work, that [target] can be written. It must not be a folder, or among the files that are read.
  *
  * @param advice the remedy to name if it cannot be written; null for the usual one, for users who choose the file itself.
  * @param isRead returns whether an existing file is read.

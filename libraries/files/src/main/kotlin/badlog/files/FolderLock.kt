@@ -21,7 +21,7 @@ import kotlin.time.TimeSource
  * @throws InterruptedException if the thread was interrupted while waiting.
  */
 public fun <T> locking(folder: Path, work: () -> T): T {
-    // Two threads of one program cannot wait for one file lock; it would end with the first of their channels that is closed.
+    // Two threads of one program cannot wait for one file lock. It would end with the first of their channels that is closed.
     if (!ownThreads.tryLock(PATIENCE.inWholeNanoseconds, NANOSECONDS)) return work()
     try {
         val channel = lockFileIn(folder) ?: return work()

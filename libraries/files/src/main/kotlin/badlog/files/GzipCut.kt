@@ -5,8 +5,8 @@ import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 
 /**
- * Returns this recording with one more [problem][ProblemKind.GZIP_CUT], before all others: the gzip stream it was read
- * from ended early after [inflatedBytes] bytes, which its rows do not show.
+ * Returns this recording with one more [problem][ProblemKind.GZIP_CUT], before all others. The gzip stream it was read from ended early
+ * after [inflatedBytes] bytes, which its rows do not show.
  */
 public fun Recording.withGzipCut(inflatedBytes: Long): Recording = copy(problems = listOf(compressedCut(inflatedBytes)) + problems)
 

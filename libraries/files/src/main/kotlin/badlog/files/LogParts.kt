@@ -12,8 +12,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Returns the files that make up the log [file], in the order in which their bytes are read: usually only that file. A `.dslog` of
- * the Driver Station usually has a `.dsevents` with the same name beside it.
+ * Returns the files that make up the log [file], in the order in which their bytes are read. Usually only that file. A `.dslog` of the
+ * Driver Station usually has a `.dsevents` with the same name beside it.
  */
 public fun partsOfLog(file: Path): List<Path> =
     listOfNotNull(file, sibling(file, FIRST_ENDING, SECOND_ENDING)?.takeIf(Files::isRegularFile))
@@ -70,7 +70,7 @@ private const val STATION_STEM = "FIRST_DS"
 private const val STATION_TOPIC = "DS:/"
 private const val SCHEMA_FOLDER = "/.schema/"
 
-/** Returns the folders of the Driver Station's logs on this computer: one for the seasons to 2026, the others from 2027 on. */
+/** Returns the folders of the Driver Station's logs on this computer. The first is for the seasons to 2026, the others from 2027 on. */
 public fun stationFolders(
     user: Path = Path.of(System.getProperty("user.home")),
     variable: (String) -> String? = System::getenv,

@@ -30,7 +30,7 @@ public class OwletSearch(
     /** A program that converts some logs; null if there is none. */
     public val any: Path? get() = named?.takeIf(Files::isRegularFile) ?: onPath ?: converters.maxByOrNull { it.compliancy }?.file
 
-    /** Returns the program for logs of [compliancy], a number in their header: the newest of several, null if there is none. */
+    /** Returns the program for logs of [compliancy], a number in their header. It is the newest of several, null if there is none. */
     internal fun programFor(compliancy: Int?): Path? = named?.takeIf(Files::isRegularFile)
         ?: converters.filter { it.compliancy == compliancy }.maxWithOrNull(BY_VERSION)?.file
         ?: onPath

@@ -10,7 +10,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Reads [file]: a bag, a CSV file or a log of one of [formats], optionally compressed with gzip, or [containing a WPILOG][unpacked]; its
+ * Reads [file]: a bag, a CSV file or a log of one of [formats]. It may be compressed with gzip, or [contain a WPILOG][unpacked]. Its
  * content decides, hardly ever its name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a
  * problem of the recording.
  *

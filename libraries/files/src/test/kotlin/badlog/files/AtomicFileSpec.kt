@@ -31,7 +31,7 @@ class AtomicFileSpec : FunSpec({
         }
     }
 
-    test("a failure leaves the older file, and nothing beside it") {
+    test("a failure leaves the older file, and no other file beside it") {
         inFolder { folder ->
             val file = folder.resolve("a.txt").apply { writeText("old") }
             shouldThrow<IllegalStateException> {

@@ -47,7 +47,7 @@ class FilesAroundSpec : FunSpec({
         }
     }
 
-    test("around a file in no folder is nothing") {
+    test("a file without a folder has no files around it") {
         filesAround(Path.of("/").resolve("no such folder at all").resolve("log.bag")) { true }.shouldBeEmpty()
     }
 })

@@ -10,7 +10,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 class LogPartsSpec : FunSpec({
-    test("a Driver Station log is read, and its first bytes show its start; other, empty and missing files are none") {
+    test("a Driver Station log is recognized by its first bytes, which have its start; other, empty and missing files are not") {
         inFolder { folder ->
             Files.write(folder.resolve("a.dslog"), STATION_LOG.bytes)
             Files.write(folder.resolve("head.dslog"), STATION_LOG.bytes.copyOf(DriverStationFormat.HEAD_SIZE))

@@ -80,7 +80,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("samples are kept only if they are wanted") {
+    test("samples are kept only if they are requested") {
         inFolder { folder ->
             val topic = readRecording(fileOf(folder, VARIED_BAG.encodeToByteArray()), LOG_FORMATS, ReadOptions(keepSamples = false)).topics[0]
             topic.samples.size shouldBe 0
@@ -225,7 +225,7 @@ class ReadRecordingSpec : FunSpec({
         }
     }
 
-    test("a .dslog is read with the .dsevents of its name beside it, compressed or not, and alone if there is none") {
+    test("a .dslog is read with the .dsevents of the same name beside it, compressed or not, otherwise alone") {
         inFolder { folder ->
             val log = folder.resolve("2026_03_07 10_04_05 Sat.dslog")
             Files.write(log, STATION_LOG.bytes)

@@ -21,7 +21,7 @@ public val TEXT_ENDINGS: List<String> = TEXT_FORMATS.flatMap { it.endings }
 /** The endings of all logs that can be read, in lower case, each with its dot. */
 public val LOG_ENDINGS: List<String> = RECORDING_FORMATS.flatMap { it.endings }.distinct()
 
-/** The kinds of logs that can be read and their endings, as a part of a sentence: “bags (.bag), …, and REV logs (.revlog)”. */
+/** The readable kinds of logs and their endings, as a part of a sentence: “bags (.bag), …, and REV logs (.revlog)”. */
 public val READABLE_LOGS: String = (TEXT_FORMATS + LOG_FORMATS.filterNot { TEXT_ENDINGS.containsAll(it.endings) })
     .map { "${it.title}s (${it.endings.joinToString()})" }
     .run { dropLast(1).joinToString() + ", and " + last() }

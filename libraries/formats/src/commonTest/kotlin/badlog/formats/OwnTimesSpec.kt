@@ -65,7 +65,7 @@ class OwnTimesSpec : FunSpec({
             listOf(1.0 to 0.0, 2.0 to null, 3.0 to 0.0)
     }
 
-    test("attributes derive topics as in a log of rows, and none makes an x axis") {
+    test("attributes derive topics as in a log of rows, and the attribute for an x axis is reported") {
         val view = TestLog().start(1, "a", "double", "{\"unit\":\"m\",\"attrs\":[\"differentiate\",\"xaxis\"]}")
             .double(1, 0, 1.0).double(1, 2_000_000, 5.0).view()
         val derived = view.folders.flatMap { it.graphs }.single { it.isVirtual }

@@ -7,10 +7,9 @@ import badlog.files.LogFile
 import badlog.files.withShutdownHook
 
 /**
- * Does [work] on the [files] that are not in [cache], and passes it the number of cores that it may use. Passes all results to
- * [each], in the order of the files
- * and on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is interrupted, or the program is
- * asked to end.
+ * Does [work] on the [files] that are not in [cache]. Passes it the number of cores that it may use. Passes all results to [each], in the
+ * order of the files and on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is
+ * interrupted, or the program is asked to end.
  *
  * @param waiting called on this thread several times a second until the next result is available.
  */

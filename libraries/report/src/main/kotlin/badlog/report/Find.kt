@@ -91,7 +91,7 @@ class Find(
         return ranked
     }
 
-    /** Returns the [count] lowest or highest of [results], in this order, then all without an answer, and the others as left out. */
+    /** Returns the [count] lowest or highest of [results], in this order. Then come all without an answer; the others are left out. */
     private fun ranked(results: List<FindResult>, count: Int): List<FindResult> {
         val (found, others) = results.partition { isFound(it) && !valueOf(it).isNaN() }
         val sorted = found.sortedBy { if (clauses.isLowest) valueOf(it) else -valueOf(it) }

@@ -8,9 +8,9 @@ import badlog.files.terminal.TextTable.Column
 import badlog.rules.timeText
 
 /**
- * Returns the logs in which the question holds, as a table of match, file, time and value, at most [width] columns wide. Below it are the
- * numbers of other logs with the reasons, except for unreadable ones. If the question asks for a number, the table has all logs with that
- * number.
+ * Returns the logs in which the question holds, as a table at most [width] columns wide. Its columns: match, file, time and value. Below it
+ * are the numbers of other logs with the reasons, except for unreadable ones. If the question asks for a number, the table has all logs
+ * with that number.
  */
 fun findText(results: List<FindResult>, width: Int = TEXT_WIDTH): String {
     val found = results.filter(::isFound)
@@ -59,7 +59,7 @@ private fun summaryOf(results: List<FindResult>, names: Map<LogFile, String>, fo
     val notAsked = results.mapNotNull { result -> (result.reply as? Reply.NotAsked)?.let { SkippedLog(names.getValue(result.file), it) } }
     val isAnswered = results.any { it.reply is Reply.Answered }
     val (missing, others) = notAsked.partition { it.reply.kind == ExpressionErrorKind.UNKNOWN_TOPIC }
-    // If a name is missing, the rest of it may be read as anything; but a question that is valid for one log is not a mistake for another.
+    // If a name is missing, the rest of it may be read as anything. A question that is valid for one log is not a mistake for another.
     val (lacking, mistaken) = others.partition { isAnswered && it.reply.kind == ExpressionErrorKind.SYNTAX }
     missing.groupBy { it.reply.topic to it.reply.isOfHeader }.forEach { (what, replies) ->
         val (name, isOfHeader) = what

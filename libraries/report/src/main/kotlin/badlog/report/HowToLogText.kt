@@ -16,7 +16,7 @@ internal fun howToLogText(signals: List<String>): String? {
         lines.joinToString("\n") { "  $it" }
 }
 
-/** Returns for each of [signals] that a program can log the line with which each library logs it, by the library's title. */
+/** Returns the line that logs each of [signals] with each library, by the library's title. Only for signals that a program can log. */
 internal fun howToLogAll(signals: List<String>): Map<String, Map<String, String>> = signals.associateWith { signal ->
     LoggingLibrary.entries.mapNotNull { library -> howToLog(signal, library)?.let { library.title to it } }.toMap()
 }.filterValues { it.isNotEmpty() }

@@ -56,8 +56,7 @@ internal class QuestionClauses private constructor(val question: String, val con
 }
 
 /**
- * Returns whether [condition] is true for a log with the header values [values], and why it could not be evaluated if it is invalid for
- * them.
+ * Returns whether [condition] is true for a log with the header values [values]. If it is invalid for them, also returns why.
  */
 internal fun holdsFor(values: List<Value>, condition: String): Pair<Boolean, Reply.NotAsked?> {
     val signals = HeaderSignals(values)

@@ -33,7 +33,7 @@ import java.nio.file.Path
  * Runs rules, and hooks of the user, over many logs.
  *
  * @param rules what to look for.
- * @param hooks programs to run for each log; their findings join those of the rules.
+ * @param hooks programs to run for each log; their findings join the rules' findings.
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for cached results, so that an unchanged file is not read again; null for none. Results of hooks are not
  *   cached, because their dependencies are unknown.
@@ -60,7 +60,7 @@ class Report(
     )
 
     /**
-     * Runs the rules over each of [files], on all cores, compares the logs with each other, and then runs the hooks.
+     * Runs the rules over each of [files], on all cores. Then compares the logs with each other, and runs the hooks.
      *
      * @param progress called on this thread with the number of files done, several times a second; hooks and [each] are half of the work.
      * @param each receives each result on this thread, once all logs were compared, with everything that the hooks returned, which

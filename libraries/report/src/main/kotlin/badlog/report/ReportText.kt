@@ -14,8 +14,8 @@ import badlog.rules.listed
 import badlog.rules.timeText
 
 /**
- * Returns all incidents and findings, match by match, with time, severity and text, at most [width] columns wide, and below them what
- * was skipped. Logs that cannot be read are only counted; files that are not logs are not mentioned.
+ * Returns all incidents and findings, match by match, at most [width] columns wide. Each has time, severity and text. Skipped rules and
+ * hooks are below them. Logs that cannot be read are only counted; files that are not logs are not mentioned.
  */
 fun reportText(result: ReportResult, width: Int = TEXT_WIDTH): String {
     val table = TextTable(COLUMNS, if (width == Int.MAX_VALUE) width else width - INDENT.length)

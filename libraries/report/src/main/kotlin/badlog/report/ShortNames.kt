@@ -3,7 +3,7 @@ package badlog.report
 import badlog.files.LogFile
 
 /**
- * Returns the name of each of [files] in a table: its file name or, if several have the same, its path in their common folder.
+ * Returns the name of each of [files] in a table. It is its file name or, if several have the same, its path in their common folder.
  */
 internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.groupBy { it.name }.values.flatMap { alike ->
     if (alike.size == 1) return@flatMap listOf(alike[0] to alike[0].name)

@@ -3,8 +3,8 @@ package badlog.report
 import badlog.catalog.examine.UndefinedTopic
 
 /**
- * Returns the messages about the virtual topics in [undefined], listed per log: one for each definition, with all details
- * if it failed for every log.
+ * Returns the messages about the virtual topics in [undefined], listed per log. Each definition has one, with all details if it failed for
+ * every log.
  */
 fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
     val ofDefinition = undefined.flatten().groupBy { it.definition }

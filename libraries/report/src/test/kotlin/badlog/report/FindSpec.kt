@@ -19,7 +19,7 @@ import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Files
 
 class FindSpec : FunSpec({
-    test("results come in the order of the files, however many there are") {
+    test("results are in the order of the files, for any number of them") {
         inFolder { folder ->
             for (i in 1..60) folder.put("Q$i.bag", batteryBag(12.0, 12.0 - i / 10.0, match = i))
             val reported = ArrayList<Int>()

@@ -115,7 +115,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("a rule whose topics are missing is reported once, and is not a mistake") {
+    test("a rule with missing topics is reported once, and is not a mistake") {
         inFolder { folder ->
             for (i in 1..3) folder.put("$i.bag", batteryBag(6.0, name = "Other"))
             val rules = rules("b < 7", aliases = "b = [\"*voltage*\"]")
@@ -207,7 +207,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("findings of hooks are listed with those of rules, and their results are part of each log's result").config(enabled = HAS_PYTHON) {
+    test("findings of hooks and rules are listed together, and the results of hooks are part of each log's result").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0, 12.0))
             val answer = """{"values":{"a":1},"findings":[{"text":"odd","severity":"error","time":0.1,"until":0.2},{"text":"whole"}]}"""
@@ -236,7 +236,7 @@ class ReportSpec : FunSpec({
         }
     }
 
-    test("the hooks that a file of rules names only run when they are asked for").config(enabled = HAS_PYTHON) {
+    test("the hooks in a file of rules only run on request").config(enabled = HAS_PYTHON) {
         inFolder { folder ->
             folder.put("1.bag", batteryBag(6.0))
             val file = RulesFile.parse("[[hook]]\ncommand = \"python3 -c 'open(\\\"ran\\\", \\\"w\\\")'\"\n")

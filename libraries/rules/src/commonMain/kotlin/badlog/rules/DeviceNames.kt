@@ -41,7 +41,7 @@ class NamedDevice(val type: String, val id: Int, val name: String, val subsystem
 
 /** A team's names for the [devices] on its CAN bus; logs name them by their types and ids. */
 class DeviceNames(val devices: List<NamedDevice>) {
-    /** Returns [device], a device as logs name it, with its name if it has one: `Front left drive (Drive, TalonFX 3)`. */
+    /** Returns [device], a device as logs name it, with its name if it has one. For example: `Front left drive (Drive, TalonFX 3)`. */
     internal fun deviceText(device: String): String {
         val named = find(device) ?: return device
         val address = BusAddress.of(device)?.let { "${it.type} ${it.id}" }

@@ -18,11 +18,11 @@ import badlog.rules.standing.PROVEN_TRUST
  * @property spanCount how often it was found.
  * @property timeUnit the unit of all times; empty if x has none.
  * @property isOfHook whether a hook found it, rather than a rule.
- * @property evidence the full names of the topics that show it, those of the rule's condition first.
+ * @property evidence the full names of the topics that show it, first the topics of the rule's condition.
  * @property next what to look at next, as a sentence; empty if not given.
  * @property caveats reasons to doubt it, each as a sentence: a rarely sampled topic, samples that were left out.
- * @property isForEach whether the rule runs for each of many topics, of which [topic] is the one: then the same rule about another topic is
- *   another fault.
+ * @property isForEach whether the rule runs for each of many topics, here for [topic]. Then the same rule about another topic is another
+ *   fault.
  * @property trust how far its rule can be relied on, from 0 to [PROVEN_TRUST].
  * @property meanwhile the signals that were unusual nearly each time, by their names.
  * @property texts the sentence for each of [spans], with its own values; empty if [text] applies to all of them.

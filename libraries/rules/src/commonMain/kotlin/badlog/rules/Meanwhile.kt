@@ -16,8 +16,8 @@ import badlog.signals.NamedSignal
 internal class Meanwhile(val signal: String, val title: String, val most: Double, val usual: Double, val unit: String)
 
 /**
- * Returns the [others] that rose with [spans]: to more than twice their usual value, nearly each time, or just before, and hardly ever
- * elsewhere. It says what happened at the same time, not which led to which.
+ * Returns the [others] that rose with [spans]. They rose to more than twice their usual value, nearly each time, or just before, and hardly
+ * ever elsewhere. It says what happened at the same time, not which led to which.
  */
 internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples: NamedSamples): List<Meanwhile> {
     if (spans.isEmpty()) return emptyList()

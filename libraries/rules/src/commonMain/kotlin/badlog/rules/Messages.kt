@@ -17,7 +17,7 @@ internal class Messages(private val question: RuleProgram.Question, private val 
     // A question that has other topics, too, cannot be evaluated for a text alone.
     private val hasSingleTopic = question.expression.topics.size == 1
 
-    /** Returns the last text at or before [time], without the stack traces of errors; a single empty text before the first. */
+    /** Returns the last text at or before [time], without the stack traces of errors. A single empty text before the first. */
     fun at(time: Double): List<String> {
         var last = if (series.isOrdered) series.firstAfter(time) - 1 else series.x.indexOfLast { it <= time }
         while (last >= 0 && series.y[last].isNaN()) last--
@@ -38,7 +38,9 @@ internal class Messages(private val question: RuleProgram.Question, private val 
         question.expression.answerIfHolds(alone) != null
     }
 
-    /** Returns [text] without details that can be read in the log, such as a stack trace: its first line, or more if that is short. */
+    /**
+     * Returns [text] without details that can be read in the log, such as a stack trace. It keeps its first line, or more if that is short.
+     */
     private fun shortened(text: String): String {
         val part = if (text.length > MAX_LETTERS && hasSingleTopic) text.split(BETWEEN).firstOrNull(::isMatch) ?: text else text
         // AdvantageKit logs the console output of a loop as one text.

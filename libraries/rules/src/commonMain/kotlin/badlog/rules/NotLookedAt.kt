@@ -14,7 +14,7 @@ class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
     val simulated: String? = others.firstNotNullOfOrNull { it.simulated }
     val lacking: List<String> = if (simulated == null) lackingIn(others) else emptyList()
 
-    /** A sentence or two, such as `21 rules ran; 58 could not: this log has no battery, motor output and 12 other signals.` */
+    /** A sentence or two. For example: `21 rules ran; 58 could not: this log has no battery, motor output and 12 other signals.` */
     val text: String
         get() = simulated?.let { "A simulation ($it): rules about power, wear and sensors do not run. " }.orEmpty() + ranText
 

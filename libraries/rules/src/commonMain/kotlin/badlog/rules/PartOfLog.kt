@@ -11,8 +11,8 @@ const val PART_VALUE: String = "Part"
 internal enum class LogEdge { START, END }
 
 /**
- * Returns whether this has the [edge] of a run: it was not cut out of a log, its first line was read, and its end is complete. A file that was copied
- * in part or is still being written ends in the middle of a row or a record.
+ * Returns whether this has the [edge] of a run. If so, it was not cut out of a log, its first line was read, and its end is complete. A
+ * file that was copied in part or is still being written ends in the middle of a row or a record.
  */
 internal fun Recording.has(edge: LogEdge): Boolean {
     val damage = if (edge == LogEdge.START) NO_START else NO_END

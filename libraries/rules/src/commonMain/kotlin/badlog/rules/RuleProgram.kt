@@ -142,7 +142,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
-    /** The names of the topics with samples that the rules need, besides the time and the topics that show when the robot was enabled. */
+    /** The names of the topics with samples that the rules need. Without the time and the topics that show when the robot was enabled. */
     val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf) +
         namesOfKind(vocabulary.signals.map { it.name }) + signals.of("battery").map { it.topic }
 
@@ -212,8 +212,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
                 TopicBinding(mapOf(TOPIC to NamedSignal.of(TOPIC, own)), own.topics.first(), device = own.device)
             }
         }
-        // Devices that are named by ids send their values at different times, and what they move decides what may stand still: signals
-        // that are
+        // Devices that are named by ids send their values at different times. What they move decides what may stand still: signals that are
         // calculated know of both.
         val topics = signals.of(each.signal).filter { each.with.isEmpty() || each.hasIds || busDeviceIn(it.topic) == null }
         val pairs = if (each.isLinked) signals.linked(topics) else topics.map { it to null }
@@ -237,7 +236,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         }
     }
 
-    /** Returns the first signal that [each] needs and the log lacks; null for one that is calculated, since its name says little. */
+    /** Returns the first signal that [each] needs and the log lacks. Null for one that is calculated, since its name says little. */
     private fun lackingFor(each: TopicChoice): String? =
         (each as? TopicsOfSignal)?.let { listOf(it.signal) + it.with }?.find { it !in DERIVED_NAMES && signals.of(it).isEmpty() }
 
@@ -323,7 +322,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         }
     }
 
-    /** Returns whether [rule] would be valid in a log in which the topics it names are numbers, truth values or texts. */
+    /**
+     * Returns whether [rule] would be valid in a log in which the topics it names have suitable types. These are numbers, truth values or
+     * texts.
+     */
     private fun fitsElsewhere(rule: Rule, names: Map<String, NamedSignal>, lacking: List<Signal>) = SignalKind.entries.any { kind ->
         val others = names.values.map { if (it.name in ALWAYS) it.listed else it.listed.copy(kind = kind) }
         val parsed = Expression.parse(rule.condition, Vocabulary(others + lacking + vocabulary.signals, vocabulary.hasTime))

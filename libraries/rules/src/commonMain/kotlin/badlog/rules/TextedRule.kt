@@ -6,7 +6,7 @@ import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.round
 
-/** Builds the texts of [rule] about [question] in a log of [match] that was read from [file]; [devices] are the team's names. */
+/** Builds the texts of [rule] about [question] in a log of [match] that was read from [file]. [devices] are the team's names. */
 internal class TextedRule(
     private val rule: Rule,
     private val question: RuleProgram.Question,
@@ -50,7 +50,7 @@ internal class TextedRule(
 }
 
 /**
- * Returns [value] as precisely as a sentence about a measurement needs it; a whole number, which may be a count, exactly. Robots measure
+ * Returns [value] as precisely as a sentence about a measurement needs it. A whole number, which may be a count, is exact. Robots measure
  * currents to an eighth of an ampere at best, and voltages to a hundredth of a volt.
  */
 internal fun roundedForText(value: Double, unit: String): Double = when {

@@ -1,8 +1,8 @@
 package badlog.rules
 
 /**
- * Returns the words of a [command] line: separated by spaces, but in single or double quotes a space is part of a word. A backslash is an ordinary
- * character, because Windows paths need it. No shell is involved: `$`, `|` and `*` have no special meaning.
+ * Returns the words of a [command] line, separated by spaces. In single or double quotes, a space is part of a word. A backslash is an
+ * ordinary character, because Windows paths need it. No shell is involved: `$`, `|` and `*` have no special meaning.
  *
  * @throws IllegalArgumentException if a quote is never closed, or the command has no word.
  */

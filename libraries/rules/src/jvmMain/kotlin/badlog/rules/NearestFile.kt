@@ -35,7 +35,7 @@ class NearestFile<T> internal constructor(val file: Path?, val found: T?, val pr
             return NearestFile(file, null, problem)
         }
 
-        /** Returns the folder of [log], and those above it up to [top]; only its own if [top] is null, or not above it. */
+        /** Returns the folder of [log], and those above it up to [top]. Only its own if [top] is null, or not above it. */
         internal fun foldersOf(log: Path, top: Path?): Sequence<Path> {
             val own = log.toAbsolutePath().normalize().parent ?: return emptySequence()
             val last = top?.toAbsolutePath()?.normalize()

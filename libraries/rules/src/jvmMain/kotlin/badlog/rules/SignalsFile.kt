@@ -27,7 +27,7 @@ object SignalsFile {
     fun parse(text: String): SignalVocabulary = notTooDeep { SignalsReader(TomlText(text)).read() }
 
     /**
-     * Returns [text], which is such a file, with [topic] as the first name of [signal]; everything else in it stays as it is.
+     * Returns [text], which is such a file, with [topic] as the first name of [signal]. Everything else in it stays as it is.
      *
      * @throws RulesException if [text] has a mistake, or is written in a way that only a person can change.
      */
@@ -107,7 +107,7 @@ private class SignalsReader(private val toml: TomlText) {
         toml.fail(toml.placeOf(table, "topics"), mistake)
     }
 
-    /** Returns names, or pairs of a name and the unit in such logs; for a condition, a name and how it is read. */
+    /** Returns names, or pairs of a name and the unit in such logs. For a condition, a name and how it is read. */
     private fun topics(table: TomlTable): List<TopicPattern> {
         val value = table.get(listOf("topics"))
         if (value is String) return listOf(TopicPattern(NamePattern(value), null))

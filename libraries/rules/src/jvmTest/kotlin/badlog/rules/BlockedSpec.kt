@@ -22,7 +22,7 @@ class BlockedSpec : FunSpec({
         }
     }.blocked()
 
-    test("a lift that does not come to its setpoint at 45 A is blocked") {
+    test("a lift that does not reach its setpoint at 45 A is blocked") {
         lift({ if (it < 17) TestMatch.height(it) else 0.5 }, { if (it in 17.0..24.0) 45.0 else 6.0 }) shouldBe listOf("Elevator")
     }
 
@@ -31,7 +31,7 @@ class BlockedSpec : FunSpec({
         lift({ if (it in 16.0..24.0) 0.5 + 0.05 * (it - 16) else TestMatch.height(it) }, { if (it in 16.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
     }
 
-    test("a lift that is told to move and hardly driven waits for something") {
+    test("a lift with a new setpoint that is hardly driven waits for something") {
         lift({ if (it < 17) TestMatch.height(it) else 0.5 }, { if (it in 17.0..24.0) 9.0 else 6.0 }) shouldBe emptyList()
     }
 
@@ -65,7 +65,7 @@ class BlockedSpec : FunSpec({
         lift({ if (it < 17) TestMatch.height(it) / 0.03 else 0.5 / 0.03 }, { if (it in 17.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
     }
 
-    test("a lift that stands away from its setpoint is found in a log of changes, which says nothing meanwhile") {
+    test("a lift that stands away from its setpoint is found in a log of changes, which has no samples meanwhile") {
         fun TestMatch.changes(name: String, at: (Double) -> Double) = cells(name) { if (it == 0.0 || at(it) != at(it - 0.02)) "${at(it)}" else "" }
         fun isAway(most: Double) = TestMatch().apply {
             without("Elevator/Output")
@@ -88,7 +88,7 @@ class BlockedSpec : FunSpec({
         for (name in listOf("Front Left", "LeftMaster", "Modules/FL")) wheels(name) shouldBe emptyList()
     }
 
-    test("several positions that stand at once show a robot that is held") {
+    test("several positions that stop at once show a robot that is held") {
         fun still(vararg ids: Int) = TestMatch().apply {
             for (id in ids) {
                 number("TalonFX-$id/Position") { if (it < 24) TestMatch.position(it) else 12.5 }

@@ -52,13 +52,13 @@ class ComparisonSpec : FunSpec({
         finding.time.isNaN() shouldBe true
     }
 
-    test("nothing is compared with four other logs, or with five if four are of another kind") {
+    test("a log is not compared with four other logs, or with five if four are of another kind") {
         texts(logs(4) + odd).flatten().shouldBeEmpty()
         texts(logs(4) + logs(8, MatchKind.PRACTICE) + odd).flatten().shouldBeEmpty()
         texts(logs(5) + log(Random(1), 0 to 80.0)).flatten().size shouldBe 1
     }
 
-    test("an outlier among the others hides nothing, and is not a reason to find anything in them") {
+    test("an outlier among the others hides no difference, and makes no finding in them") {
         val crazy = LogNumbers(MatchKind.MATCH, KEYS, DoubleArray(KEYS.size) { 1e6 }, 0.8)
         val found = texts(logs(6) + crazy + logs(6) + odd)
         found.last().size shouldBe 1

@@ -21,7 +21,7 @@ class DeviceNamesSpec : FunSpec({
         names.topicText("PDP/Current 3") shouldBe "PDP/Current 3"
     }
 
-    test("of devices with the same id, the type decides, and without it none is named") {
+    test("among devices with the same id, the type decides, and without it no device is named") {
         val typed = names(NamedDevice("Kraken X60", 3, "Motor", ""), NamedDevice("encoder", 3, "Encoder", ""))
         typed.deviceText("TalonFX 3") shouldBe "Motor (TalonFX 3)"
         typed.deviceText("CANcoder 3 (an absolute encoder)") shouldBe "Encoder (CANcoder 3)"

@@ -99,7 +99,7 @@ class IncidentSpec : FunSpec({
             listOf("The robot lost its radio or driver station", BLOCKED)
     }
 
-    test("findings of hooks are kept apart from those of rules with the same name") {
+    test("findings of hooks and of rules with the same name are kept apart") {
         val ofHook = Finding("Link lost", Severity.ERROR, null, "x", 1.0, listOf(Span(1.0, 2.0)), 1, "s", isOfHook = true)
         names(ofHook).shouldBeEmpty()
     }

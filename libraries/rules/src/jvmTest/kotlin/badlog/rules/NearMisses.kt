@@ -7,7 +7,7 @@ private const val TRIP = "/DSLog/TripTimeMS"
 private const val LOSS = "/DSLog/PacketLoss"
 private const val LEFT = "Drive/Left/PositionRad"
 
-/** For each rule, a match that is as near as possible to one of [PLANTED], but is not what the rule is about. */
+/** For each rule, a match as near as possible to one of [PLANTED] in which it must be silent. */
 internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Browned out" to { within(20.0..20.1, BATTERY) { "6.8" } },
     "Below the brownout voltage" to {

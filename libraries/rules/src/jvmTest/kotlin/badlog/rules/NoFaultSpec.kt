@@ -8,7 +8,7 @@ import io.kotest.matchers.string.shouldContain
 
 private const val POSE_X = "Odometry/Robot/translation/x"
 
-/** Harmless things in real logs, each of which was once taken for a fault. */
+/** Harmless things in real logs. Each was once taken for a fault. */
 class NoFaultSpec : FunSpec({
     fun TestMatch.rules() = findings().map { it.rule }
 
@@ -82,7 +82,7 @@ class NoFaultSpec : FunSpec({
         }.rules().forNone { it shouldContain "Sensor" }
     }
 
-    test("one of several sensors that comes and goes is lost, as the others are not") {
+    test("one of several sensors with gaps counts as lost if the others have none") {
         val match = TestMatch().apply {
             for (i in 0..3) cells("Swerve/Module[$i]/Angle") { if (i == 1 && (it in 20.0..22.0 || it in 25.0..27.0)) "" else "$it" }
         }

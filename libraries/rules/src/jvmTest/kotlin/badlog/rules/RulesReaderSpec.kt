@@ -28,7 +28,7 @@ class RulesReaderSpec : FunSpec({
         RuleSet.BUILT_IN.comparisons.size shouldBe builtInRulesFromToml().comparisons.size
     }
 
-    test("damaged comparisons of a page are read, or there are none; nothing else is thrown") {
+    test("damaged comparisons of a page are read or ignored, without an exception") {
         val whole = RuleSet(emptyList(), emptyList(), SignalVocabulary.NONE, CauseGraph.NONE, RuleSet.BUILT_IN.comparisons).toJson()
         checkNotNull(RuleSet.fromJson(whole)).toJson() shouldBe whole
         fun damaged(part: Regex, by: String) = RuleSet.fromJson(whole.replaceFirst(part, by).also { check(it != whole) })
@@ -107,7 +107,7 @@ class RulesReaderSpec : FunSpec({
         test("refuses ${rules.replace('\n', ' ').takeLast(50)}: ${message.take(30)}") { messageOf(rules) shouldContain message }
     }
 
-    test("any text gives rules or a sentence") {
+    test("any text becomes rules or a sentence") {
         val whole = RulesFile.BUILT_IN.source.lines().take(20).joinToString("\n") + "\n" + RULE
         checkAll(Arb.int(0, whole.length), Arb.string(0, 4)) { at, text ->
             try {

@@ -73,7 +73,7 @@ class SeasonsSpec : FunSpec({
                 findingsLater.map { it.text } shouldContainExactly findings.map { it.text }
                 for ((own, other) in findingsLater zip findings) {
                     own.times.size shouldBe other.times.size
-                    // A day later, rounding of times is 16 times as coarse: a condition that just holds long enough may begin a loop later.
+                    // A day later, rounding of times is 16 times as coarse. A condition that just holds long enough may begin a loop later.
                     for ((time, wanted) in own.times zip other.times) time shouldBe (wanted plusOrMinus LOOP)
                 }
                 fun path(view: LogView) = posesOf(view.recording.topics).first { "Field/Robot" in it.name }.let { pose ->

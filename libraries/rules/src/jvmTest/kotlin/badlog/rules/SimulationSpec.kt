@@ -56,7 +56,7 @@ class SimulationSpec : FunSpec({
         found { number(FPGA) { 0x2024.toDouble() } }.isSimulation() shouldBe false
     }
 
-    test("metadata that name a simulation are believed, and nothing that only sounds like it") {
+    test("metadata that names a simulation counts, and a similar name does not") {
         for ((text, isSimulated) in listOf("kSimulation" to true, "SIM" to true, "SIMBOT" to true, "kRoboRIO" to false, "Simple drive" to false)) {
             found { state("/RealMetadata/RuntimeType", text) }.isSimulation() shouldBe isSimulated
         }

@@ -9,8 +9,8 @@ import badlog.rules.standing.UNCOUNTED_TRUST
 internal val HEARD_RULES: RuleSet by lazy { builtInRulesFromToml { name, hash -> maxOf(countedTrust(name, hash), UNCOUNTED_TRUST) } }
 
 /**
- * A match of [seconds] at 50 rows a second, made of functions of time: a healthy one, in which [number], [flag] and [event] plant faults. Names come
- * from different libraries; units are only in names.
+ * A match of [seconds] at 50 rows a second, made of functions of time. It is a healthy one, in which [number], [flag] and [event] plant
+ * faults. Names come from different libraries; units are only in names.
  */
 internal class TestMatch(private val seconds: Int = 40) {
     private val cells = LinkedHashMap<String, (time: Double, row: Int) -> String>()

@@ -87,7 +87,7 @@ class LakeDatabaseSpec : FunSpec({
         }
     }
 
-    test("nothing but a single query is executed") {
+    test("only a single query is executed") {
         inLake { folder, lake ->
             val before = (folder / "lake").written()
             val queries = listOf(

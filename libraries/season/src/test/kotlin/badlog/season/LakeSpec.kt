@@ -83,7 +83,7 @@ class LakeSpec : FunSpec({
         }
     }
 
-    test("a refresh with nothing new writes nothing") {
+    test("a refresh without changes writes no files") {
         inFolder { folder ->
             (folder / "logs").put("one.bag", matchBag(1, 12.0))
             (folder / "logs").put("notes.bag", ByteArray(5000) { (it * 31).toByte() })

@@ -26,7 +26,7 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
         motors.map { valuesOf(it, BusSignal.VELOCITY) },
         motors.map { motor -> motor.topic(BusSignal.POSITION)?.let(::valuesOf) ?: DoubleArray(0) },
         motors.map { motor ->
-            // An encoder of a wheel that steers begins again after each turn; one that a motor controller reads may also be an arm's.
+            // An encoder of a wheel that steers begins again after each turn. One that a motor controller reads may also be an arm's.
             val own = motor.topic(BusSignal.ABSOLUTE)
             if (own != null) turnsAround(valuesOf(own)) else devices.any { BusSignal.ABSOLUTE in it && it.id == motor.id }
         },

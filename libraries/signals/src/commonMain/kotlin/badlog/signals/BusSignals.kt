@@ -72,7 +72,9 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         }
     }
 
-    /** Returns the current that [motor] takes from the battery: as logged, or from its windings and output; negative while it brakes. */
+    /**
+     * Returns the current that [motor] takes from the battery. It is as logged, or from its windings and output; negative while it brakes.
+     */
     private fun suppliedTo(motor: BusDevice, motion: BusMotion): DoubleArray {
         if (BusSignal.SUPPLY_CURRENT in motor) return motion.valuesOf(motor, BusSignal.SUPPLY_CURRENT)
         return suppliedCurrent(
@@ -198,7 +200,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
         return DerivedSignal("standstill", "", device.label, topics) { samples -> standstillOf(topics, samples, ::fullOf) }
     }
 
-    /** Returns whether a limit switch of [motor] was ever pressed: what travels between ends may stand at one of them under load. */
+    /** Returns whether a limit switch of [motor] was ever pressed. What travels between ends may stand at one of them under load. */
     private fun hasEnds(motor: BusDevice, motion: BusMotion): Boolean {
         fun reads(signal: BusSignal, pressed: Double) =
             motor.topic(signal)?.let { name -> motion.valuesOf(name).any { it == pressed } } == true

@@ -3,7 +3,7 @@ package badlog.signals
 import badlog.core.analysis.Series
 
 /**
- * A signal for rules that is calculated from topics of a log, such as the distance of a part from its target. `docs/signals.md` lists
+ * A signal for rules that is calculated from topics of a log. An example is the distance of a part from its target. `docs/signals.md` lists
  * them.
  *
  * @property name the name in rules; several parts may have it.

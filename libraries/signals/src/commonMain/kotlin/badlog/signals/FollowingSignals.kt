@@ -19,7 +19,10 @@ internal fun speedSignals(part: String, topics: List<String>, following: (NamedS
     DerivedSignal("speed swing", "%", part, topics) { following(it).swing() },
 )
 
-/** Returns the size of [output] as a part of [full] while a part has [missed] its target by more than [AWAY_PERCENT]; otherwise 0. */
+/**
+ * Returns the size of [output] as a part of [full] while a part misses its target; otherwise 0. It has [missed] it by more than
+ * [AWAY_PERCENT].
+ */
 internal fun effort(missed: Series, output: Series, full: Double): Series {
     val held = output.heldAt(missed.x)
     return Series(missed.x, DoubleArray(missed.size) { if (missed.y[it] > AWAY_PERCENT) abs(held[it]) / full else 0.0 })

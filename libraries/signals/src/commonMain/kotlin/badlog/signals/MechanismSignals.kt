@@ -48,7 +48,9 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             )
     }
 
-    /** By how much the friction of a part rose: by its motor's current if that has a direction, otherwise by the voltage that it gets. */
+    /**
+     * The rise of a part's friction. It is measured by its motor's current if that has a direction, otherwise by the voltage that it gets.
+     */
     private fun friction(part: List<String>, measured: PartTopic): DerivedSignal? {
         val current = beside(part, Quantity.CURRENT).firstOrNull()
         val output = beside(part, Quantity.VOLTAGE, Quantity.OUTPUT).sortedBy { it.quantity }.firstOrNull()
@@ -180,7 +182,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private companion object {
         val ARMS = setOf("arm", "arms")
 
-        /** Mechanisms that stand still under power, because they hold something up, shut or against a stop, or game pieces that wait. */
+        /** Mechanisms that stand still under power. They hold something up, shut or against a stop, or game pieces that wait. */
         val HOLDING = listOf(
             "elevator", "lift", "pivot", "wrist", "elbow", "shoulder", "climb", "hang", "winch", "telescop", "exten", "hood",
             "turret", "tilt", "claw", "grip", "grab", "deploy", "passover", "latch", "brake",

@@ -70,7 +70,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         steering(samples).run { once(times, lags?.get(at)) }
     }
 
-    /** Nothing for a module that is not behind the others in all: then a moment in which it seems to be comes from late measurements. */
+    /** Nothing for a module that is not behind the others in all. A moment in which it seems to be then comes from late measurements. */
     private fun angleError(at: Int) = DerivedSignal("module angle error", "deg", modules[at].label, modules[at].topics) { samples ->
         val drive = steering(samples)
         val lag = drive.lags?.get(at)

@@ -19,7 +19,7 @@ import kotlin.math.abs
 /** The name of the x axis among signals. */
 const val TIME = "time"
 
-/** The signal `time` if no topic is the x axis, but topics have times of their own: every time at which there is a sample. */
+/** The signal `time` if no topic is the x axis, but topics have times of their own. It has every time at which there is a sample. */
 val CLOCK = Signal(TIME, SignalKind.NUMBER, "s")
 
 /**
@@ -36,7 +36,7 @@ data class ScaledSignal(
     val atMost: Double? = null,
 )
 
-/** The sum of [summands], usually a single one, under the name [name], in [unit]; for a calculated one, [madeOf] has the topics. */
+/** The sum of [summands], usually a single one, under the name [name], in [unit]. For a calculated one, [madeOf] has the topics. */
 class NamedSignal(val name: String, val summands: List<ScaledSignal>, unit: String, private val madeOf: List<String>? = null) {
     /** Its entry in a vocabulary. */
     val listed: Signal = Signal(name, kindOf(summands), unit)
@@ -111,7 +111,7 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
     /** Returns the samples of the topic [name] as they were logged. */
     internal fun raw(name: String): Series = log.series(name)
 
-    /** Returns whether the robot was enabled at each of [times], which ascend; always true if the log does not show it. */
+    /** Returns whether the robot was enabled at each of [times], which ascend. Always true if the log does not show it. */
     internal fun enabledAt(times: DoubleArray): BooleanArray {
         val spans = log.enabled ?: return BooleanArray(times.size) { true }
         var next = 0

@@ -6,15 +6,15 @@ import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
 
 /**
- * Returns the time column of a recording that names no x axis: the first one called time or timestamp, if it has a number in each row and
- * falls in at most one of a hundred. Null if there is none, or if the recording has an x axis.
+ * Returns the time column of a recording that names no x axis. It is the first one called time or timestamp, if it has a number in each row
+ * and falls in at most one of a hundred. Null if there is none, or if the recording has an x axis.
  */
 fun Recording.timeColumn(): Topic? {
     if (rowCount == 0 || topics.any { X_AXIS in it.attributes }) return null
     return topics.firstOrNull { TIME_NAME.matches(PathName.baseNameOf(it.name)) && rises(it) }
 }
 
-/** Returns the number of rows in which [column] is less than in the row before, as when the robot's clock is set. */
+/** Returns the number of rows in which [column] is less than in the row before. It falls when the robot's clock is set. */
 fun fallsOf(column: Topic): Int = column.samples.run { (1 until size).count { this[it] < this[it - 1] } }
 
 /** Returns this recording with [column], one of its topics, as its x axis. */
@@ -22,8 +22,8 @@ fun Recording.over(column: Topic): Recording =
     copy(topics = topics.map { if (it === column) it.copy(attributes = it.attributes + X_AXIS) else it })
 
 /**
- * Returns this recording with its [timeColumn] as x axis if it is plain CSV and has one; otherwise the recording itself. Plain CSV cannot name an x
- * axis.
+ * Returns this recording with its [timeColumn] as x axis if it is plain CSV and has one. Otherwise returns the recording itself. Plain CSV
+ * cannot name an x axis.
  */
 fun Recording.overItsTime(): Recording = (if (format == RecordingFormat.CSV) timeColumn() else null)?.let(::over) ?: this
 

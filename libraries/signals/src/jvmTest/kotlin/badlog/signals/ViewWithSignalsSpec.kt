@@ -78,7 +78,7 @@ class ViewWithSignalsSpec : FunSpec({
         }
     }
 
-    test("a mechanism that was enabled does not mean that the robot was, and an empty topic says nothing") {
+    test("a mechanism that was enabled does not mean that the robot was, and an empty topic does not count") {
         val view = logOf("NT:/Robot/shooter/enabled" to OFF_ON, "DS:enabled" to List(5) { "" }).withSignals(vocabulary, "log")
         view.knowsEnabled shouldBe false
         val other = logOf("DS:enabled" to List(5) { "" }, "/DriverStation/Enabled" to OFF_ON).withSignals(vocabulary, "log")
@@ -92,7 +92,7 @@ class ViewWithSignalsSpec : FunSpec({
         logOf(once, "/FMSInfo/FMSControlData" to listOf("33", "", "", "", "")).withSignals(vocabulary, "log").enabledSpans() shouldBe emptyList()
     }
 
-    test("the match comes from topics if no value has it; before the field sends it, nothing is known") {
+    test("the match is from topics if no value has it, and unknown before the field sends it") {
         val number = "NT:/FMSInfo/MatchNumber" to listOf("0", "0", "42", "42", "42")
         val type = "NT:/FMSInfo/MatchType" to listOf("0", "0", "2", "2", "2")
         val event = "NT:/FMSInfo/EventName" to listOf("", "", "MILLC", "MILLC", "MILLC")

@@ -10,7 +10,7 @@ fun cutInLastRow(bag: ByteArray, share: Double): ByteArray {
 }
 
 /**
- * Returns [bag] with a page that was reserved but not written at a power cut: NULs, aligned to the page's size.
+ * Returns [bag] with a page that was reserved but not written at a power cut. It has NULs, aligned to the page's size.
  *
  * @param at the page is at this share of the bag.
  */
@@ -19,7 +19,7 @@ fun losePage(bag: ByteArray, at: Double): ByteArray {
     return bag.copyOf().also { it.fill(0, page, page + PAGE) }
 }
 
-/** Returns [bag] as a gzip stream that is never closed: the compressor's buffer, the last block and the trailer are missing. */
+/** Returns [bag] as a gzip stream that is never closed. The compressor's buffer, the last block and the trailer are missing. */
 fun gzipNeverClosed(bag: ByteArray): ByteArray {
     val file = ByteArrayOutputStream()
     GZIPOutputStream(file).write(bag)

@@ -63,7 +63,7 @@ private fun contradictionIn(match: GeneratedMatch, with: Recording): String? {
 
 @Tags("InCheck")
 class MatchGeneratorSpec : FunSpec({
-    test("the same seed gives the same bytes, another seed others") {
+    test("the same seed makes the same bytes, and another seed other bytes") {
         for (naming in Naming.entries) {
             val fault = FAULTS[naming.ordinal * 5]
             val match = GENERATOR.faulty(naming, fault, 1.0)

@@ -38,8 +38,8 @@ import badlog.window.graph.xy.xyPictureOf
 import badlog.window.theme.Palette
 
 /**
- * A picture of graphs below one another over the same range of [x], with everything that can be read in it. The first of [recordings] is
- * the open one; each is moved by its offset. The picture has as many points as its width can show, however long the recordings are.
+ * A picture of graphs below one another over the same range of [x]. It shows everything that can be read in them. The first of [recordings]
+ * is the open one; each is moved by its offset. The picture has as many points as its width can show, however long the recordings are.
  *
  * @property width its width in points.
  * @param graphHeight the height of a graph's lines in points.

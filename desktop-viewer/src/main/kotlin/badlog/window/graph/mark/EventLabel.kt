@@ -19,7 +19,7 @@ import badlog.window.graph.scene.GraphScene
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.labelFrame
 
-/** The text of the note or event near the pointer, or otherwise near the cursor, above the graphs, which stay visible. */
+/** The text of the note or event near the pointer, or otherwise near the cursor. It is above the graphs, which stay visible. */
 @Composable
 internal fun EventLabel(scene: GraphScene) {
     val event by remember(scene) { derivedStateOf { scene.view.cursors.pointed?.let { saidAt(it, scene) } } }

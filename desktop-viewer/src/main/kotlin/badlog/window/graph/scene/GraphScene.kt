@@ -79,7 +79,7 @@ internal class GraphScene(
 
     private val hasRightAxis by derivedStateOf { board.state.graphs.any { !it.isXy && unitsOf(it) > 1 } }
 
-    /** The room to the right of all graphs: for the second axis, if any graph has one, and the scroll bar. */
+    /** The room to the right of all graphs. It is for the second axis, if any graph has one, and the scroll bar. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp
 
     /** Scrolls by [share] of the visible height, up if negative. */

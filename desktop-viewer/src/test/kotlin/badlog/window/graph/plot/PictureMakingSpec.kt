@@ -26,7 +26,7 @@ class PictureMakingSpec : FunSpec({
 
     fun picture(recording: OpenRecording, visible: Span = recording.span) = picture(listOf(DrawnRecording(recording)), listOf("A/Voltage"), visible)
 
-    test("a line goes from edge to edge, with its ends at its samples") {
+    test("a line reaches from edge to edge, with its ends at its samples") {
         val line = picture(recordingOf(bagOf(11) { it.toDouble() })).plot.lines.single()
         val points = line.points.single()
         points.size shouldBe 22

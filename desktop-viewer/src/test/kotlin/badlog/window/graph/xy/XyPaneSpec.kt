@@ -235,7 +235,7 @@ class XyPaneSpec : FunSpec({
 /** Returns the content of the first graph. */
 private fun pictureOf(viewer: Viewer) = xyPictureOf(viewer.board.state.graphs[0], viewer.compared.drawn)
 
-/** Returns the pixel of a place on the field, on a plot of [width] by [height] pixels that shows the whole field. */
+/** Returns the pixel of a place on the field. The plot has [width] by [height] pixels, and shows the whole field. */
 private fun placeOf(viewer: Viewer, x: Double, y: Double, width: Int, height: Int): Offset {
     val plane = pictureOf(viewer).seen(null, width.toDouble(), height.toDouble())!!
     return Offset(plane.xScale(width.toDouble()).placeOf(x).toFloat(), plane.yScale(height.toDouble()).placeOf(y).toFloat())

@@ -45,7 +45,7 @@ class PlainEnglishSpec : FunSpec({
         phrasesIn("a.py", "x = '# what a'  # whose\n\"\"\"What the log has.\"\"\"\n") shouldContainExactly listOf("1 whose", "2 What the")
     }
 
-    test("a module with more phrases than accepted is reported, and a new one accepts none") {
+    test("a module with more phrases than accepted is reported, and a new module may not have any") {
         val ratchet = Ratchet(mapOf("core" to 3, "docs" to 1))
         ratchet.exceededBy(mapOf("core" to 3, "docs" to 0)) shouldBe emptyMap()
         ratchet.exceededBy(mapOf("core" to 4, "docs" to 1, "new" to 1)) shouldBe mapOf("core" to 4, "new" to 1)
@@ -63,7 +63,7 @@ class PlainEnglishSpec : FunSpec({
             "“core” is not a module and a number; correct it, or remove it and run ./gradlew format."
     }
 
-    test("files count for the innermost module, and generated ones for none") {
+    test("files count for the innermost module, and generated files do not count") {
         val root = tempdir()
         fun write(path: String) = File(root, path).apply { parentFile.mkdirs() }.writeText("// whose")
         listOf("a/src/A.kt", "a/b/src/B.java", "docs/x.md", "build.gradle", "a/build/C.kt", ".git/D.kt", "a/e.txt").forEach(::write)

@@ -177,7 +177,7 @@ class BadlogHtmlSpec : FunSpec({
         }
     }
 
-    test("a missing input has exit code 3 if another page was made, and 1 if none was") {
+    test("a missing input has exit code 3 if another page was made, otherwise 1") {
         inFolder { folder ->
             val missing = folder / "nix.bag"
             run(folder.with("a.bag"), missing, folder / "a.bag").code shouldBe ExitCode.SALVAGED

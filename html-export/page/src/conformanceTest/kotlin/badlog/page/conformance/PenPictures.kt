@@ -45,7 +45,7 @@ public fun penDifferences(name: String): Promise<Array<Double>> = imageOf(PRIMIT
     }
 }.unsafeCast<Promise<Array<Double>>>()
 
-/** Returns the drawing of picture [name]: a primitive or a text, whose letters are the same within one browser. */
+/** Returns the drawing of picture [name]: a primitive or a text. Its letters are the same within one browser. */
 private fun drawingOf(name: String): Pen.(PenImage) -> Unit = PEN_PRIMITIVES[name] ?: { PEN_TEXTS.getValue(name).writeWith(this) }
 
 /** Promises the image at [address] once it can be drawn. */

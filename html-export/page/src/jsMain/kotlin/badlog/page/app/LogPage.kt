@@ -247,8 +247,8 @@ internal class LogPage(
         get() = PageSnapshot(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
 
     /**
-     * Goes to the newest moment if something is [left] of the page of this log, otherwise to the place in the address. Then it draws the
-     * graphs on the screen. Call it when [element] is on the page.
+     * Goes to the newest moment if something is [left] of the page of this log. Otherwise goes to the place in the address. Then it draws
+     * the graphs on the screen. Call it when [element] is on the page.
      */
     fun start(left: PageSnapshot? = null) {
         left?.let(rules::continueFrom)
@@ -282,9 +282,10 @@ internal class LogPage(
         search.followFindings()
         // The place in the address is known only now.
         link.followAgain()
-        // Nor is a reader taken there who has pinned the cursor in the meantime, or follows the log, whose end it is pinned at.
+        // A reader who has pinned the cursor in the meantime is not taken there. Nor is one who follows the log: the cursor is pinned at
+        // its end.
         if (showsWorst && !scene.cursor.now.isPinned) findings.goToWorst(found.findings)
-        // Draws into the existing graphs, since somebody may be dragging over one.
+        // Draws into the existing graphs, since a reader may be dragging over one.
         if (found.findings.isNotEmpty()) redraw()
     }
 

@@ -42,7 +42,7 @@ internal class SearchedParts(
         navigation.update(isSearching = !query.isEmpty)
         events.update()
         values.filter(query)
-        // The findings begin above the screen if the page was scrolled before, and below it if there is a board above.
+        // The findings begin above the screen if the page was scrolled before. They begin below it if there is a board above.
         val top = content.getBoundingClientRect().top
         val isBelow = top > window.innerHeight / 2 && !inFolders.isEmpty
         if (!query.isEmpty && (top < 0 || isBelow)) content.bringIntoSight()

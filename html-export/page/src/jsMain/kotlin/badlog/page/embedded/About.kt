@@ -13,8 +13,8 @@ import org.w3c.files.File
  * @property isCut whether part of that gzip stream is missing.
  * @property lineSums the CRC-32 of the bytes in each line of the embedded file.
  * @property version the version of badlog that made the page.
- * @property second the name of the log's second file, whose bytes follow the first [firstBytes]; null if the log is one file.
- * @property isServed whether the page comes from a web server on a robot, whose logs it lists.
+ * @property second the name of the log's second file; its bytes follow the first [firstBytes]. Null if the log is one file.
+ * @property isServed whether the page comes from a web server on a robot; it then lists the robot's logs.
  * @property isOnWeb whether the page comes from a web site; it then opens logs from links and from other programs.
  * @property fileKey identifies this file in the browser's storage.
  */

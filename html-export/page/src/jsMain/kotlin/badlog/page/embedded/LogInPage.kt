@@ -8,12 +8,12 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Returns the files of the log in [page], a page of badlog, the first with its [additions]; null if it contains none. Rejected if the log
+ * Returns the files of the log in [page], a page of badlog. The first has its [additions]; null if it contains none. Rejected if the log
  * was changed since it was exported. Only a piece of the log is in memory at a time.
  */
 internal fun logIn(page: File): Promise<List<File>?> = PageScan(page).run()
 
-/** The additions of the page that the file comes from; null for a file that does not come from a page. */
+/** The additions of the page that the file comes from. Null for a file that does not come from a page. */
 internal var File.additions: PageAdditions?
     get() = asDynamic().additions as PageAdditions?
     set(value) {

@@ -94,7 +94,7 @@ internal class PageSource(root: Element) {
     private fun BlobParts.addAdditions(packed: String) =
         add("<script type=\"application/octet-stream\" id=\"packed-additions\">$packed$END\n")
 
-    /** Adds [script], whose text may be hundreds of megabytes long, text node by text node. */
+    /** Adds [script] text node by text node. Its text may be hundreds of megabytes long. */
     private fun BlobParts.addScript(script: Element) {
         add(script.cloneNode(false).unsafeCast<Element>().outerHTML.removeSuffix(END))
         var node = script.firstChild

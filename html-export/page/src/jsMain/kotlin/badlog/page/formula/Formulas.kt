@@ -38,7 +38,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     private val formulas = ArrayList<Formula>()
     private var running: FormulaSlices? = null
 
-    /** Called with the share of the work done while a calculation takes longer than a slice, and with 1 at its end. */
+    /** Called with the share of the work done while a calculation takes longer than a slice. Called with 1 at its end. */
     var onProgress: (Double) -> Unit = {}
 
     /** Called if a calculation fails, for example because memory runs out. */

@@ -36,8 +36,8 @@ import org.w3c.dom.HTMLElement
  * @param origin what calculated it, if that was not the recording's own attributes; otherwise empty.
  * @param look its initial settings: which lines are hidden, which part of y is shown, and its height.
  * @param lines the board's names for the lines of [graph], in order.
- * @param onLook called with the settings that a person wants; the receiver stores them and calls [show]. Null if nobody stores
- * them.
+ * @param onLook called with the settings that a person wants; the receiver stores them and calls [show]. Null if they are not
+ * stored.
  */
 internal class GraphCard(
     val graph: Graph,
@@ -178,7 +178,7 @@ internal class GraphCard(
     /** Gives it the keyboard focus where it is; nothing scrolls. */
     fun focusInPlace() = host.focusInPlace()
 
-    /** Draws it on [sheet], with its current settings and the values at the cursor, whether or not it is near the screen. */
+    /** Draws it on [sheet], with its current settings and the values at the cursor. It need not be near the screen. */
     fun drawOn(sheet: Sheet) {
         legend.update(scene.cursor, scene.xAxis.unit)
         val paths = xy?.takeIf { !it.isEmpty }

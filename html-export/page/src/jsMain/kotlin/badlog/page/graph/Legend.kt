@@ -24,7 +24,7 @@ import badlog.viewer.text.unitText
 import org.w3c.dom.HTMLElement
 
 /**
- * The lines of a graph by name and color, each with its value at the cursor, read from the original samples.
+ * The lines of a graph by name and color. Each has its value at the cursor, read from the original samples.
  *
  * @param statesOf returns the number and duration of a lane's states, as text.
  * @param onToggle called with the index of a line to hide or show.

@@ -11,8 +11,7 @@ import org.w3c.dom.Element
 import org.w3c.dom.events.EventTarget
 
 /**
- * All graphs of the page: draws those near the screen, and makes all of them follow the visible range and the
- * cursor.
+ * All graphs of the page. Draws those near the screen, and makes all of them follow the visible range and the cursor.
  */
 internal class VisibleGraphs(private val scene: Scene) {
     private val cardOf = HashMap<Element, GraphCard>()

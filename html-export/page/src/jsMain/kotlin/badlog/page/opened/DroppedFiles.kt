@@ -34,7 +34,7 @@ internal fun acceptFiles(onFolder: ((WatchedFolder) -> Unit)? = null, onDrop: (L
 }
 
 /**
- * Promises the handles of [items], the way to a folder in Chromium, which does not list entries for pages on a disk; rejected if the
+ * Promises the handles of [items], the way to a folder in Chromium. Chromium does not list entries for pages on a disk. Rejected if the
  * browser has no handles. Call it while the files are dropped.
  */
 private fun handlesOf(items: Array<dynamic>): Promise<Array<out Any>> = try {

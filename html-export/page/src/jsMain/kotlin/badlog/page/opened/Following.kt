@@ -85,7 +85,7 @@ internal class Following(
             misses = 0
             if (grown == null) askIn(file.pause) else read(grown).then { show(grown, it) }
         }.catch {
-            // A Wi-Fi has gaps, and others' downloads end; and a server that ended an answer says why when it is asked again.
+            // A Wi-Fi has gaps, and others' downloads end. A server that ended an answer says why when it is asked again.
             if (it is RetryLaterException && ++misses < MAX_MISSES) askIn(misses * GAP) else stop(it.message.orEmpty())
         }
     }
@@ -120,7 +120,10 @@ internal class Following(
     private companion object {
         const val PAUSE = 10
 
-        /** By how many ms the pause grows with each question that was not answered, and how many such questions end it: after 7 s. */
+        /**
+         * The growth of the pause, in ms, with each question that was not answered. Then the number of such questions that ends it, after 7
+         * s.
+         */
         const val GAP = 150
         const val MAX_MISSES = 10
 

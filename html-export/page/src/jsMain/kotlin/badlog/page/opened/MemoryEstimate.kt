@@ -38,7 +38,7 @@ internal class MemoryEstimate private constructor(val bytes: Double, val fewByte
         /** The factor by which arrays are larger than their content while they grow. */
         private const val GROWTH = 1.5
 
-        /** The maximum memory of a page. It is a share of the device's memory, of which browsers report at most 8 GB. */
+        /** The maximum memory of a page. It is a share of the device's memory. Browsers report at most 8 GB of it. */
         private val most: Double get() {
             val memory = window.navigator.asDynamic().deviceMemory as Double?
             return minOf(1.5e9, (memory ?: if (window.matchMedia("(pointer: coarse)").matches) 2.0 else 8.0) * 0.2e9)

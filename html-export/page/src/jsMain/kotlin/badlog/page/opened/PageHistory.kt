@@ -34,7 +34,7 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
     }
 
     private fun follow() = change {
-        // A new entry would be lost in the middle of going back, and from an entry of another page, going back could leave this one.
+        // A new entry would be lost in the middle of going back. From an entry of another page, going back could leave this one.
         val at = placeIn(state).takeUnless { isGoing } ?: return@change
         for (place in at + 1..visits.at) pushState(stateAt(place), "")
         if (at <= visits.at) return@change

@@ -50,7 +50,7 @@ internal object SummaryMessage {
         "hasRun" to (found != null),
         "found" to found?.rules?.map { arrayOf(it.name, it.severity.ordinal) }?.toTypedArray(),
         "verdict" to found?.verdict?.run { arrayOf(severity.ordinal, headline, sentences.toTypedArray(), next, errors, warnings) },
-        // Browsers have stored the numbers under this name; “numbers” are those of the topics.
+        // Browsers have stored the numbers under this name; “numbers” has the topics' numbers.
         "figures" to arrayOf(numbers.names, numbers.values),
     )
 

@@ -5,7 +5,7 @@ import kotlinx.browser.window
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** A folder that a person chose and into which the page may look again, because logs in it appear and grow. */
+/** A folder that a person chose. The page may look into it again, because logs in it appear and grow. */
 internal class WatchedFolder(private val handle: dynamic) {
     val name: String get() = handle.name as String
 

@@ -24,7 +24,7 @@ internal object AssignedSignals {
     /** Removes the assignment of [signal]. */
     fun forget(signal: String) = change { it - signal }
 
-    /** Returns the assignments whose topics are in [log]. */
+    /** Returns the assignments to topics in [log]. */
     fun of(log: Recording): List<Map.Entry<String, String>> {
         val names = log.topics.filter { it.kind != TopicKind.EMPTY }.mapTo(HashSet()) { it.name }
         return topics.entries.filter { it.value in names }

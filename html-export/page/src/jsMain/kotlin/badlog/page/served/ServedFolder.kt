@@ -5,8 +5,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * The logs of the page's own server, in the page's folder and the folders below. It sends requests as WPILib's web server expects them,
- * whose answers have no times of change.
+ * The logs of the page's own server, in the page's folder and the folders below. It sends requests as WPILib's web server expects them.
+ * That server's answers have no times of change.
  */
 internal class ServedFolder {
     private var foldersLeft = MAX_FOLDERS

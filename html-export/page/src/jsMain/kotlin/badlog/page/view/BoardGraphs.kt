@@ -6,7 +6,7 @@ import badlog.viewer.choices.board.BoardLines
 
 /**
  * Returns the graphs that draw [spec]: numbers first, then states, which cannot share a frame with numbers. Each graph has the board's
- * names for those of its lines that [lines] contains.
+ * names for the lines of it that [lines] contains.
  */
 internal fun graphsOf(spec: BoardGraph, lines: BoardLines): List<Pair<Graph, List<String>>> {
     val found = spec.lines.mapNotNull { name -> lines[name]?.let { name to it } }

@@ -21,7 +21,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     private val key = "board:$fileKey"
     private val listeners = ArrayList<() -> Unit>()
 
-    /** All of it, with what can be undone. */
+    /** The board, and the changes that can be undone. */
     private val history: BoardHistory get() = store.state.board
 
     /** The board it began with, unless the browser remembered one. */
@@ -66,7 +66,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     }
 
     /**
-     * Begins with [visited], which somebody has sent. Without it, or when it is undone, the board is the one that the browser remembers, or
+     * Begins with [visited], which came with a link. Without it, or when it is undone, the board is the one that the browser remembers, or
      * else [board].
      */
     fun begin(visited: Board?, board: () -> Board) {
@@ -94,7 +94,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     fun send(action: BoardAction) = store.send(action)
 
     /**
-     * Shows [board], which somebody else has sent: undoing brings back the reader's own, which is remembered until something is changed.
+     * Shows [board], which came with a link. Undoing brings back the reader's own, which is remembered until something is changed.
      */
     fun visit(board: Board) = send(BoardAction.Visit(board))
 

@@ -105,7 +105,7 @@ internal class Scene(
     /** The clocks besides the x axis. */
     val clocks: Clocks by lazy { Clocks(view, modes) }
 
-    /** Returns the name of the finding that a person went to at [x]; null if nobody did. */
+    /** Returns the name of the finding that a person went to at [x]; null if there is none. */
     fun visitedAt(x: Double): FindingName? = visited?.takeIf { it.span.from == x }?.let { FindingName.of(it.finding) }
 
     /** Returns the last event at or before [x], with the precision of a pixel; null before the first. */
@@ -120,7 +120,7 @@ internal class Scene(
 
     private var pointed: Pair<List<Any?>, MarksAtCursor>? = null
 
-    /** Returns what is under the cursor at [x], worked out once for all graphs that show it. */
+    /** Returns the marks under the cursor at [x], computed once for all graphs that show them. */
     fun pointedAt(x: Double): MarksAtCursor {
         val asked = listOf(x, range.now, findings, visited, notes)
         pointed?.takeIf { it.first == asked }?.let { return it.second }
@@ -129,7 +129,7 @@ internal class Scene(
             .also { pointed = asked to it }
     }
 
-    /** Returns those of [findingsAt] that did not begin before the last event at or before [x], so that they are newer. */
+    /** Returns the findings of [findingsAt] that did not begin before the last event at or before [x]. They are newer than that event. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
         val from = last.x - range.now.width * MARK_REACH
@@ -151,7 +151,7 @@ internal class Scene(
     fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
 
     private companion object {
-        /** The precision of a mouse, as a fraction of the screen's width: without it, the last event could not be reached. */
+        /** The precision of a mouse, as a fraction of the screen's width. Without it, the last event could not be reached. */
         const val ONE_PIXEL = 0.002
     }
 }

@@ -13,7 +13,7 @@ import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.text.unitText
 
 /**
- * The visible values in all graphs of [board] that share their y limits, whether they are on the screen or not.
+ * The visible values in all graphs of [board] that share their y limits. A graph need not be on the screen.
  *
  * @param compared returns the logs that the graphs draw besides the page's own.
  */

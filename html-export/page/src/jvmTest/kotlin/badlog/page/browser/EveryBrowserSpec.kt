@@ -158,13 +158,13 @@ private fun BrowserTab.visibleRange(): String {
 
 private fun BrowserTab.numbers(expression: String): List<Double> = evaluate(expression).split(',').map(String::toDouble)
 
-/** Returns a pixel in the element that matches [selector], at the share [across] of the width and in the middle of the height. */
+/** Returns a pixel in the element that matches [selector]. It is at the share [across] of the width and in the middle of the height. */
 private fun BrowserTab.placeAt(across: Double, selector: String = ".graph .plot-frame"): Pair<Int, Int> {
     val (x, y, width, height) = numbers("(b => [b.x, b.y, b.width, b.height])(document.querySelector('$selector').getBoundingClientRect())")
     return (x + width * across).roundToInt() to (y + height / 2).roundToInt()
 }
 
-/** Returns the position of the step in the first graph's line, as a share of its width, read from the pixels. */
+/** Returns the position of the step in the first graph's line. It is a share of its width, read from the pixels. */
 private fun BrowserTab.stepAt(): Double {
     val place = numbers(
         """

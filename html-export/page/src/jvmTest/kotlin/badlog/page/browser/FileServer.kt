@@ -8,7 +8,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.concurrent.Executors
 
-/** Serves the files of [folder] over HTTP to this machine, also in parts, which browsers need for jumps within a video. */
+/** Serves the files of [folder] over HTTP to this machine. Also serves parts, which browsers need for jumps within a video. */
 internal class FileServer(private val folder: Path) : AutoCloseable {
     private val threads = Executors.newCachedThreadPool()
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0).apply {

@@ -109,7 +109,7 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             }
         }
 
-        browserTest("from WPILib's server, it does the same") {
+        browserTest("from WPILib's server, it lists the robot's logs and opens one") {
             val folder = logs()
             EmptyPage().write(folder / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
             WpilibServer(folder).use { server ->

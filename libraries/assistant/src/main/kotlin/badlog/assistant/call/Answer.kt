@@ -17,10 +17,10 @@ import java.io.File
 internal class Answer(val data: JsonObject, val picture: ByteArray? = null)
 
 /**
- * Writes harmless answers: of limited size, without the path of the logs' folder, and with all content of files marked as such. A text in a
+ * Writes harmless answers. They have a limited size, lack the path of the logs' folder, and mark all content of files as such. A text in a
  * log may be an instruction for an assistant; all of it stays visible to people.
  *
- * @param folder the folder of the logs, whose path is private.
+ * @param folder the folder of the logs; its path is private.
  */
 internal class AnswerText(private val folder: String) {
     /**
@@ -77,7 +77,7 @@ internal class AnswerText(private val folder: String) {
         private const val MAX_SENTENCE = 4_000
         private val PLAIN = ' '.code..'~'.code
 
-        // Surrogates come in pairs, so characters beyond 16 bits are escaped as a whole; no name of a log needs them.
+        // Surrogates come in pairs. Characters beyond 16 bits are escaped as a whole. No name of a log needs them.
         private val INVISIBLE = setOf(
             Character.CONTROL,
             Character.FORMAT,

@@ -41,8 +41,7 @@ internal class LogFolder(folder: Path) {
     }
 
     /**
-     * Returns the log called [name], in its current state: by its name in the folder, or just by its file name if that is
-     * unique.
+     * Returns the log called [name], in its current state. [name] is its name in the folder, or just its file name if that is unique.
      *
      * @throws ToolException if there is none.
      */

@@ -25,7 +25,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 
-/** Returns the samples of topics in a range: all if there are few, otherwise the smallest and largest of each part of the range. */
+/** Returns the samples of topics in a range if there are few. Otherwise returns the smallest and largest of each part of the range. */
 internal class SamplesOfTopics(private val logs: OpenLogs) :
     AssistantTool(
         "samples",

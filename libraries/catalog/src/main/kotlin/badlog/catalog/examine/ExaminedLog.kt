@@ -60,7 +60,7 @@ class ExaminedLog(
     fun numbers(reader: LogNumbersReader): LogNumbers = reader.read(LogNumbersText(numberNames, numberValues, numberDistributions))
 }
 
-/** The outcome of [rule] for a log: the reason for skipping it, its likely mistake, and the missing signal; all null if it ran. */
+/** The outcome of [rule] for a log: the reason for skipping it, its likely mistake, the missing signal. All are null if it ran. */
 @Serializable
 data class RuleOutcome(
     @Serializable(with = RepeatedText::class) val rule: String,

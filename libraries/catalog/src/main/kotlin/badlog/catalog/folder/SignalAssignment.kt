@@ -13,8 +13,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The file that names a team's signals for the log [log]: the nearest one in its folder or above it, up to the folder [library]. If there
- * is none, it is a new one beside the log; a null [library] means only the log's own folder.
+ * The file that names a team's signals for the log [log]. It is the nearest one in its folder or above it, up to the folder [library]. If
+ * there is none, it is a new one beside the log; a null [library] means only the log's own folder.
  */
 class SignalAssignment(log: Path, library: Path?) {
     /** The file, which may not exist yet. */

@@ -38,7 +38,7 @@ import java.nio.file.Path
 import kotlin.io.path.name
 
 /**
- * Makes one log of the logs of a match: those in a ZIP, or those beside a `match.json` that it names.
+ * Makes one log of the logs of a match. They are in a ZIP, or beside a `match.json` that names them.
  *
  * The logs of the folder are read by the signals that are beside the ZIP or the `match.json`.
  */

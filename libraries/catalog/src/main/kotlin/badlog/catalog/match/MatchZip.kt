@@ -53,7 +53,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
     fun manifest(): String? = content.manifest?.let(::textOf)
 
     /**
-     * Writes its logs into [folder], and returns them by their names beside the `match.json`; those outside of its folder begin with `../`.
+     * Writes its logs into [folder], and returns them by their names beside the `match.json`. Names outside of its folder begin with `../`.
      *
      * @param checkpoint called after each piece; may throw to cancel.
      */
@@ -195,7 +195,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         return manifests.singleOrNull()
     }
 
-    /** Returns the names of the logs that [manifest] states; none if it has mistakes, about which a sentence is said when it is used. */
+    /** Returns the names of the logs that [manifest] states. None if it has mistakes, which are reported when it is used. */
     private fun statedIn(manifest: Named): Set<String> = try {
         val outer = manifest.name.removeSuffix(MatchManifest.NAME)
         MatchManifest.of(beginningOf(manifest).decodeToString()).files.mapTo(HashSet()) { outer + it.name }

@@ -11,7 +11,7 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** [Span], [Quantity] and [Finding] in the form stored in a cache: their own modules do not depend on a serialization library. */
+/** [Span], [Quantity] and [Finding] in the form stored in a cache. Their own modules do not depend on a serialization library. */
 object SpanSerializer : KSerializer<Span> {
     @Serializable
     private class StoredSpan(val from: Double, val to: Double)

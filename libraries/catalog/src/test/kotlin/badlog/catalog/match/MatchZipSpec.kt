@@ -142,7 +142,7 @@ class MatchZipSpec : FunSpec({
         unpacked(zip("a/x.csv" to LOG, "b/x.csv" to "Time,B\n0,3\n")) shouldBe mapOf("a/x.csv" to LOG, "b/x.csv" to "Time,B\n0,3\n")
     }
 
-    test("a log whose bytes have changed is damaged, whether compressed or not") {
+    test("a log with changed bytes is damaged, whether compressed or not") {
         val bytes = zipOf("a.csv" to LOG.encodeToByteArray()).also { plain ->
             // The sum of the entry at the end of the ZIP.
             val at = plain.indices.last { plain[it] == 'P'.code.toByte() && plain[it + 1] == 'K'.code.toByte() && plain[it + 2] == 1.toByte() }
@@ -191,7 +191,7 @@ class MatchZipSpec : FunSpec({
         said(zipOf(*Array(501) { "$it.csv" to ByteArray(3) })) shouldContain "more than 500 logs"
     }
 
-    test("a ZIP with changed or missing bytes gives its logs unchanged, or a sentence with the reason") {
+    test("a ZIP with changed or missing bytes is unpacked unchanged, or refused with the reason") {
         val random = Random(99)
         val logs = mapOf("a.csv" to LOG, "ds/b.csv" to "Time,B\n" + (0..200).joinToString("\n") { "$it,${it * it}" })
         val whole = zip(*logs.toList().toTypedArray())

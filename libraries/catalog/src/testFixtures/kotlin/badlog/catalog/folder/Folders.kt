@@ -5,7 +5,7 @@ import java.nio.file.Path
 import java.nio.file.attribute.FileTime
 import java.time.Instant
 
-/** Returns a bag of [rows] rows at 50 Hz, with a voltage falling from 12 V to 8 V; [values] are names and texts. */
+/** Returns a bag of [rows] rows at 50 Hz, with a voltage falling from 12 V to 8 V. [values] are names and texts. */
 internal fun bag(
     rows: Int = 200,
     values: Map<String, String> = emptyMap(),

@@ -1,7 +1,7 @@
 package badlog.charts.match
 
 /**
- * Returns a short, unique name for each of [topics], without the whole words that all of them begin or end with. `/Drive/LeftTemp` and
+ * Returns a short, unique name for each of [topics]. It lacks the whole words that all of them begin or end with. `/Drive/LeftTemp` and
  * `/Arm/Temp` become `Drive/Left` and `Arm`.
  */
 internal fun distinctNames(topics: List<String>): List<String> {

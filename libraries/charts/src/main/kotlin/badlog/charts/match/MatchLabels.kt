@@ -13,7 +13,7 @@ internal fun labelsOf(logs: List<ChartedLog>): List<String> {
     }
 }
 
-/** Returns the place of the type of the match of [log] in the order of play: first practice, last the final. */
+/** Returns the rank of the match type of [log] in the order of play. Practice is first, the final last. */
 internal fun roundOf(log: ChartedLog): Int = typeOf(log)?.round ?: QUALIFICATION
 
 private fun typeOf(log: ChartedLog): MatchType? = log.match.type?.let { MatchType.of(it) }

@@ -12,7 +12,7 @@ import kotlin.math.ulp
 class Stretches internal constructor(positions: DoubleArray) {
     private val rows = if (positions.all { it.isFinite() }) positions else positions.filter { it.isFinite() }.toDoubleArray()
 
-    // For each stretch: its first row, the lead of its times over the continuous clock, and that clock's first and last time in it.
+    // Each stretch's first row, and its lead over the continuous clock. Then that clock's first and last time in it.
     private val firstRows = ArrayList<Int>()
     private val leads = ArrayList<Double>()
     private val begins = ArrayList<Double>()

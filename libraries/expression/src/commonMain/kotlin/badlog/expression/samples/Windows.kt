@@ -5,8 +5,8 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns, for each sample, the smallest finite value in the window of [width] that ends at it, or the largest if [isLargest]. The result
- * is a gap if the window has no value. An earlier value still holds into the window.
+ * Returns, for each sample, the smallest finite value in the window of [width] that ends at it. If [isLargest], the largest. The result is
+ * a gap if the window has no value. An earlier value still holds into the window.
  *
  * Two halves meet at a fixed sample: for the older one, the results up to there are known for every start; the newer one grows.
  * When the start passes the meeting point, that moves to the newest sample. So each sample is visited twice, however wide the
@@ -57,12 +57,12 @@ internal fun Column.windowMean(width: Double): Column {
     // The first index since which the value has been the same.
     var sameFrom = 0
 
-    // For sample j, which holds until the next: the time for which it is known, and that time multiplied by its value.
+    // The time for which sample j is known, and that time multiplied by its value. A sample holds until the next.
     fun weight(j: Int) = if (y[j].isFinite()) x[j + 1] - x[j] else 0.0
     fun area(j: Int) = if (y[j].isFinite()) y[j] * (x[j + 1] - x[j]) else 0.0
     for (i in 0 until size) {
         begin = firstWithin(begin, i, width)
-        // The first one counts only for the part within the window; those after it, up to the previous one, count fully.
+        // The first one counts only for the part within the window. Those after it, up to the previous one, count fully.
         if (begin + 1 > meeting) {
             var sum = 0.0
             var weight = 0.0
@@ -103,7 +103,7 @@ internal fun Column.windowMean(width: Double): Column {
     return with(results)
 }
 
-/** Returns the last sample at or before [width] before sample [index], since it still holds into the window; not before [from]. */
+/** Returns the last sample at or before [width] before sample [index]. It still holds into the window. Never before [from]. */
 private fun Column.firstWithin(from: Int, index: Int, width: Double): Int {
     val begin = x[index] - width + slack(width, x[index])
     var first = from

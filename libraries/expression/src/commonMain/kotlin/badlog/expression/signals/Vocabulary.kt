@@ -120,7 +120,7 @@ class Vocabulary(
     }
 
     private companion object {
-        // The maximum number of ends of a path; names come from files, and all ends of a long one would fill the memory.
+        // The maximum number of ends of a path. Names come from files, and all ends of a long one would fill the memory.
         const val MAX_ENDS = 32
     }
 }
@@ -188,7 +188,7 @@ private fun folded(text: String): String {
     return characters.concatToString()
 }
 
-/** Returns the number of characters to insert, delete or replace to turn [one] into [other] (Levenshtein 1966), but at most [limit].  */
+/** Returns the number of characters to insert, delete or replace to turn [one] into [other], at most [limit] (Levenshtein 1966). */
 internal fun editDistance(one: String, other: String, limit: Int): Int {
     if (kotlin.math.abs(one.length - other.length) >= limit) return limit
     var last = IntArray(other.length + 1) { it }

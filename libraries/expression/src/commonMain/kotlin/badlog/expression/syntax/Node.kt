@@ -79,8 +79,7 @@ internal enum class Kind(val title: String) {
 }
 
 /**
- * The type of a node's result: its [kind], and whether there is one for each moment or one for the whole
- * recording.
+ * The type of a node's result: its [kind], and whether each moment has one or the whole recording.
  *
  * @property isMomentary whether each is over at once, like an event.
  */

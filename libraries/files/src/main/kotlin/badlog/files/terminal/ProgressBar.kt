@@ -9,7 +9,7 @@ import kotlin.math.roundToInt
  * passes the exception on.
  */
 public fun interface Progress {
-    /** Called when [done] of [total] bytes, or other units, are done; [total] is an estimate if the input is still being written. */
+    /** Called when [done] of [total] bytes, or other units, are done. [total] is an estimate if the input is still being written. */
     public fun advanced(done: Long, total: Long)
 }
 
@@ -60,8 +60,8 @@ public class ProgressBar(
 }
 
 /**
- * Returns [seconds] with the precision of an estimate: `12 s left`, from a minute and a half on `3 min left`, from an hour and a half on `2
- * h left`.
+ * Returns [seconds] with the precision of an estimate. For example, `12 s left`, from a minute and a half on `3 min left`, from an hour and
+ * a half on `2 h left`.
  */
 internal fun timeLeft(seconds: Double): String = when {
     seconds < MIN_MINUTES -> "${ceil(seconds).toInt()} s left"

@@ -42,8 +42,8 @@ public class TextTable(
     }
 
     /**
-     * Returns the lines of [rows] in one block; in several if the columns do not fit beside each other with readable headings. Each block has some of
-     * the columns, and the same lines as [lines].
+     * Returns the lines of [rows] in one block. In several if the columns do not fit beside each other with readable headings. Each block
+     * has some of the columns, and the same lines as [lines].
      */
     public fun blocks(rows: List<List<String>>): List<List<List<String>>> {
         val least = leastWidths(rows.map { row -> row.map(::printable) }, (width / NAMES).coerceIn(MIN_NAME, READABLE), READABLE)
@@ -73,7 +73,7 @@ public class TextTable(
     /** Returns the titles, for lines made by [line]. */
     public fun titles(): String = line(columns.map { it.title })
 
-    /** Returns the least width of each column of [rows]: its values' width, up to [name] for names, up to [heading] for titles. */
+    /** Returns the least width of each column of [rows]. It is its values' width, up to [name] for names, up to [heading] for titles. */
     private fun leastWidths(rows: List<List<String>>, name: Int, heading: Int): List<Int> = columns.mapIndexed { i, column ->
         val widest = rows.maxOfOrNull { displayWidth(it[i]) } ?: 0
         val title = displayWidth(column.title)

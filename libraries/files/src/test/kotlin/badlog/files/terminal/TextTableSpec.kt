@@ -64,7 +64,7 @@ class TextTableSpec : FunSpec({
         }
     }
 
-    test("columns that do not fit beside each other go below, beside the first ones again") {
+    test("columns that do not fit are in another block below, beside the first ones again") {
         val columns = listOf(Column("Match"), Column("A", isNumber = true), Column("B", isNumber = true))
         val rows = listOf(listOf("Q1", "1.23456789", "2.3456789"), listOf("Q2", "1", "2"))
         TextTable(columns, 17, repeated = 1).text(rows) shouldBe listOf(

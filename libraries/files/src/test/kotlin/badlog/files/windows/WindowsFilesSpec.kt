@@ -47,7 +47,7 @@ class WindowsFilesSpec : FunSpec({
         }
     }
 
-    test("a read-only file is not replaced: one sentence says why, the old content stays, and nothing is left beside it") {
+    test("a read-only file is not replaced: a sentence has the reason, the old content stays, and no other file is left beside it") {
         onWindows {
             val file = folder.resolve("a.txt")
             writeAtomically(file) { it.write("old".encodeToByteArray()) }

@@ -149,7 +149,7 @@ internal class SampleBlock(val columns: List<SampleColumn>, timestamps: Timestam
         if (timestamps !== shared) timestamps.add(time)
     }
 
-    /** Records that the array no longer has this element at [time]: a gap, after which the block has its own timestamps. */
+    /** Records that the array no longer has this element at [time]. After the gap, the block has its own timestamps. */
     fun miss(time: Double, shared: Timestamps) {
         if (isInGap) return
         isInGap = true

@@ -22,8 +22,9 @@ import badlog.formats.column.addTooMany
 import badlog.formats.column.reportTopic
 
 /**
- * Reads a log of the Driver Station that is pushed to it in pieces of any size: a `.dslog`, a `.dsevents`, or the bytes of both, in this order. It
- * never throws because of the bytes: whatever is wrong becomes a problem of the recording, by the rules in `docs/driver-station.md`.
+ * Reads a log of the Driver Station, pushed to it in pieces of any size. The log is a `.dslog`, a `.dsevents`, or the bytes of both, in
+ * this order. It never throws because of the bytes: whatever is wrong becomes a problem of the recording, by the rules in
+ * `docs/driver-station.md`.
  *
  * Besides the samples, it holds a few records of the file, or an event and the bytes needed to find the next one after damage, at most 3 MB. Not
  * thread-safe.
@@ -38,7 +39,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
     private var events: StationEvents? = null
     private var refusal: String? = null
 
-    /** The time of day at which x is 0, in whole seconds since 1904 and their fraction; below 0 if no header was read. */
+    /** The time of day at which x is 0, in whole seconds since 1904 and their fraction. Below 0 if no header was read. */
     private var seconds = -1.0
     private var fraction = 0.0
 

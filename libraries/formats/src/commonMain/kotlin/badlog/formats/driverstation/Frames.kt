@@ -3,8 +3,8 @@ package badlog.formats.driverstation
 /** The sequence of frames in a file of the Driver Station: records, or events. */
 internal interface Frames {
     /**
-     * Returns the size in bytes of the frame at [at]; [MORE] if too few bytes have arrived to know or to read it, [NONE] if none begins
-     * there.
+     * Returns the size in bytes of the frame at [at]. Returns [MORE] if too few bytes have arrived to know or to read it, [NONE] if none
+     * begins there.
      */
     fun sizeAt(bytes: ByteArray, at: Int, until: Int, isEnd: Boolean): Int
 

@@ -69,7 +69,9 @@ internal class PowerColumns(private val name: String, private val source: Column
         const val TEN_BITS = 0x3FF
         const val WIDE_CHANNELS = 20
 
-        /** The offset of channel 0 from the byte after the number on the CAN bus, if all channels had one byte, like the last ones. */
+        /**
+         * The offset of channel 0 from the byte after the number on the CAN bus. It counts all channels as one byte, like the last ones.
+         */
         const val NARROW = 7
         const val VOLTAGE = 23
         const val TEMPERATURE = 24

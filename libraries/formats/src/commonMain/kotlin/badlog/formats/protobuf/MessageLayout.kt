@@ -138,7 +138,7 @@ internal class MessageList(val index: Int, val path: String, val element: Messag
     /** The encoding of an element. */
     val wire: Int get() = type?.wire ?: WireReader.SIZED
 
-    /** Returns whether the field that [reader] has read is packed: its numbers follow each other without the field's number before each. */
+    /** Returns whether the field that [reader] has read is packed. Its numbers follow each other without the field's number before each. */
     fun isPacked(reader: WireReader): Boolean = reader.wire != wire
 
     /** Returns whether the field that [reader] has read may belong to this list. */

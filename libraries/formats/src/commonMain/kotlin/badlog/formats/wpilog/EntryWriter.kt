@@ -135,7 +135,7 @@ internal class EntryWriter(
     }
 }
 
-/** Entries in the order of their next samples: a heap, in which the earlier of two entries with equal times comes first. */
+/** Entries in the order of their next samples. It is a heap, in which the earlier of two entries with equal times comes first. */
 internal class EntryQueue(entries: List<EntryWriter>) {
     private val heap = entries.indices.filter { entries[it].hasNext }.toIntArray()
     private val all = entries

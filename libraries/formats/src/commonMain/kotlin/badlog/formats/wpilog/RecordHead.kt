@@ -2,7 +2,7 @@ package badlog.formats.wpilog
 
 /** The verdict on the bytes where a record is expected. */
 internal enum class RecordLook {
-    /** A record that belongs to the log: its entry was started, its size fits the type, and its time is near the others. */
+    /** A record that belongs to the log. Its entry was started, its size fits the type, and its time is near the others. */
     FITTING,
 
     /** Possibly a record: its head is valid, but something in it is odd. */
@@ -72,7 +72,7 @@ internal object ControlKind {
     const val FINISH = 1
     const val SET_METADATA = 2
 
-    /** Returns the number of texts after the head of a record of [kind]; -1 for a kind that does not exist. */
+    /** Returns the number of texts after the head of a record of [kind]. -1 for a kind that does not exist. */
     fun textsOf(kind: Int): Int = when (kind) {
         START -> 3
         FINISH -> 0

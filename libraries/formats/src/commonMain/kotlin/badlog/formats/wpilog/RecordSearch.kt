@@ -11,7 +11,7 @@ import kotlin.math.abs
 internal class RecordSearch(private val sink: RecordSink) {
     private val head = RecordHead()
 
-    /** Judges the bytes at [at] as the record after one at [near] µs, NaN if there was none; reads them into [head]. */
+    /** Judges the bytes at [at] as the record after one at [near] µs, NaN if there was none. Reads them into [head]. */
     fun look(head: RecordHead, bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
         val possible = head.read(bytes, at, until)
         if (possible != RecordLook.FITTING) return possible
@@ -28,7 +28,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return if (mayBeControlPayload(bytes, end - head.size, end)) possible else RecordLook.ODD
     }
 
-    /** Judges as [look] does, but only an exact control record is one: such a place need not be the start of a record. */
+    /** Judges as [look] does, but only an exact control record is one. Such a place need not be the start of a record. */
     private fun strictLook(bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
         val look = look(head, bytes, at, until, near)
         if (look != RecordLook.FITTING || head.id != 0) return look

@@ -182,7 +182,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         return end
     }
 
-    /** Reads a record that fits, but is larger than usual, or followed by something that does not fit: its own size may be wrong. */
+    /** Reads a record that fits, but is unusually large, or followed by something that does not fit. Its own size may be wrong. */
     private fun readDoubtful(bytes: ByteArray, at: Int, until: Int, nextLook: RecordLook, isEnd: Boolean): Int {
         val end = at + head.length
         if (!head.hasOneSize) {

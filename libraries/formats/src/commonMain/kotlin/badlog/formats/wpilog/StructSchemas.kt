@@ -67,8 +67,8 @@ internal class StructSchemas {
 internal class StructField(val name: String, val type: String, val count: Int?, val bits: Int, val names: Map<Long, ByteArray>?)
 
 /**
- * Reads the schema of a struct: declarations such as `double x`, `int16 counts[4]`, `uint8 mode:3` and
- * `enum {off=0, on=1} int8 state`, with semicolons between them.
+ * Reads the schema of a struct: declarations with semicolons between them. Examples: `double x`, `int16 counts[4]`, `uint8 mode:3` and
+ * `enum {off=0, on=1} int8 state`.
  */
 internal class SchemaReader private constructor(private val text: String) {
     private var at = 0

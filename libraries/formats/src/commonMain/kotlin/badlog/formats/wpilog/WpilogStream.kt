@@ -23,7 +23,7 @@ public class WpilogStream(private val sink: (bytes: ByteArray, size: Int) -> Uni
         return id
     }
 
-    /** Writes a record of entry [id] at [micros], exact up to 2^53; [payload] must have the form that the entry's type requires. */
+    /** Writes a record of entry [id] at [micros], exact up to 2^53. [payload] must have the form that the entry's type requires. */
     public fun record(id: Int, micros: Long, payload: ByteArray) {
         out.record(id, micros.toDouble(), payload, 0, payload.size)
         passOn()

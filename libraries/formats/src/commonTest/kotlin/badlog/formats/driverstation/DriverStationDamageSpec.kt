@@ -35,7 +35,7 @@ private fun DoubleArray?.orEmpty() = this ?: DoubleArray(0)
 class DriverStationDamageSpec : FunSpec({
     val pair = STATION_LOG.bytes + STATION_EVENTS.bytes
 
-    test("a hole in the records costs only the records in it, and the time goes on") {
+    test("a hole in the records loses only the records in it, and the time continues") {
         for (block in listOf(ByteArray(0), pdp(), pdh())) {
             val whole = TestDslog().records(400, Status.BOTH_TELEOP) { block }.bytes
             val size = 14 + block.size

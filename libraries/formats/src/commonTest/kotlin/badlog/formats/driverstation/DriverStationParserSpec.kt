@@ -46,7 +46,7 @@ class DriverStationParserSpec : FunSpec({
         parseStation(log.bytes).topic("Driver Station/Packet Loss").samples.toList() shouldBe listOf(0.0, 0.0, 0.0, 4.0, 100.0, 100.0, 100.0)
     }
 
-    test("without a reading there is no voltage, no trip time and no link, but the mode of the Driver Station") {
+    test("a missing reading leaves voltage, trip time and link empty, and keeps the mode of the Driver Station") {
         val read = parseStation(TestDslog().record().record(Status.ONLY_DS_TELEOP, Double.NaN, trip = 255).record(Status.ONLY_DS_TELEOP).bytes)
         read.topic("Driver Station/Battery Voltage").counts.empty shouldBe 1
         read.topic("Driver Station/Trip Time").samples[1].isNaN() shouldBe true

@@ -54,7 +54,7 @@ private fun Recording.first(topic: String) = topics.single { it.name == topic }.
 private fun read(bytes: ByteArray) = RecordingParser(LOG_FORMATS, bytes.size.toLong()).apply { accept(bytes) }.finish()
 
 internal class RevlogFormatSpec : FunSpec({
-    // Output -0.5, 12 V, 40 A, 35 °C, the forward limit switch: the bits as REV's description of STATUS_0 places them.
+    // Output -0.5, 12 V, 40 A, 35 °C, the forward limit switch. The bits are where REV's description of STATUS_0 places them.
     val output = (-16221L) and 0xFFFF
     val spark = output or (1638L shl 16) or (1092L shl 28) or (35L shl 40) or (1L shl 48)
 

@@ -64,7 +64,7 @@ class EntryMetadataSpec : FunSpec({
         parseLog(TestLog().start(1, TOPIC, "double", metadata).double(1, 5, 1.0).bytes).topics.single().wasXAxis shouldBe false
     }
 
-    test("badlog marks a topic's role in a bag, x axis or sparse; texts, which always have empty cells, have none") {
+    test("badlog marks a topic's role in a bag, x axis or sparse; texts always have empty cells and no role") {
         val rows = (0 until 30).joinToString("") { "$it,${if (it % 7 == 0) it else ""},${if (it % 7 == 1) "true" else ""},${if (it == 3) "hello" else ""}\n" }
         val bag = parse("{\"topics\":[{\"name\":\"t\",\"attrs\":[\"xaxis\"]},{\"name\":\"n\"},{\"name\":\"on\"},{\"name\":\"said\"}]}\nt,n,on,said\n$rows")
         val topics = parseLog(writeLog(bag).first).topics.associateBy { it.name }

@@ -107,7 +107,7 @@ class ProtoSpec : FunSpec({
         )
     }
 
-    test("an element of a list that goes missing has one gap, and so have the lists in it") {
+    test("an element of a list that disappears has one gap, and so have the lists in it") {
         val point = message("Point", field("v", 1, INT32, isList = true))
         val fields = field("list", 1, MESSAGE, "a.Point", isList = true)
         val element = sized(1, sized(1, varint(4)))
@@ -128,7 +128,7 @@ class ProtoSpec : FunSpec({
         values(read(fields, whole(1, 3) + sized(2, whole(1, 4)))) shouldBe mapOf("p/n" to 3.0)
     }
 
-    test("a message whose size would double with every level is shown by its size") {
+    test("a message that would double its size with every level is shown by its size") {
         val levels = (1..40).map { sized(4, message("L$it", field("a", 1, MESSAGE, "a.L${it + 1}"), field("b", 2, MESSAGE, "a.L${it + 1}", isList = true))) }
         val recording = read(field("top", 1, MESSAGE, "a.L1"), ByteArray(4) { 8 }, others = levels.fold(ByteArray(0), ByteArray::plus))
         recording.topic("p").unit shouldBe "B"
@@ -149,7 +149,7 @@ class ProtoSpec : FunSpec({
         }
     }
 
-    test("messages nested 100 deep are taken apart, and none beyond") {
+    test("messages are taken apart up to 100 levels deep") {
         fun levels(count: Int): Recording {
             val inner = (1..count - 2).map { sized(4, message("L$it", field("a", 1, MESSAGE, "a.L${it + 1}"))) }
             val last = sized(4, message("L${count - 1}", field("x", 1, INT32)))

@@ -55,7 +55,7 @@ class StructSpec : FunSpec({
     }
 
     test("bit-fields of one width share bytes from the lowest bit on, and a bool joins any") {
-        // int8: a in bits 0 to 3, b in 4 to 6, the bool in 7; then c does not fit and takes the next byte.
+        // int8: a in bits 0 to 3, b in 4 to 6, the bool in 7. Then c does not fit and takes the next byte.
         val schema = "int8 a:4; uint8 b:3; bool f:1; int8 c:4; int16 d:9; bool g:1; double e"
         val payload = byteArrayOf(0b1_101_1110.toByte(), 0b0111, (0x1FF and 0xFF).toByte(), 0b11) + doubles(2.0)
         values(read(schema, payload)) shouldBe mapOf(

@@ -146,12 +146,12 @@ class WpilogDamageSpec : FunSpec({
         log.recording.topics.size shouldBe ReadLog(ROBOT).recording.topics.size - 2
     }
 
-    test("damage at the end of a file costs only the records there") {
+    test("damage at the end of a file loses only the records there") {
         val log = ReadLog(ROBOT.copyOf().also { it.fill(0, ROBOT.size - 500, ROBOT.size) })
         log.recording.problems.map { it.kind } - ProblemKind.NOT_DECODED shouldContainExactly listOf(ProblemKind.RECORDS_LOST)
     }
 
-    test("damage that goes on for megabytes is skipped with little memory") {
+    test("megabytes of damage are skipped with little memory") {
         val damaged = ROBOT.copyOf(12_000) + Random(5).nextBytes(3_000_000) + ROBOT.copyOfRange(12_000, ROBOT.size)
         val log = ReadLog(damaged, 65_536)
         log.records.size - WHOLE.records.size shouldBeLessThan 5

@@ -29,14 +29,14 @@ class WpilogMalformedSpec : FunSpec({
     val metadata = byteArrayOf(2)
     val id = number(2, 4)
 
-    test("a header with a text longer than the file, or than an int, gives no topic, and takes no memory") {
+    test("a header with a text longer than the file, or than an int, adds no topic, and takes no memory") {
         for (size in listOf(1L, 0x7FFFFFFF, 0x80000000, HUGE)) {
             val recording = parseLog("WPILOG".encodeToByteArray() + byteArrayOf(0, 1) + number(size, 4))
             withClue(size) { recording.topics to recording.problems.isEmpty() shouldBe (emptyList<Topic>() to false) }
         }
     }
 
-    test("a header that is cut anywhere gives no topic, and the loss is reported") {
+    test("a header that is cut anywhere adds no topic, and the loss is reported") {
         val whole = TestLog("{}").bytes
         for (size in whole.indices) {
             val recording = parseLog(whole.copyOf(size))

@@ -60,7 +60,7 @@ class WpilogParserSpec : FunSpec({
         recording.topic("n[0]").samples.toList() shouldBe listOf(-1.0)
     }
 
-    test("an element that goes missing has one gap, and only its own samples") {
+    test("an element that disappears has one gap, and only its own samples") {
         val log = TestLog().start(1, "a", "double[]").record(1, 1, doubles(1.0, 10.0))
         for (i in 2L..50L) log.record(1, i, doubles(1.0))
         log.record(1, 51, doubles(1.0, 11.0, 12.0)).record(1, 52, ByteArray(0))
@@ -118,7 +118,7 @@ class WpilogParserSpec : FunSpec({
         recording.count(ProblemKind.NOT_DECODED) shouldBe 3
     }
 
-    test("metadata gives units, the last one counts, and badlog's own attributes come back") {
+    test("metadata has units, the last one counts, and badlog's own attributes are restored") {
         val recording = TestLog().start(1, "a", "double", "{\"unit\":\"V\"}")
             .start(2, "b", "double", "{\"properties\":{\"unit\":\"A\"}}")
             .start(3, "c", "double", "not JSON").metadata(3, "{\"unit\":\"m\",\"attrs\":[\"zero\"]}").read()
@@ -127,7 +127,7 @@ class WpilogParserSpec : FunSpec({
         recording.topic("a").metadata shouldBe "{\"unit\":\"V\"}"
     }
 
-    test("a number that is used again belongs to the new entry, and the same name goes on") {
+    test("a number that is used again belongs to the new entry, and the topic of the same name continues") {
         val recording = TestLog().start(1, "a", "double").double(1, 1, 1.0).finish(1).double(1, 2, 9.0)
             .start(1, "b", "double").double(1, 3, 2.0)
             .start(2, "a", "double").double(2, 4, 3.0).start(3, "a", "int64").record(3, 5, longs(4)).read()
@@ -255,7 +255,7 @@ class WpilogParserSpec : FunSpec({
         parseLog("WPILOG".encodeToByteArray()).problems.map { it.kind } shouldContain ProblemKind.RECORD_CUT
     }
 
-    test("without samples, the counts are the same and nothing is kept") {
+    test("without samples, the counts are the same and no values are kept") {
         val kept = VARIED_LOG.read()
         val counted = parseLog(VARIED_LOG.bytes, keepSamples = false)
         counted.topics.map { it.name to it.counts } shouldBe kept.topics.map { it.name to it.counts }

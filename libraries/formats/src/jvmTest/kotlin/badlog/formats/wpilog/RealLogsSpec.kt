@@ -20,7 +20,7 @@ import java.nio.ByteOrder
 internal val REAL_LOGS: List<File> =
     File(System.getenv("BADLOG_REAL_LOGS").orEmpty()).listFiles { file -> file.name.endsWith(".wpilog") }.orEmpty().sorted()
 
-/** The result of a slow and simple reader: for each name the sizes of its payloads, and the number from before 0. */
+/** The result of a slow and simple reader. It has the sizes of its payloads for each name, and the number from before 0. */
 private class SimpleReading(bytes: ByteArray) {
     val payloads = LinkedHashMap<String, MutableList<Int>>()
     val types = HashMap<String, String>()

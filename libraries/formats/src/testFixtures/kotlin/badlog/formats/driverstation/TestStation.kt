@@ -109,7 +109,7 @@ internal fun parseStation(bytes: ByteArray, piece: Int = maxOf(1, bytes.size), k
     return parser.finish()
 }
 
-/** A short match: disabled, autonomous, teleop with a brownout and a loss of the link; a PDP from the second on. */
+/** A short match: disabled, autonomous, teleop with a brownout and a loss of the link. It has a PDP from the second on. */
 internal val STATION_LOG: TestDslog
     get() = TestDslog()
         .record(Status.BOTH_DISABLED or 7, volts = Double.NaN, trip = 255, loss = 26, cpu = 0, can = 0)

@@ -27,8 +27,8 @@ internal interface ValueSink {
 }
 
 /**
- * Reads the binary frame [frame] of NetworkTables 4: MessagePack arrays of a topic's id, the server's time, a type's code and a value.
- * Everything after the first invalid array is ignored.
+ * Reads the binary frame [frame] of NetworkTables 4. It has MessagePack arrays of a topic's id, the server's time, a type's code and a
+ * value. Everything after the first invalid array is ignored.
  */
 internal fun readValues(frame: ByteArray, sink: ValueSink) {
     val unpacker = MessagePack.newDefaultUnpacker(frame)
@@ -96,7 +96,7 @@ private fun readValue(unpacker: MessageUnpacker, frameSize: Int, sink: ValueSink
     return true
 }
 
-/** Returns the next value as a WPILOG payload of [type]; null if it has another type, or does not fit in [left] bytes. */
+/** Returns the next value as a WPILOG payload of [type]. Null if it has another type, or does not fit in [left] bytes. */
 private fun payload(unpacker: MessageUnpacker, type: TopicType, left: Long): ByteArray? = when (type) {
     TopicType.BOOLEAN -> boolean(unpacker)?.let { byteArrayOf(it) }
     TopicType.DOUBLE -> double(unpacker)?.let { bytes(Double.SIZE_BYTES).putDouble(it).array() }

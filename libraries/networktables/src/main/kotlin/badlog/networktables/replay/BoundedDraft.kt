@@ -18,7 +18,7 @@ import java.net.URISyntaxException
 import java.nio.ByteBuffer
 
 /**
- * WebSockets of NT4, for programs on this computer: handshakes and messages are limited in length, and no web page from the internet may
+ * WebSockets of NT4, for programs on this computer. Handshakes and messages are limited in length, and no web page from the internet may
  * connect.
  *
  * @param ownHost the address at which the server listens, as pages on it would name it.

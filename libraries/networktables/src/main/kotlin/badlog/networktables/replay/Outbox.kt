@@ -24,7 +24,8 @@ internal class Outbox(signalCount: Int, private val limit: Int) {
     }
 
     /**
-     * Removes and returns the values that can be sent at [nowMicros], at most [most]; [periodMicros] is the time until a topic is due again.
+     * Removes and returns the values that can be sent at [nowMicros], at most [most]. [periodMicros] is the time until a topic is due
+     * again.
      */
     fun take(nowMicros: Long, most: Int, periodMicros: LongArray): List<Update> {
         val taken = ArrayList<Update>(minOf(most, waiting.size))

@@ -38,7 +38,7 @@ private fun signalOf(topic: LoggedTopic, name: String): ReplayedTopic {
     return ReplayedTopic(name, type, topic.unit, Series(topic.times, topic.times), typeName = typeName, payload = topic.payload)
 }
 
-/** Returns the robot's enabled state and mode as a control word, as a robot publishes it; null if the log does not show them. */
+/** Returns the robot's enabled state and mode as a control word, as a robot publishes it. Null if the log does not show them. */
 private fun controlWordOf(view: LogView): ReplayedTopic? {
     val spans = view.enabledSpans()
     val start = view.xAxis.range?.start ?: return null

@@ -30,7 +30,7 @@ internal class StillClock(micros: Long = 1_000_000) {
 /**
  * A NetworkTables server under the control of a test.
  *
- * @property offset its time minus that of [clock], in µs; a test may set it.
+ * @property offset its time minus the time of [clock], in µs; a test may set it.
  * @property clock the time of the computer of server and recorder.
  */
 internal class FakeServer(port: Int = 0, @Volatile var offset: Long = 4_000_000, val clock: StillClock = StillClock()) :

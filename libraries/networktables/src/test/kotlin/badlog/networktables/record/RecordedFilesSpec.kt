@@ -74,7 +74,8 @@ class RecordedFilesSpec : FunSpec({
         test("from 2027 on, whether the robot is enabled and which match it plays come from $folder/ControlWord, a struct") {
             FakeServer().use { server ->
                 fun control(isEnabled: Boolean) {
-                    // The op mode is in the lower 56 bits; two for the mode; then enabled, emergency stop, field and Driver Station.
+                    // The op mode is in the lower 56 bits, the mode in the next two. Then come enabled, emergency stop, field and Driver
+                    // Station.
                     val word = 0x00AB_CDEF_0123_4567L or (2L shl 56) or ((if (isEnabled) 1L else 0L) shl 58) or (1L shl 61)
                     server.value(99, 5) {
                         packBinaryHeader(8)

@@ -10,7 +10,7 @@ import io.kotest.property.checkAll
 import kotlin.math.abs
 
 class TimeSyncSpec : FunSpec({
-    /** Requests the time at [local] from a server that is [offset] ahead; the message and its answer travel for [there] and [back]. */
+    /** Requests the time at [local] from a server that is [offset] ahead. The message and its answer travel for [there] and [back]. */
     fun TimeSync.ask(local: Long, offset: Long, there: Long = 1000, back: Long = 1000) = answered(local, local + there + offset, local + there + back)
 
     test("the quickest answer determines the offset") {

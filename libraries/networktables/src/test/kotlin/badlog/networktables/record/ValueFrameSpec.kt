@@ -39,7 +39,7 @@ private fun found(type: TopicType?, vararg frames: ByteArray) = FrameContent(typ
 private fun payloadOf(type: TopicType, pack: MessageBufferPacker.() -> Unit): List<Int>? = found(type, frameOf(7, type.code, 9, pack)).values.singleOrNull()?.third?.map { it.toInt() }
 
 class ValueFrameSpec : FunSpec({
-    test("values of every type become those of a WPILOG") {
+    test("values of every type become values of a WPILOG") {
         payloadOf(TopicType.BOOLEAN) { packBoolean(true) } shouldBe listOf(1)
         payloadOf(TopicType.DOUBLE) { packDouble(1.0) } shouldBe listOf(0, 0, 0, 0, 0, 0, -16, 63)
         payloadOf(TopicType.DOUBLE) { packInt(1) } shouldBe listOf(0, 0, 0, 0, 0, 0, -16, 63)

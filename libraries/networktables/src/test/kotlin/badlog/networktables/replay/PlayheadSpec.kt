@@ -74,7 +74,7 @@ class PlayheadSpec : FunSpec({
         }
     }
 
-    test("a position has the time when the playhead was there") {
+    test("each position has the time at which the playhead reached it") {
         checkAll(SPEEDS, Arb.double(0.0, 10.0, includeNaNs = false)) { speed, position ->
             val playhead = playhead(speed = speed).apply { play(3 * SECOND) }
             val stretch = playhead.stretches(2000 * SECOND).single()

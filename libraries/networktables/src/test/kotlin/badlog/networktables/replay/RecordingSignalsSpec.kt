@@ -39,7 +39,7 @@ class RecordingSignalsSpec : FunSpec({
         log.texts() shouldBe listOf("up we go", "again “up”", "done")
     }
 
-    test("values are there from the start") {
+    test("values are known from the start") {
         val number = SIGNALS.getValue("/Values/Match Number")
         number.countUntil(-1e300) shouldBe 1
         number.texts() shouldBe listOf("8")

@@ -10,7 +10,7 @@ internal fun viewOf(bag: String): LogView {
     return LogView.of(parser.finish())
 }
 
-/** A topic of each kind, in a file whose rows are not evenly spaced. */
+/** A topic of each kind, in a file with rows that are not evenly spaced. */
 internal val VARIED_VIEW: LogView = viewOf(
     """
     {"topics":[{"name":"Time","unit":"s","attrs":["xaxis","hide"]},{"name":"Arm/Angle","unit":"deg","attrs":[]},{"name":"Arm/At Top","unit":"ul","attrs":[]},{"name":"Arm/State","unit":"ul","attrs":[]},{"name":"Log","unit":"ul","attrs":["log"]},{"name":"Nothing","unit":"A","attrs":[]}],"values":[{"name":"Match Number","value":"8"},{"name":"Arm/Größe","value":""}]}

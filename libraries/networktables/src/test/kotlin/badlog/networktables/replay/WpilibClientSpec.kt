@@ -23,7 +23,8 @@ import kotlin.concurrent.thread
 private val PYTHON = TestPython("ntcore", "pyntcore")
 
 /**
- * Returns the lines of WPILib's client for a replay: [values] values from start to end, then [more] values after a jump back to the start.
+ * Returns the lines of WPILib's client for a replay. It has [values] values from start to end, then [more] values after a jump back to the
+ * start.
  *
  * The client gives up a server that is silent for about a second, as on a busy machine, and reconnects to the current values. Its lines do
  * not count then, and the replay is repeated.

@@ -78,7 +78,7 @@ internal class HookRun(
     override fun close() {
         process.descendants().forEach(started::add)
         started += process.toHandle()
-        // Not the process itself, which would wait for its streams, and so for the threads that still read and write them.
+        // Not the process itself, which would wait for its streams. These wait for the threads that still read and write them.
         started.forEach(ProcessHandle::destroyForcibly)
         input.join(POLL)
     }

@@ -24,8 +24,8 @@ internal fun escaped(text: String): String = buildString(text.length) {
 }
 
 /**
- * Returns [text] as a link to [finding] on the page [page], or to the start of the page if the finding has no time. Without a page, the text
- * has no link.
+ * Returns [text] as a link to [finding] on the page [page]. The link leads to the start of the page if the finding has no time. Without a
+ * page, the text has no link.
  */
 internal fun linked(text: String, page: String?, finding: Finding? = null): String {
     if (page == null || text.isEmpty()) return escaped(text)

@@ -8,8 +8,8 @@ import badlog.rules.number.LogNumbers
 import badlog.rules.number.Measure
 
 /**
- * Returns all readable logs in a table, the worst first: the number of findings in each, the first finding, and the state of its battery. The page's
- * script can move the rows below the titles of [groups].
+ * Returns all readable logs in a table, the worst first. Each has its number of findings, its first finding, and the state of its battery.
+ * The page's script can move the rows below the titles of [groups].
  */
 internal fun overview(logs: List<IndexedLog>, groups: List<MatchGroup>): String {
     val ordered = groups.flatMapIndexed { index, group -> group.logs.map { it to index } }

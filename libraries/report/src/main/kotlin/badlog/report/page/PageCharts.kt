@@ -29,7 +29,7 @@ class PageCharts(val all: List<PageChart>, val lacking: List<String>, val undraw
     }
 }
 
-/** Returns the part of the index page with [charts]: each as a picture in a file beside the page, and the missing data for others. */
+/** Returns the part of the index page with [charts]. Each is a picture in a file beside the page; for others, the missing data is named. */
 internal fun chartsPart(charts: PageCharts): String {
     val out = StringBuilder()
     if (charts.all.isNotEmpty()) out.append("<div class=\"charts\">\n")

@@ -216,7 +216,10 @@ class MatchTable(
     }
 
     companion object {
-        /** The name of the column with the battery that was in the robot: as the log says, or as the team wrote down beside it. */
+        /**
+         * The name of the column with the battery that was in the robot. The log says which it was, or the team wrote it down beside the
+         * log.
+         */
         const val BATTERY: String = "battery"
         private const val MAX_SHAPES = 64
 

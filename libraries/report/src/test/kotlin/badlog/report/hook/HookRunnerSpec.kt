@@ -44,7 +44,7 @@ private fun python(program: String, limit: Duration = 5.minutes, nanos: () -> Lo
 
 @Tags("InCheck")
 class HookRunnerSpec : FunSpec({
-    test("the example gives what docs/hooks.md says").config(enabled = HAS_PYTHON) {
+    test("the example prints the output in docs/hooks.md").config(enabled = HAS_PYTHON) {
         val hook = HookRunner(commandWords("python3 '${File(ROOT, "docs/hooks/analyze.py")}' {header}"), 5.minutes)
         val result = hook.run(RECORDING)
         val lines = result.values.map { (name, text) -> "$name: $text" } +
@@ -54,7 +54,7 @@ class HookRunnerSpec : FunSpec({
         File(ROOT, "docs/hooks.md").readText() shouldContain "```hook\n${lines.joinToString("\n")}\n```"
     }
 
-    test("the example in R gives values and a picture").config(enabled = HAS_R) {
+    test("the example in R returns values and a picture").config(enabled = HAS_R) {
         val result = HookRunner(commandWords("Rscript '${File(ROOT, "docs/hooks/analyze.R")}'"), 5.minutes).run(RECORDING)
         result.values["Deviation of Drivetrain/Angle"] shouldBe "587.3"
         result.figures.single().mediaType shouldBe "image/png"
@@ -122,7 +122,7 @@ class HookRunnerSpec : FunSpec({
         }
     }
 
-    test("a hook ends, and its header is deleted, when the program is asked to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
+    test("a hook ends, and its header is deleted, when the program gets a signal to end").config(enabled = HAS_PYTHON && !IS_WINDOWS) {
         val report = File.createTempFile("hook", ".txt")
         try {
             val program = """

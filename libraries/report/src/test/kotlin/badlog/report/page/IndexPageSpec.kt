@@ -52,7 +52,7 @@ class IndexPageSpec : FunSpec({
 
     fun OpenPage.shownMatches() = elements(".overview tbody tr").filter { it.isDisplayed }.map { it.findElement(By.tagName("th")).text }
 
-    browserTest("matches stand with the worst first, each with its counts and what was first of all", { page ->
+    browserTest("matches are listed with the worst first, each with its counts and its first finding", { page ->
         page.shownMatches().take(2) shouldBe listOf("Qualification 42", "practice.bag")
         page.texts(".overview thead th").take(4) shouldBe listOf("Match", "Errors", "Warnings", "Notes")
         page.texts(".overview .first a").first() shouldBe "The robot drew more than its battery gives"
@@ -125,7 +125,7 @@ class IndexPageSpec : FunSpec({
         page.script("return document.activeElement.textContent") shouldBe "Skip to the matches"
     }, page = samples)
 
-    browserTest("an incident stands before the findings of its match, and links to the moment of each sentence", { page ->
+    browserTest("an incident is above the findings of its match, and links to the moment of each sentence", { page ->
         val incident = page.element("#log-2 .incidents li")
         incident.text.orEmpty() shouldContain "Likely cause: the robot drew more than its battery gives."
         val links = incident.findElements(By.tagName("a")).map { it.getDomAttribute("href") }

@@ -91,7 +91,7 @@ class PageChartsSpec : FunSpec({
         }
     }
 
-    test("former charts that are no longer drawn are removed, and nothing else") {
+    test("only former charts that are no longer drawn are removed") {
         inFolder { folder ->
             val out = folder.resolve("out")
             report(folder, out, CHARTS)

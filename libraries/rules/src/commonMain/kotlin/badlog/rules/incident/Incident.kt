@@ -34,7 +34,7 @@ class Incident internal constructor(
     /** The unit of [time]. */
     val timeUnit: String get() = causes[0].timeUnit
 
-    /** Its description: the likely cause, the worst effects, and the difference from other matches; each with the finding that shows it. */
+    /** Its description: the likely cause, the worst effects, and the difference from other matches. Each has the finding that shows it. */
     val sentences: List<Sentence>
         get() {
             val reported = effects.filter {
@@ -54,7 +54,7 @@ class Incident internal constructor(
     /** Returns whether [finding] is a part of it. */
     operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
 
-    /** Returns whether it is the same as a cause at the same moment: a stalled loop, for example, need not be mentioned twice. */
+    /** Returns whether it is the same as a cause at the same moment. A stalled loop, for example, need not be mentioned twice. */
     private fun isSaidByCause(effect: Finding) =
         effect.topic != null && causes.any { it.time == effect.time && effect.topic in it.evidence }
 

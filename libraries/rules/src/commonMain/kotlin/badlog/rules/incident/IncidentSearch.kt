@@ -7,8 +7,8 @@ import badlog.rules.cause.Cause
 import badlog.rules.standing.Standing
 
 /**
- * Returns the incidents in a log in which these rules have found [findings], the worst first: one for each cause that findings
- * show. Only a proven rule shows one. A finding that shows a cause but follows from another one does not begin a separate incident.
+ * Returns the incidents in a log in which these rules have found [findings], the worst first. Each cause that findings show has one. Only a
+ * proven rule shows one. A finding that shows a cause but follows from another one does not begin a separate incident.
  *
  * @param differences how the log differs from the team's other matches, greatest difference first; an incident mentions the first
  *   one about its own topics.
@@ -34,7 +34,7 @@ fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = em
     return found.sortedWith(compareBy({ -it.severity.ordinal }, { -it.effects.size }, { it.time }))
 }
 
-/** Returns the name of [cause], with the signals that were unusual each time; it does not say which led to which. */
+/** Returns the name of [cause], with the signals that were unusual each time. It does not say which led to which. */
 private fun nameOf(cause: Cause, showing: List<Finding>): String {
     val signals = showing.flatMap { it.meanwhile }.distinct()
     return if (signals.isEmpty()) cause.name else "${cause.name} while ${signals.joinToString(" and ")} rose"

@@ -10,7 +10,9 @@ enum class Standing {
     /** It is a note, begins no incident, and comes after proven rules. */
     ON_TRIAL,
 
-    /** It says nothing, because more than one in three of its findings were wrong; a team that sets one of its limits hears it as on trial. */
+    /**
+     * It says nothing, because more than one in three of its findings were wrong. For a team that sets one of its limits, it is on trial.
+     */
     SILENT,
     ;
 
@@ -31,7 +33,7 @@ const val PROVEN_TRUST: Double = 1.0
 const val UNCOUNTED_TRUST: Double = 0.666
 
 /**
- * Returns the trust that [counts] of one rule give it, from 0 to [PROVEN_TRUST]: about the share of its findings that were right.
+ * Returns the trust that [counts] of one rule give it, from 0 to [PROVEN_TRUST]. It is about the share of its findings that were right.
  *
  * It is as if two right findings and a wrong one had been counted before: a rule with few findings stays near [UNCOUNTED_TRUST], and falls below it
  * exactly when more than one in three was wrong.
@@ -82,5 +84,5 @@ private const val LOGS_PER_WRONG = 200
 private const val PERCENT = 100
 private const val MIN_PERCENT_RIGHT = 95
 
-/** The least number of findings that must be right, over all sets: a rule that is always silent is never wrong, and proves nothing. */
+/** The least number of findings that must be right, over all sets. A rule that is always silent is never wrong, and proves nothing. */
 private const val MIN_RIGHT = 3

@@ -26,7 +26,7 @@ class LogNumbersTextSpec : FunSpec({
         LogNumbersReader().read(long.toText()).run { listOf(beginsEnabled, endsEnabled) } shouldBe listOf(false, true)
     }
 
-    test("no numbers stay no numbers, and any other text has none") {
+    test("an empty list of numbers stays empty, and any other text has no numbers") {
         val reader = LogNumbersReader()
         val texts = listOf(LogNumbers.NONE.toText(), LogNumbersText("x", "1;2;3"), LogNumbersText(numbers.toText().names, "9;;false;false;1;2"), LogNumbersText("", ""))
         texts.map { reader.read(it).keys.size } shouldBe listOf(0, 0, 0, 0)

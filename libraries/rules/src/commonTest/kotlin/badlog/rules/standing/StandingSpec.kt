@@ -66,7 +66,7 @@ class StandingSpec : FunSpec({
         lacking(REAL) shouldBe listOf("right 0 of 3 times")
     }
 
-    test("counts are read as they were written, and a line that has none is reported with its number") {
+    test("counts are read as they were written, and a line without counts is reported with its number") {
         val counts = listOf(REAL, GENERATED)
         ruleCountsIn(textOf(counts)) shouldBe counts
         for (row in listOf("Low battery\t0a\tmars\t1\t1\t1\t1\t1\t1", "Low battery\t0a\treal\t1\t1\t1\t1\t1", "Low battery\t0a\treal\t1\t1\t1\t1\t1\tx")) {

@@ -61,7 +61,7 @@ internal object DeviceMap {
         }
     }
 
-    /** Returns the device that [members] of [key] describe; null if neither they nor [address] have an id, or if it has no name. */
+    /** Returns the device that [members] of [key] describe. Null if neither they nor [address] have an id, or if it has no name. */
     private fun deviceOf(members: List<JsonMember>, address: Address?, key: String?, subsystem: String): NamedDevice? {
         fun textOf(keys: Set<String>) =
             members.firstNotNullOfOrNull { member -> member.value.text?.takeIf { it.isNotBlank() && folded(member.key) in keys } }

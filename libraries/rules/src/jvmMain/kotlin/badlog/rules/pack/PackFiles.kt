@@ -6,7 +6,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The files of a pack, which may have come from anywhere: nothing outside the pack is read, and nothing is larger than [PackLimits] allow.
+ * The files of a pack, which may have come from anywhere. Nothing outside the pack is read, and nothing is larger than [PackLimits] allow.
  *
  * @property names their names below the pack, with slashes, in order; without hidden files.
  */
@@ -51,7 +51,7 @@ internal object PackLimits {
     /** The depth of its folders, as its slices need it. */
     const val DEPTH = 4
 
-    /** The largest factor by which a zip may shrink a file: numbers shrink to a tenth, and only zeros to a thousandth. */
+    /** The largest factor by which a zip may shrink a file. Numbers shrink to a tenth, and only zeros to a thousandth. */
     const val RATIO = 200L
 
     /** Smaller files may shrink more. */

@@ -15,8 +15,8 @@ import java.nio.charset.CharacterCodingException
 import java.nio.file.Path
 
 /**
- * A folder or zip with rules and slices: pieces of logs in which the rules must, or must not, find something. `docs/rules.md` describes it. A pack is
- * only data: nothing in it is ever run. Close it when its slices are read.
+ * A folder or zip with rules and slices. Slices are pieces of logs in which the rules must, or must not, find something. `docs/rules.md`
+ * describes it. A pack is only data: nothing in it is ever run. Close it when its slices are read.
  *
  * @property path the folder or zip.
  * @property rules its rules, with the built-in names of signals and its own.

@@ -19,7 +19,10 @@ import badlog.signals.withSignals
  */
 internal class Claim(val text: String, val topics: List<String>, val isIncident: Boolean)
 
-/** Returns the claims of the built-in rules about the log [bytes], in the order of their list: incidents, then findings, the worst first. */
+/**
+ * Returns the claims of the built-in rules about the log [bytes], in the order of their list. Incidents are first, then findings, the worst
+ * first.
+ */
 internal fun claimsAbout(bytes: ByteArray, file: String): List<Claim> {
     val parser = RecordingParser(LOG_FORMATS, bytes.size.toLong())
     parser.accept(bytes)

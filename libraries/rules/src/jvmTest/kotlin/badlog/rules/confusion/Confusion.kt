@@ -68,7 +68,7 @@ private fun row(title: String, diagnoses: List<Diagnosis>): String {
     return "| $title | ${diagnoses.size} | $shares |\n"
 }
 
-/** The details for an author who mends a rule: the outcomes of each fault in each naming, and the wrong claims. */
+/** The details for an author who mends a rule. They are the outcomes of each fault in each naming, and the wrong claims. */
 private fun details(diagnoses: List<Diagnosis>, silences: List<Silence>): String {
     val cells = diagnoses.filter { it.visibility == Visibility.CAUSE }.groupBy { "${it.fault} ${it.naming.id}" }.entries.joinToString("") {
         "- ${it.key}: ${it.value.joinToString(", ") { one -> one.outcome.title }}\n"

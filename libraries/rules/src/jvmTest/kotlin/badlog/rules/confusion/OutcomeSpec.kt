@@ -24,7 +24,7 @@ class OutcomeSpec : FunSpec({
         outcomeOf(fault, evidence, listOf(claim(fault.cause, topic = "/Elevator/Position"))) shouldBe Outcome.WRONG
     }
 
-    test("a share has the interval that other faults would give") {
+    test("a share has the interval to expect from other faults") {
         shareText(listOf(listOf(1, 1), listOf(1))) { it == 1 } shouldBe "100.0 % (100.0 to 100.0)"
         shareText(listOf(listOf(1), listOf(0))) { it == 1 } shouldStartWith "50.0 % (0.0 to 100.0)"
     }

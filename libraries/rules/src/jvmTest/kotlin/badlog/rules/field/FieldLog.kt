@@ -33,7 +33,7 @@ internal class FieldFinding(val firing: Firing, val severity: Severity, val text
  */
 internal class FieldLog(val name: String, val team: String, val ran: Set<String>, val findings: List<FieldFinding>)
 
-/** The built-in rules that could run over the log in some bytes, none if the robot was never enabled, and their findings. */
+/** The built-in rules that could run over the log in some bytes, and their findings. None if the robot was never enabled. */
 internal class RulesOverLog(val ran: Set<String>, val isSimulated: Boolean, val findings: List<Finding>)
 
 /** Returns the findings in the log [bytes] called [name]; null if it is not a log. */
@@ -52,7 +52,7 @@ internal fun rulesOver(bytes: ByteArray, name: String): RulesOverLog? {
 }
 
 /**
- * Returns the logs in [folder]. Each of its folders is one team's; what is in a folder called `simulated` is of a simulated robot, even where
+ * Returns the logs in [folder]. Each of its folders is one team's. Logs in a folder called `simulated` are of a simulated robot, even where
  * the log does not show it.
  */
 internal fun fieldLogsIn(folder: File): List<FieldLog> {

@@ -4,9 +4,9 @@ package badlog.rules.field
 internal enum class Judgement { TRUE, FALSE, UNKNOWN }
 
 /**
- * Returns the judgements in [text]: on each line the beginning of the log's hash, the rule, the second (`-` for the whole log), and `true`, `false`
- * or `unknown`, with tabs between them. The rest of the line is a remark, and a line that begins with `#` is one, too. Throws
- * [IllegalArgumentException] with the number of a line that is none of these.
+ * Returns the judgements in [text]. Each line has the beginning of the log's hash, the rule, the second (`-` for the whole log), and
+ * `true`, `false` or `unknown`, with tabs between them. The rest of the line is a remark, and a line that begins with `#` is one, too.
+ * Throws [IllegalArgumentException] with the number of a line that is none of these.
  */
 internal fun judgementsIn(text: String): Map<Firing, Judgement> = text.lines().withIndex()
     .filter { (_, line) -> line.isNotBlank() && !line.startsWith("#") }

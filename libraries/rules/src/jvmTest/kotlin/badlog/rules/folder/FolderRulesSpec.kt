@@ -84,7 +84,7 @@ class FolderRulesSpec : FunSpec({
         FolderRules.of(log, folder).file shouldBe folder.resolve(RulesFile.NAME)
     }
 
-    test("a rule of a pack replaces a built-in one, and gives way to one of the folder's own") {
+    test("a rule of a pack replaces a built-in one, and a rule of the folder replaces it") {
         val folder = tempdir().toPath()
         folder.packFolder("a.badlog-rules", RulesFile.NAME to ruleText("Low battery", "A > 5"))
         fun condition() = FolderRules.of(folder.resolve("a.bag")).rules.rules.single { it.name == "Low battery" }.condition

@@ -29,7 +29,7 @@ class DeviceMapSpec : FunSpec({
         test("reads $text") { listed(DeviceMap.parse(text)) shouldBe same }
     }
 
-    test("a type stands before the id, or in a member of its own, and other members mean nothing") {
+    test("a type is before the id, or in a member of its own, and other members are ignored") {
         val text = """
             {"SPARK:16": "Indexer",
              "devices": {"CTRE:TalonFX-2": {"name": "Left", "subsystem": "Drive", "control_mode": "velocity"}, "CTRE:Pigeon2-30": {"name": "IMU"}},

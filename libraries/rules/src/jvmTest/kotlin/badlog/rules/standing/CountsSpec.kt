@@ -62,14 +62,14 @@ class CountsSpec : FunSpec({
         incidents(onTrial = "Loop blocked") shouldNotContain "The loop stood still"
     }
 
-    test("of findings of the same severity, those of the most trusted rules come first") {
+    test("of findings with the same severity, the most trusted rules come first") {
         val rules = builtInRulesFromToml { name, _ -> if (name == "Weak battery") 0.9 else 0.8 }
         val findings = rules.over(TestMatch().apply(PLANTED.getValue("Weak battery")).apply(PLANTED.getValue("Button held while disabled")).view(), "test.bag").findings
         findings.map { it.trust }.toSet() shouldBe setOf(0.9, 0.8)
         findings.worstFirst().map { it.trust }.let { it shouldBe it.sortedDescending() }
     }
 
-    test("a silent rule says nothing, until a team sets one of its limits") {
+    test("a silent rule has no findings until a team sets one of its limits") {
         val view = TestMatch().apply(PLANTED.getValue("Weak battery")).view()
         fun found(rules: RuleSet) = rules.over(view, "test.bag").findings.filter { it.rule == "Weak battery" }.map { it.severity }
         RuleSet.BUILT_IN.rules.first { it.name == "Weak battery" }.standing shouldBe Standing.SILENT
@@ -77,7 +77,7 @@ class CountsSpec : FunSpec({
         found(RulesFile.parse("extends = \"default\"\n[limits]\n\"Weak battery\" = { volts = 9 }").rules) shouldBe listOf(Severity.NOTE)
     }
 
-    test("what a silent rule finds still keeps the rules quiet that follow from it") {
+    test("a finding of a silent rule still silences the rules that follow from it") {
         fun found(trust: Double) = builtInRulesFromToml { name, _ -> if (name == "Values frozen") trust else PROVEN_TRUST }
             .over(TestMatch().apply(PLANTED.getValue("Values frozen")).view(), "test.bag").findings.map { it.rule }
         found(trust = 0.0) shouldBe found(PROVEN_TRUST) - "Values frozen"

@@ -1,6 +1,6 @@
 package badlog.rules.standing
 
-/** Rules about what a robot that draws too much does to its battery. */
+/** Rules about the effects of a robot that draws too much current on its battery. */
 private val LOAD = setOf(
     "Browned out", "Below the brownout voltage", "Low battery", "Weak battery", "Too much at once", "Main breaker", "High total current",
     "Current too long", "High current", "Motor hot", "Motor too hot",
@@ -50,15 +50,15 @@ private val UNPOWERED = setOf(
 )
 private val AIR = setOf("Stored air falls", "Low air pressure", "Compressor without effect")
 
-/** Rules that repeat what the robot's computer reported of itself, which is never all right: true in any match. */
+/** Rules that repeat faults that the robot's computer reported of itself: true in any match. */
 internal val FACTS: Set<String> = setOf("Browned out", "Below the brownout voltage", "CAN bus off", "Code crashed")
 
 /** Rules that repeat messages: true wherever something is wrong, whatever the cause of it. */
 internal val MESSAGES: Set<String> = setOf("Error logged", "Loop overruns reported")
 
 /**
- * Returns the rules of which a finding says something true about a match with [fault], which a simulator by another author planted: its
- * cause, or what follows from it. Null for a fault that is unknown here.
+ * Returns the rules with a finding that says something true about a match with [fault]. A simulator by another author planted it; the
+ * finding names its cause, or what follows from it. Null for a fault that is unknown here.
  */
 internal fun rightRulesFor(fault: String): Set<String>? = RIGHT[fault]
 

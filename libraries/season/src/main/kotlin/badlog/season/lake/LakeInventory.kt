@@ -57,7 +57,7 @@ class LakeInventory internal constructor(private val mark: LakeMark, registered:
     }
 
     /**
-     * Returns the text of the lake's [mark][LakeLayout.MARK] after a run over [logs]; [ignored] are the files that are not logs, and why.
+     * Returns the text of the lake's [mark][LakeLayout.MARK] after a run over [logs]. [ignored] are the files that are not logs, and why.
      */
     fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
 

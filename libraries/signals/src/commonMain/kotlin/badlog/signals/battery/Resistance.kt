@@ -54,7 +54,7 @@ internal fun quantile95(degrees: Int): Double {
     return NORMAL95 + 2.3723 / n + 2.8225 / (n * n) + 2.5558 / (n * n * n)
 }
 
-/** Sums over one block, relative to its means, by Welford's updates: the small differences of large squares would lose their digits. */
+/** Sums over one block, relative to its means, by Welford's updates. The small differences of large squares would lose their digits. */
 private class Sums {
     var weight = 0.0
         private set

@@ -53,7 +53,7 @@ private fun batteryOf(log: ClockedLog): Voltage? {
     return Voltage(series, log.view.secondsPerX).takeIf { it.seconds in MIN_COMMON..LONGEST }
 }
 
-/** Returns the lag of [one] after [two] at which they move most alike, in s; null if that is not clear. */
+/** Returns the lag of [one] after [two] at which they move most alike, in s. Null if that is not clear. */
 private fun correlated(one: DoubleArray, two: DoubleArray): Double? {
     val common = maxOf((MIN_COMMON / COARSE).toInt(), minOf(one.size, two.size) / 2)
     val lags = (common - one.size)..(two.size - common)

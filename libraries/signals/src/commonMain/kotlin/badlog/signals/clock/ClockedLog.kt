@@ -52,7 +52,7 @@ private val NAMED = Regex("(?<!\\d)(\\d{4})-?(\\d{2})-?(\\d{2})_(\\d{2})-?(\\d{2
 /** The name of the value that says when a log began. */
 const val START_VALUE: String = "Start Time"
 
-/** Returns when the log [recording] began, in s since 1970, if it says so in UTC or with an offset; otherwise null. */
+/** Returns when the log [recording] began, in s since 1970. Null unless it says so in UTC or with an offset. */
 fun loggedStart(recording: Recording): Double? {
     val text = recording.values.find { it.name == START_VALUE }?.text ?: return null
     return LOGGED.matchEntire(text)?.let { secondsOf(it.groupValues) } ?: writtenDate(text)?.utcSecond?.toDouble()?.takeIf { it >= FIRST }
@@ -61,7 +61,8 @@ fun loggedStart(recording: Recording): Double? {
 private val LOGGED = Regex("(\\d{4})-(\\d{2})-(\\d{2})[ T](\\d{2}):(\\d{2}):(\\d{2}(?:\\.\\d+)?)(?: UTC|Z)")
 
 /**
- * Returns the seconds since 1970 for the year, month, day, hour, minute and second in [parts] from index 1 on; null for an invalid time.
+ * Returns the seconds since 1970 for the date and time in [parts]. From index 1 on, they are year, month, day, hour, minute and second;
+ * null for an invalid time.
  */
 private fun secondsOf(parts: List<String>): Double? {
     val (year, month, day, hour, minute) = parts.subList(1, 6).map { it.toInt() }

@@ -11,8 +11,8 @@ import badlog.signals.match.isSameAs
 class FoundStation<out F>(val log: F, val station: ClockedLog, val fit: ClockFit)
 
 /**
- * Finds the Driver Station log of the same match as the log [robot]. It compares the matches, otherwise the times of enabling, otherwise the
- * times of day. Clocks are often wrong, so any of these may be the only clue.
+ * Finds the Driver Station log of the same match as the log [robot]. It compares the matches, otherwise the times of enabling, otherwise
+ * the times of day. Clocks are often wrong, so any of these may be the only clue.
  *
  * @param startOf returns when a log began, in s since 1970, if that is known before it is read; otherwise null.
  * @param read reads a log; returns null if it is not one.
@@ -22,7 +22,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     /**
      * Returns the matching one of [logs]; null if none can be identified. A log of another match is never the one, whatever its clock says:
-     * a laptop's may be an hour off. Of several, the one of the same match counts, then that whose moments of enabling and clock agree.
+     * a laptop's may be an hour off. Of several, the one of the same match counts, then the one with the same moments of enabling and
+     * clock.
      *
      * @param acceptsOnly whether to accept the only log, even if just one moment of enabling matches.
      * @param mostRead if there are more logs than this, only those that may match by time of day are read.
@@ -39,7 +40,7 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
 
     private fun possible(logs: Collection<F>) = logs.mapNotNull(::candidate).filterNot { isOfAnother(it.station.match) }
 
-    /** Returns the one of [candidates] that no log of another time of day can be better than; null if there is none. */
+    /** Returns the one of [candidates] than which no log of another time of day can be better. Null if there is none. */
     private fun sure(candidates: List<Candidate<F>>): Candidate<F>? {
         val (same, open) = candidates.partition { isOfSame(it.station.match) }
         if (robot.edges.size < MIN_EDGES) return same.singleOrNull() ?: byTime(same) ?: byTime(open)
@@ -84,8 +85,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     private fun clocksOf(station: ClockedLog): Double? = station.start?.let { start -> robot.start?.let { start - it } }
 
     /**
-     * Returns how the clock of [station] relates to the robot's, by the moments of enabling, or else by the time of day; null if neither
-     * shows it.
+     * Returns how the clock of [station] relates to the robot's. It is by the moments of enabling, otherwise by the time of day; null if
+     * neither shows it.
      */
     private fun fitOf(station: ClockedLog): ClockFit? {
         val byClocks = clocksOf(station)

@@ -5,7 +5,9 @@ import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
-/** Returns the samples of this topic, which has times of its own, from index [from] until [until], as a topic called [name] at [times]. */
+/**
+ * Returns the samples of this topic from index [from] until [until], as a topic called [name] at [times]. This topic has times of its own.
+ */
 internal fun Topic.slice(from: Int, until: Int, name: String, times: DoubleArray): Topic {
     val kept = texts.rows.indices.filter { texts.rows[it] in from until until }
     val rows = IntArray(kept.size) { texts.rows[kept[it]] - from }

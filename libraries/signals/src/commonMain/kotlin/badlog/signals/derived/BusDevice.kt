@@ -87,7 +87,7 @@ private fun startOfDevice(name: String): Int {
     return -1
 }
 
-/** Returns the end of the type and id of a device that begin in [name] at [start]; [start] if none does. */
+/** Returns the end of the type and id of a device that begin in [name] at [start]. Returns [start] if none does. */
 private fun endOfDevice(name: String, start: Int): Int {
     val digits = (start until name.length).firstOrNull { name[it] in '0'..'9' } ?: return start
     if (NamePattern.folded(name.substring(start, digits)) !in TYPES) return start

@@ -93,8 +93,8 @@ internal fun turnsAround(turns: DoubleArray): Boolean =
     (1 until turns.size).count { abs(turns[it] - turns[it - 1]) > HALF_TURN } > FEW_TURNS
 
 /**
- * Returns the median movement of the mechanism per turn of the motor, over its first steps: later damage does not count. Null if there are too few,
- * or if they differ: then nothing couples the two.
+ * Returns the median movement of the mechanism per turn of the motor, over its first steps. Later damage does not count. Null if there are
+ * too few, or if they differ: then nothing couples the two.
  */
 private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double? {
     val range = quantile(moved, 0.98) - quantile(moved, 0.02)

@@ -37,7 +37,7 @@ class Following(
     }
 
     /**
-     * Returns whether it follows at all: whether it came to within [tolerance] of the range to at least some of its targets, and to two of
+     * Returns whether it follows at all. If so, it came to within [tolerance] of the range to at least some of its targets, and to two of
      * five. Otherwise the two are in different units, or measure different things, as an angle of a drum does the height of its elevator.
      * Targets near 0 do not count, where anything that rests agrees.
      */
@@ -109,7 +109,7 @@ class Following(
         }
     }
 
-    /** Returns by how much it is beyond a target that it has just been moved to, in percent of the step. */
+    /** Returns by how much it is beyond a target that it has just been moved to. It is in percent of the step. */
     fun overshoot(): Series = unlessUnrelated(NEAR * range) {
         val beyond = DoubleArray(times.size) { Double.NaN }
         var before = Double.NaN
@@ -162,8 +162,8 @@ class Following(
     }
 
     /**
-     * Returns the median size of the swings between two samples in percent of the [whole], if they go to both sides of the target in turn,
-     * and about as far; otherwise NaN. A wheel that loses speed with each shot is far below its target, and hardly above.
+     * Returns the median size of the swings between two samples in percent of the [whole]. NaN unless they go to both sides of the target
+     * in turn, and about as far. A wheel that loses speed with each shot is far below its target, and hardly above.
      */
     private fun turnsIn(from: Int, to: Int, whole: Double): Double {
         val wanted = target[to]

@@ -2,7 +2,7 @@ package badlog.signals.derived
 
 import badlog.core.analysis.Series
 
-/** Returns the value of this series at each of [times], which ascend: its last sample by then, NaN before the first. */
+/** Returns the value of this series at each of [times], which ascend. It is its last sample by then, NaN before the first. */
 fun Series.heldAt(times: DoubleArray): DoubleArray {
     var next = 0
     return DoubleArray(times.size) { i ->
@@ -22,7 +22,7 @@ fun timesOf(series: List<Series>): DoubleArray {
 }
 
 /**
- * Returns the times of [series] together, and others between those that are more than [step] apart: a log of changes has no sample while
+ * Returns the times of [series] together, and others between those that are more than [step] apart. A log of changes has no sample while
  * nothing changes.
  */
 internal fun steppedTimes(series: List<Series>, step: Double): DoubleArray {

@@ -38,7 +38,7 @@ fun moduleAngleLags(
     }
 }
 
-/** A target that jumps, and an angle that is far away, do not show how fast a module turns; in degrees. */
+/** A target that jumps, and an angle that is far away, do not show how fast a module turns. In degrees. */
 private const val FARTHEST = 20.0
 
 /** In degrees. */

@@ -20,13 +20,16 @@ fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
 /** Output (-1 to 1) and speed of a side of a tank drive. */
 class Side(val output: DoubleArray, val speed: DoubleArray)
 
-/** Returns the current that corresponds to full output, from the [currents] of the motors: at its limit, a motor takes about a quarter of it. */
+/**
+ * Returns the current that corresponds to full output, from the [currents] of the motors. At its limit, a motor takes about a quarter of
+ * it.
+ */
 internal fun fullCurrentOf(currents: List<DoubleArray>): Double = 4 * currents.maxOf { own ->
     // Short peaks do not count.
     quantile(DoubleArray(own.size) { abs(own[it]) }, 0.99).coerceAtLeast(1.0)
 }
 
-/** Returns the output that friction takes: the constant part of output over speed and acceleration, in the direction of the speed. */
+/** Returns the output that friction takes. The constant part of output over speed and acceleration, in the direction of the speed. */
 private fun frictionOf(times: DoubleArray, side: Side, isStraight: BooleanArray): Double? {
     val top = quantile(DoubleArray(times.size) { abs(side.speed[it]) }, 0.98)
     if (!(top > 0)) return null

@@ -5,10 +5,11 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns whether something that moved before whenever it was driven stands still now, whichever way it is driven: 1 or 0 at [times].
- * Its [places] stay the same although its motor's [outputs] (1 is full) push it each way, so it does not rest at a stop: it is blocked, or its
- * sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows: pushes move the same way.
- * The less there is of that, and near an end of its range, the longer it has to stand. A place that comes back by a jump was not read meanwhile.
+ * Returns whether something that moved whenever it was driven now stands still: 1 or 0 at [times]. The direction in which it is driven does
+ * not matter. Its [places] stay the same although its motor's [outputs] (1 is full) push it each way, so it does not rest at a stop: it is
+ * blocked, or its sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows: pushes
+ * move the same way. The less there is of that, and near an end of its range, the longer it has to stand. A place that comes back by a jump
+ * was not read meanwhile.
  */
 fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, isEnabled: BooleanArray): Series {
     val used = DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }
@@ -102,7 +103,7 @@ private const val END = 0.03
 /** As many times [STILL]. */
 private const val JUMP = 40
 
-/** The number of pushes that must have moved it the same way before, and how many of those that did not there may be for each of them. */
+/** The number of pushes that must have moved it the same way before. Then the share of those that may not have moved it. */
 private const val MIN_MOVED = 8
 private const val MAX_STOOD = 0.15
 

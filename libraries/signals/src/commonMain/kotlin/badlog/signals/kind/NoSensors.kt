@@ -4,9 +4,9 @@ import badlog.core.analysis.Series
 import badlog.expression.signals.Signals
 
 /**
- * The topics of [log] that no sensor measured, despite their names: sizes of undecoded records, lengths of arrays, and elements of lists. Lists are
- * arrays with a changing length, such as queues of odometry, paths, and tags in sight. The last elements of such an array come and go, and the first
- * mean something else each time.
+ * The topics of [log] that no sensor measured, despite their names. These are sizes of undecoded records, lengths of arrays, and elements
+ * of lists. Lists are arrays with a changing length, such as queues of odometry, paths, and tags in sight. The last elements of such an
+ * array come and go, and the first mean something else each time.
  *
  * An export by AdvantageScope calls elements `name/0` or `name/0/value`, and their number `name/length`; elements beyond that number keep old values.
  */

@@ -83,7 +83,7 @@ private val NAMES =
 private val SIMULATED = Regex("k?sim(bot|ulation|ulated|ulator)?", RegexOption.IGNORE_CASE)
 private val ADDRESS = Regex("\"remote_ip\":\"([^\"]*)\"")
 
-/** As the simulation of WPILib's HAL reports it; a roboRIO's is the year of its image in hexadecimal digits, such as 0x2024. */
+/** The type of a robot in the simulation of WPILib's HAL. A roboRIO's is the year of its image in hexadecimal digits, such as 0x2024. */
 private const val SIMULATED_FPGA = 2018.0
 private const val NOMINAL = 12.0
 private const val MIN_RESTING = 0.02

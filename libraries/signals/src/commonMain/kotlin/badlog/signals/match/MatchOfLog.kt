@@ -51,7 +51,7 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
 }
 
 /**
- * Returns the match that [recording] is of: from its values, otherwise from its topics, found by this vocabulary, otherwise from the name
+ * Returns the match that [recording] is of, from its values. Otherwise from its topics, found by this vocabulary, otherwise from the name
  * of its file, [fileName].
  */
 fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog {
@@ -71,7 +71,10 @@ fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog
     return logged.or(matchInName(fileName))
 }
 
-/** Returns the alliance in the header [values] of a log: `Red` or `Blue` if it can be recognized, otherwise as logged; null if none has it. */
+/**
+ * Returns the alliance in the header [values] of a log. It is `Red` or `Blue` if it can be recognized, otherwise as logged; null if none
+ * has it.
+ */
 fun allianceIn(values: List<Value>): String? {
     val text = values.firstText("alliance", "alliance color", "alliance colour", "alliance station") ?: return null
     return listOf(MatchOfLog.RED, MatchOfLog.BLUE).find { text.startsWith(it, ignoreCase = true) } ?: text

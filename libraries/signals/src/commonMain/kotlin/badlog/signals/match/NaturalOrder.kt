@@ -1,6 +1,6 @@
 package badlog.signals.match
 
-/** Orders texts as people do: regardless of case, and numbers in them by their value, so that 9 comes before 10. */
+/** Orders texts as people do. Case does not matter, and numbers in them count by their value, so that 9 comes before 10. */
 public object NaturalOrder : Comparator<String> {
     override fun compare(a: String, b: String): Int {
         var i = 0

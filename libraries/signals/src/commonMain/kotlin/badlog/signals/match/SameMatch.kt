@@ -1,7 +1,7 @@
 package badlog.signals.match
 
 /**
- * Returns whether this and [other] are one match: false if their types or numbers contradict each other, null if that is unknown.
+ * Returns whether this and [other] are one match. False if their types or numbers contradict each other, null if that is unknown.
  *
  * Since 2023, a playoff has one row of matches: robots and Driver Stations count them, and names call the fifth `sf5m1`. Before, that was
  * the first match of the fifth pair, which the field counted otherwise.

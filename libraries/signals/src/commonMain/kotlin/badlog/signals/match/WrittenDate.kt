@@ -51,7 +51,7 @@ private fun hourOf(text: String, half: String): Int? {
     }
 }
 
-/** Returns the seconds by which a clock in [zone] is ahead of UTC; null if the zone is unknown, or its short name has several meanings. */
+/** Returns the seconds by which a clock in [zone] is ahead of UTC. Null if the zone is unknown, or its short name has several meanings. */
 private fun offsetOf(zone: String): Int? {
     ZONES[zone.uppercase()]?.let { return it * HOUR }
     val match = OFFSET.matchEntire(zone) ?: return null

@@ -16,7 +16,7 @@ const val PLAN_LIMIT: Double = 0.5
 const val PLAN_PATIENCE: Double = 0.3
 
 /**
- * Returns when the robot of [view] follows plans: during autonomous; if that is not known, while it is enabled; if that is not known
+ * Returns when the robot of [view] follows plans: during autonomous. If that is not known, while it is enabled; if that is not known
  * either, all the time.
  */
 fun planSpans(view: LogView): List<Span> {

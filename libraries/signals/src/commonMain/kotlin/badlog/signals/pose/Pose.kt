@@ -34,6 +34,6 @@ data class Pose(
     val role: PoseRole,
     val list: String?,
 ) {
-    /** The number of folders it is in: poses that vendors' libraries log in addition to a robot's own are in many. */
+    /** The number of folders it is in. Poses that vendors' libraries log in addition to a robot's own are in many. */
     val depth: Int get() = name.count { it == '/' }
 }

@@ -22,7 +22,7 @@ internal class ModuleList(val name: String, val elements: List<String>, val spee
     val isArray: Boolean get() = elements.indices.all { elements[it] == "$name[$it]" }
 }
 
-/** Returns the lists of modules among the topics called [names], in the order of these; each has its modules by name. */
+/** Returns the lists of modules among the topics called [names], in the order of these. Each has its modules by name. */
 internal fun moduleListsOf(names: Collection<String>): List<ModuleList> {
     val known = names.toHashSet()
     val elements = names.filter { it.endsWith(ANGLE) }.map { it.removeSuffix(ANGLE) }

@@ -55,7 +55,7 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
     fun angles(isTarget: Boolean) = of(Quantity.POSITION, isTarget, DRIVE_WORDS)
     val speed = speeds(isTarget = false).firstOrNull() ?: return null
     val angle = angles(isTarget = false).find { "angle" in wordsOf(it.signal.name) } ?: return null
-    // “Front Left Setpoint” is that of the speed, if “Front Left Angle Setpoint” is beside it.
+    // “Front Left Setpoint” is the setpoint of the speed if “Front Left Angle Setpoint” is beside it.
     val targetSpeed = speeds(isTarget = true).firstOrNull() ?: of(Quantity.NONE, isTarget = true, STEER_WORDS).firstOrNull()
     return ModuleTopics(
         part.filter { it in CORNERS }.joinToString(" ") { word -> word.replaceFirstChar { it.uppercase() } },

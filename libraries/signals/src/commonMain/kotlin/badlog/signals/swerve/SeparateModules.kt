@@ -40,7 +40,7 @@ private fun modulesOf(key: List<String>, speeds: List<ModulePart>, angles: List<
 }
 
 /**
- * A topic of the module at [corner], or of the one with that number; [key] has the words of its name that it shares with the other modules.
+ * A topic of the module at [corner], or of the one with that number. [key] has the words of its name that it shares with the other modules.
  */
 private class ModulePart(val name: String, val corner: Int, val isNumbered: Boolean, val key: List<String>, val factor: Double)
 

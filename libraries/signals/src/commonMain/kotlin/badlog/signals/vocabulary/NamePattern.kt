@@ -1,8 +1,8 @@
 package badlog.signals.vocabulary
 
 /**
- * A topic's name, or a pattern for names: `*` matches anything, case is ignored, and a space in the pattern also matches `_`, `-`
- * or nothing: `*battery voltage` matches `System/BatteryVoltage`.
+ * A topic's name, or a pattern for names. `*` matches anything, case is ignored, and a space in the pattern also matches `_`, `-` or
+ * nothing: `*battery voltage` matches `System/BatteryVoltage`.
  *
  * @property text the pattern as it was written.
  */
@@ -26,8 +26,8 @@ class NamePattern(val text: String) {
     }
 
     /**
-     * Returns the part of [name], which it must match, up to the end of its last `*`: `Left` in `Left Velocity` for `*velocity`.
-     * Topics of the same device share it.
+     * Returns the part of [name], which it must match, up to the end of its last `*`. For example, `Left` in `Left Velocity` for
+     * `*velocity`. Topics of the same device share it.
      */
     internal fun deviceIn(name: String): String {
         var end = name.length

@@ -12,7 +12,7 @@ import kotlin.math.sqrt
 import kotlin.random.Random
 
 class MeanResistanceSpec : FunSpec({
-    test("one match is its own mean, and no matches have none") {
+    test("one match is its own mean, and a list without matches has no mean") {
         meanOf(listOf(Resistance(20.0, 1.0))).shouldNotBeNull().run {
             milliohms shouldBe (20.0 plusOrMinus 1e-9)
             uncertainty shouldBe (1.0 plusOrMinus 1e-9)

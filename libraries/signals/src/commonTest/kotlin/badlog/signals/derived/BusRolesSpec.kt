@@ -15,7 +15,7 @@ class BusRolesSpec : FunSpec({
 
     fun roles(speeds: List<DoubleArray>, encoded: List<Int> = emptyList()) = BusRoles(speeds, speeds.map { DoubleArray(0) }, speeds.indices.map { it in encoded })
 
-    test("motors that turn in one ratio are on one shaft, and the first stands for all") {
+    test("motors that turn in one ratio are on one shaft, and the first represents all") {
         val follower = DoubleArray(times.size) { -2 * side(1)[it] }
         roles(listOf(side(1), follower, roller)).leaders shouldContainExactly listOf(0, 2)
     }

@@ -34,7 +34,7 @@ class FrictionRiseSpec : FunSpec({
         frictionRise(times, place, effort { 1.0 }, BooleanArray(times.size) { times[it] < 20 }) shouldBe null
     }
 
-    test("a current with a sign has a direction, a size has none") {
+    test("a current with a sign has a direction, and a size has not") {
         hasDirection(effort { 1.0 }) shouldBe true
         hasDirection(DoubleArray(times.size) { abs(effort { 1.0 }[it]) }) shouldBe false
     }

@@ -18,7 +18,7 @@ class MechanismSensorsSpec : FunSpec({
         error { 90 * swing(it) + if (it < 40) 0.0 else 18.0 }.most(from = 41.0) shouldBe (9.0 plusOrMinus 1.0)
     }
 
-    test("a motor that hardly moved shows nothing of a coupling") {
+    test("a motor that hardly moved does not show a coupling") {
         couplingError(times, times.of { 0.0 }, times.of { swing(it) }, times.always()).size shouldBe 0
     }
 

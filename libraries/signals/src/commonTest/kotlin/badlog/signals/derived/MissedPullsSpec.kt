@@ -31,11 +31,11 @@ class MissedPullsSpec : FunSpec({
         most({ if (it < 57) tripped(it) else drive(it) }, ::drive) shouldBe 0.0
     }
 
-    test("a channel whose equal rests, too, has missed nothing") {
+    test("a channel has missed no pull if its equal rests, too") {
         most(::tripped, { if (it < 49) drive(it) else 2.0 }) shouldBe 0.0
     }
 
-    test("a mechanism that rests after a pull has no equal: the drive goes on without it") {
+    test("a mechanism that rests after a pull has no equal: the drive continues without it") {
         most({ if (it < 50 && it % 12 > 9) 60.0 else 0.0 }, ::drive) shouldBe 0.0
     }
 

@@ -57,7 +57,7 @@ class NamedDateSpec : FunSpec({
         "$time",
         "${time}000",
     ).forEach { text ->
-        test("the text “$text” is a moment, told as the time of day here") { dateInText(text) shouldBe localSecondOf(time) }
+        test("the text “$text” is a moment, shown as the local time of day") { dateInText(text) shouldBe localSecondOf(time) }
     }
 
     test("no text makes it throw, and every date that is found is believable") {

@@ -47,7 +47,7 @@ class BatteryUseSpec : FunSpec({
         return batteryUseOf(view, vocabulary)
     }
 
-    test("a robot browned out if its computer says so while enabled; without that, if the voltage was as low as that then") {
+    test("a robot browned out if its computer reports it while enabled; without a report, if the voltage was low enough then") {
         fun browned(flags: (Int) -> Boolean) = logOf(texts = "Browned Out" to List(2000) { "${flags(it)}" }, amps = { if (it in 90.0..90.5) "320" else "60" })?.isBrownedOut
         logOf()?.isBrownedOut shouldBe false
         logOf(amps = { if (it in 90.0..90.5) "320" else "60" })?.isBrownedOut shouldBe true
@@ -67,7 +67,7 @@ class BatteryUseSpec : FunSpec({
         }
     }
 
-    test("a log that begins enabled, or ends while the battery recovers, shows no voltage at rest there") {
+    test("a log that begins enabled, or ends while the battery recovers, has no voltage at rest at that end") {
         val use = logOf(seconds = 20..172).shouldNotBeNull()
         use.restBefore.shouldBeNull()
         use.restAfter.shouldBeNull()

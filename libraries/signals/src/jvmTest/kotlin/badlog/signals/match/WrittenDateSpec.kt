@@ -54,7 +54,7 @@ class WrittenDateSpec : FunSpec({
         }
     }
 
-    test("Java's Date is the moment where the name of its zone is clear, otherwise the time on the clock there") {
+    test("Java's Date is a moment if the name of its zone is clear, otherwise the local time") {
         checkAll(seconds, Arb.element(ZONES)) { second, name ->
             val zone = ZoneId.of(name)
             val there = second + zone.rules.getOffset(Instant.ofEpochSecond(second)).totalSeconds

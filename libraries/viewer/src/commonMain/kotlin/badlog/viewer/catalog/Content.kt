@@ -23,7 +23,7 @@ enum class Content(val saying: String) {
     /** The log is too short for anything to happen. */
     TOO_SHORT("shorter than a second"),
 
-    /** The robot was never enabled, and the log has no title of a match; a match without enabling would be worth seeing. */
+    /** The robot was never enabled, and the log has no title of a match. A match without enabling would be worth seeing. */
     NEVER_ENABLED("never enabled"),
 
     /** The file cannot be read, although its name belongs to a log. */

@@ -86,7 +86,7 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
     /** Begins a note at the cursor, or in the middle of the visible range. */
     NEW_NOTE("Notes", "Write a note at the cursor", KeyStroke("M")),
 
-    /** Adds a note without asking for its text: at the newest moment of a growing log, otherwise where [NEW_NOTE] begins one. */
+    /** Adds a note without asking for its text. It is at the newest moment of a growing log, otherwise where [NEW_NOTE] begins one. */
     MARK(
         "Notes",
         "Mark the time at the cursor, or the newest time of a growing log: a note without typing",

@@ -24,8 +24,8 @@ data class Place(
     val wanted: WantedFinding? = null,
 ) {
     /**
-     * Where a note goes that a person begins with a key: to the pinned cursor if it is visible, or else to the middle of the visible
-     * range. The pointer may rest anywhere.
+     * The place of a note that a person begins with a key. It is at the pinned cursor if it is visible, otherwise in the middle of the
+     * visible range. The pointer may rest anywhere.
      */
     val ofNote: Double get() = cursors.pinned?.takeIf { it in range.visible } ?: range.visible.run { (from + to) / 2 }
 
@@ -42,7 +42,7 @@ data class Place(
     /** Goes to [place], where a finding is. One about the whole log changes neither range nor cursor. */
     internal fun visiting(place: FindingPlace<Finding>): Place = copy(visited = place, wanted = null).at(place.span.from, place.span)
 
-    /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is; going back returns from it. */
+    /** Pins the cursor at the end of the log, and moves the visible range there, as wide as it is. Going back returns from it. */
     internal fun atEnd(): Place = copy(range = range.remembered()).movedToEnd()
 
     /** The same as one of many steps of following a log that grows, which going back skips. */

@@ -23,7 +23,7 @@ sealed interface PlaceAction : Action {
     /** Keeps the visible range while the log grows. */
     object Pause : PlaceAction
 
-    /** Pins the cursor at [x], or at the nearest end of the log, and shows it, with its surroundings if it [isWithSurroundings]. */
+    /** Pins the cursor at [x], or at the nearest end of the log. Shows it, with its surroundings if it [isWithSurroundings]. */
     class GoTo(val x: Double, val isWithSurroundings: Boolean = false) : PlaceAction
 
     /** Selects [finding] where the person is; null for none. */

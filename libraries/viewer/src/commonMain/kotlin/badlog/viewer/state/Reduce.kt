@@ -4,7 +4,7 @@ import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.KeyAction
 
-/** Returns the outcome of [action], on the page and in the window, from [state] of a log with the content [shown]. */
+/** Returns the outcome of [action], on the page and in the window. It begins from [state] of a log with the content [shown]. */
 fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
     is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
@@ -49,7 +49,7 @@ private fun ViewerState.after(shown: Shown, key: KeyAction): Outcome = when (key
 
 private fun ViewerState.showing(step: Viewport.() -> Viewport) = Outcome(range(step))
 
-/** Moves a cursor by [count] samples, or to the sample nearest to the middle of the visible range, and shows it. */
+/** Moves a cursor by [count] samples, or to the sample nearest to the middle of the visible range. Shows the cursor. */
 private fun ViewerState.stepped(shown: Shown, count: Int): Outcome {
     val start = shown.samples.nearest(place.range.visible.run { (from + to) / 2 })
     if (start.isNaN()) return Outcome(this)

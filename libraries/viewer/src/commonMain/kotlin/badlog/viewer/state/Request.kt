@@ -10,7 +10,7 @@ sealed interface Request {
     /** Opens the values at the cursor, or closes them. */
     object Values : Request
 
-    /** Opens the modules of a swerve drive at the cursor, or closes them; for a log without any, it says so. */
+    /** Opens the modules of a swerve drive at the cursor, or closes them. For a log without any, it says so. */
     object Modules : Request
 
     /** Adds the graph that keys apply to, or removes it: it need not be one of the board's. */

@@ -17,7 +17,7 @@ fun countText(count: Int): String {
 /** Returns a count with its noun: `1 graph`, `7 graphs`. */
 fun countText(count: Int, one: String, many: String = one + "s"): String = "${countText(count)} ${if (count == 1) one else many}"
 
-/** Returns the number of [shown] out of [all], with the noun [one]: `3 of 12 events`, or `12 events` if all are shown. */
+/** Returns the number of [shown] out of [all], with the noun [one]. For example `3 of 12 events`, or `12 events` if all are shown. */
 fun countOf(shown: Int, all: Int, one: String): String = (if (shown == all) "" else "${countText(shown)} of ") + countText(all, one)
 
 /** Returns a number of bytes with its unit, such as `2.4 MB`. */

@@ -30,7 +30,7 @@ fun exactText(value: Double): String = when {
 }
 
 /**
- * Returns [value] for reading: whole numbers in full, others with six significant digits, but without zeros in place of digits before the
+ * Returns [value] for reading. Whole numbers are in full, others have six significant digits, but no zeros in place of digits before the
  * point. Files, copies and tooltips have the [exactText].
  */
 fun numberText(value: Double): String = when {

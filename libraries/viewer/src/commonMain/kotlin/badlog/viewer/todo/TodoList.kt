@@ -5,7 +5,7 @@ import badlog.signals.match.MatchOfLog
 import badlog.signals.match.NaturalOrder
 
 /**
- * A team's list of things to do: the union of all lines from its laptops, and the recent findings of the rules. Immutable.
+ * A team's list of things to do. It is the union of all lines from its laptops, and the recent findings of the rules. Immutable.
  *
  * @property open the open items: the ones that came back first, then the most serious.
  * @property done the items that were done, the latest first.
@@ -69,7 +69,7 @@ class TodoList private constructor(
             )
         }
 
-        /** Items that came back are first, then errors, items of people, and the other findings; the latest first within each kind. */
+        /** Items that came back are first, then errors, items of people, and the other findings. Within each kind, the latest is first. */
         private val OPEN: Comparator<TodoItem> = compareBy<TodoItem> { if (it.isAgain) 0 else 1 }
             .thenBy { rankOf(it) }
             .thenByDescending { it.found?.log?.second ?: Long.MIN_VALUE }
@@ -135,7 +135,8 @@ private fun withCurrentName(subject: TodoSubject, whole: Set<TodoSubject>): Todo
 internal fun TodoChange.mark(): DoneMark? = (deed as? TodoDeed.Done)?.let { DoneMark(this, it) }
 
 /**
- * Returns the match that the team plays next: the last one named in [changes], unless [logs] have it; otherwise the match after [last].
+ * Returns the match that the team plays next: the last one named in [changes], unless [logs] have it. Otherwise returns the match after
+ * [last].
  */
 private fun nextOf(changes: List<TodoChange>, logs: List<TodoLog>, last: MatchOfLog?): String {
     val said = changes.lastOrNull { it.subject is NextMatch && it.deed != TodoDeed.Remove }

@@ -15,7 +15,7 @@ val DoneMark.text: String
 /** Returns `before Qualification 58`, or `after Qualification 57` if the next match was not named. */
 private fun momentText(before: String) = if (before.startsWith(AFTER)) "after ${before.removePrefix(AFTER)}" else "before $before"
 
-/** The details of the item besides its title, each as a line: that it came back, the work done, the finding, and the origin. */
+/** The details of the item besides its title, each as a line. They say that it came back, the work done, the finding, and the origin. */
 val TodoItem.lines: List<String>
     get() = listOfNotNull(
         againText.ifEmpty { null },

@@ -36,7 +36,7 @@ internal class LogVisitsSpec : FunSpec({
         linked.showing(Visit.LIST).place() shouldBe (1 to Visit.LIST)
     }
 
-    test("another log after Back ends what was forward") {
+    test("another log after Back ends the way forward") {
         opened.showing(Visit.START).showing(Visit.LOG).run {
             place() shouldBe (1 to Visit.LOG)
             to(2) shouldBe null
@@ -49,7 +49,7 @@ internal class LogVisitsSpec : FunSpec({
         listed.showing(Visit.LOG).to(1) shouldBe (1 to Visit.LIST)
     }
 
-    test("a list that is gone is not shown: Back leads to the start, and a log that is gone to its list") {
+    test("Back leads to the start if the list no longer exists, and to the list if the log no longer exists") {
         opened.to(1, without = Visit.LIST) shouldBe (1 to Visit.START)
         opened.to(2, without = Visit.LOG) shouldBe (2 to Visit.LIST)
         opened.returned(1) { it != Visit.LIST }!!.showing(Visit.LIST).place() shouldBe (2 to Visit.LIST)

@@ -86,7 +86,7 @@ class ReduceSpec : FunSpec({
         outcome.state.then(KeyAction.PREVIOUS_VIEW).place.range.visible shouldBe Span(0.0, 100.0)
     }
 
-    test("before the rules have run, the key for the next finding moves nothing, and says so") {
+    test("before the rules have run, the key for the next finding moves nothing, and a message gives the reason") {
         val outcome = after(beginning, Log(board, found = null), KeyAction.NEXT_FINDING)
         outcome.state shouldBe beginning
         outcome.request shouldBe FindingRequest.AnnounceNone
@@ -180,7 +180,7 @@ class ReduceSpec : FunSpec({
         after(beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE), log, KeyAction.NEW_NOTE).request shouldBe Request.Note(51.0)
     }
 
-    test("a note goes to what is in sight, not to the pointer or to a cursor outside") {
+    test("a note is placed in the visible range, not at the pointer or at a cursor outside") {
         val hovering = reduce(beginning, log, PlaceAction.Hover(20.0)).state
         after(hovering, log, KeyAction.NEW_NOTE).request shouldBe Request.Note(50.0)
         val pinned = beginning.then(KeyAction.NEXT_SAMPLE)

@@ -11,7 +11,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 
 class StoreSpec : FunSpec({
-    test("an action that is sent while the shell is asked for its graphs is not lost") {
+    test("an action that is sent while the shell returns its graphs is not lost") {
         val cell = object : StateCell {
             override var state = ViewerState(Place(Viewport(Span(0.0, 10.0))), BoardHistory(Board()))
         }

@@ -43,7 +43,7 @@ class NumberTextSpec : FunSpec({
         exactText(Double.NEGATIVE_INFINITY) shouldBe "-∞"
     }
 
-    test("displayed whole numbers are complete, others have six digits, and none a zero in place of a digit before the point") {
+    test("displayed whole numbers are complete; others have six digits, and no zero in place of a digit before the point") {
         numberText(1 / 3.0) shouldBe "0.333333"
         numberText(0.1 + 0.2) shouldBe "0.3"
         numberText(11.599600000000002) shouldBe "11.5996"

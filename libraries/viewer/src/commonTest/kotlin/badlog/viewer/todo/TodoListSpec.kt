@@ -186,7 +186,7 @@ class TodoListSpec : FunSpec({
         matchText("3", MatchOfLog(number = "2")) shouldBe "Match 3"
     }
 
-    test("200 random histories on three laptops give the same list, merged in any order and with repetitions") {
+    test("200 random histories on three laptops make the same list, merged in any order and with repetitions") {
         val subjects = listOf(brownout, slow.task, OwnTask("Radio"), NoteTask("q1.bag", 2.5, "Odd"), Check("Battery", "Qualification 3"))
         val histories = arbitrary { source: RandomSource -> source.random.nextInt() }
         checkAll(histories, Arb.int(0..40)) { seed, length ->

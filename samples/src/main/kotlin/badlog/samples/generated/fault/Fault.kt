@@ -14,7 +14,7 @@ enum class Need { TANK, SWERVE, ELEVATOR, ARM, SHOOTER, INTAKE, PNEUMATICS, VISI
  * @property strength the physical meaning of strengths from 1 (clear) down to 0.3 (faint).
  * @property start the range of its possible starts, in s after the start of autonomous; 0 to 0 if the robot has it before the match.
  * @property needs the parts that the robot must have.
- * @property shownBy the signals that change because of it; signals of parts are those of the faulty one.
+ * @property shownBy the signals that change because of it; signals of parts belong to the faulty part.
  * @property unseen the namings with logs that do not show the cause, and why.
  */
 class Fault(

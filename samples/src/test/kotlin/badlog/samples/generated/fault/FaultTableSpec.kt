@@ -20,7 +20,7 @@ private val NEAR = setOf(
 )
 
 class FaultTableSpec : FunSpec({
-    test("there are thirty kinds of faults or more, each with causes, symptoms, signals and a meaning of its strength") {
+    test("the table has at least thirty kinds of faults, each with causes, symptoms, signals and a meaning of its strength") {
         FAULTS.size shouldBeGreaterThan 29
         FAULTS.map { it.id }.toSet().size shouldBe FAULTS.size
         for (fault in FAULTS) {

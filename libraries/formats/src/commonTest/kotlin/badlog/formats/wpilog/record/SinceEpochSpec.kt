@@ -60,7 +60,7 @@ class SinceEpochSpec : FunSpec({
         parseLog(part).values shouldBe listOf(Value("Start Time", "2026-11-28 02:20:29 UTC"))
     }
 
-    test("two logs of one clock are merged by it, and another is moved to the time that was asked for") {
+    test("two logs of one clock are merged by it, and another one is moved to the requested time") {
         val first = recordsOf(log(0, 1_000_000).bytes).entries.single()
         val second = recordsOf(log(60_000_000).bytes).entries.single()
         val robot = recordsOf(TestLog().start(1, "R", "double").double(1, 2_000_000, 1.0).bytes).entries.single()

@@ -25,7 +25,9 @@ internal class LogOutcome(
     }
 }
 
-/** A message from the task that reads a log to the one that writes tables: a change, its outcome, reported after the change, or both. */
+/**
+ * A message from the task that reads a log to the one that writes tables. It is a change, its outcome, reported after the change, or both.
+ */
 internal class LogPiece(val change: LakeChange?, val outcome: LogOutcome?) : Serializable {
     /** The key that groups pieces by partition; empty for outcomes without a change. */
     val partitionPath: String get() = change?.partitionPath.orEmpty()

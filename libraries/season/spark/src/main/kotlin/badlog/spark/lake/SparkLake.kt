@@ -50,7 +50,7 @@ public class SparkLakeResult internal constructor(
 )
 
 /**
- * A lake made by a cluster, on any file system that Spark supports. `docs/season.md` specifies its files; they are the same as those of
+ * A lake made by a cluster, on any file system that Spark supports. `docs/season.md` specifies its files; they are the same as in
  * [badlog.season.lake.Lake]. Only one program at a time may write to it.
  *
  * @param address the address of its folder, accessible to all machines of the cluster.
@@ -78,7 +78,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
             val logs = folders.flatMap(::logsOf).distinctBy { it.source.path }
             val (small, large) = logs.partition { it.source.size <= maxBytes }
             val isBelow = belowAny(folders)
-            // A log that is too large now may have been read with a higher limit, so it stays in the lake.
+            // A log that is too large now stays in the lake. It may have been read with a higher limit.
             val isGone = large.mapTo(HashSet()) { it.source.path }.let { kept -> { path: String -> path !in kept && isBelow(path) } }
             val plan = inventory.plan(small.map { it.source }, ExecutorPieces.of(work).maker, isGone) { it in files }
             val outcomes = if (plan.changed.isEmpty() && plan.gone.isEmpty()) emptyList() else run(plan, small, work)

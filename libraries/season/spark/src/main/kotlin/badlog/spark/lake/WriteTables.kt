@@ -9,7 +9,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The work on the tables of some partitions of [lake]: fetches the tables, changes them, and writes them back, the table of matches last.
+ * The work on the tables of some partitions of [lake]. Fetches the tables, changes them, and writes them back, the table of matches last.
  * Its input is sorted by partition. A repeated or duplicate run writes the same files. It returns the outcomes for the logs.
  */
 internal class WriteTables(private val lake: RemoteFolder, private val work: LakeWork) :

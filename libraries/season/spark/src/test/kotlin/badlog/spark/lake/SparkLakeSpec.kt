@@ -67,7 +67,7 @@ class SparkLakeSpec : FunSpec({
         }
     }
 
-    test("a second run reads nothing, and one process can continue the lake that Spark made").config(enabledOrReasonIf = SPARK_IS_HERE) {
+    test("a second run reads no logs, and one process can continue the lake that Spark made").config(enabledOrReasonIf = SPARK_IS_HERE) {
         inFolder { folder ->
             variedLogs(folder / "logs")
             val first = onSpark(folder / "logs", folder / "lake")
@@ -81,7 +81,7 @@ class SparkLakeSpec : FunSpec({
         }
     }
 
-    test("changed logs are rewritten, deleted ones removed, and a log with a new event is there once")
+    test("changed logs are rewritten, deleted ones removed, and a log with a new event is stored once")
         .config(enabledOrReasonIf = SPARK_IS_HERE) {
             inFolder { folder ->
                 val logs = folder / "logs"

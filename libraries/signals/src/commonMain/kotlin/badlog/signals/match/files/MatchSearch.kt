@@ -8,7 +8,7 @@ import badlog.signals.match.NaturalOrder
 import badlog.signals.match.isSameAs
 
 /**
- * Returns which of [files] belong to one match: each log of a robot is one, with the files that fit it alone.
+ * Returns which of [files] belong to one match. Each log of a robot is one, with the files that fit it alone.
  *
  * A file with a stated clock belongs here. A number or type of match that contradicts excludes any other file. Among the rest, a file is
  * taken if its clock fits by the moments of enabling or of driven motors, or by the battery voltage, and if the time of day or the number
@@ -20,7 +20,7 @@ fun matchesOf(files: List<MatchFile>): FoundMatches {
     val (timed, timeless) = sorted.partition { it.log.hasClock }
     val left = ArrayList(timeless.map { it to "${it.name} has no samples over time, so it cannot be placed." })
     val ofRobots = timed.filter { it.role == FileRole.ROBOT }
-    // A log that does not show when the robot was enabled, such as a camera's, is put beside one that does.
+    // A log that does not show when the robot was enabled is put beside one that does. An example is a camera's.
     val leading = ofRobots.filter { it.log.edges.isNotEmpty() || it.seconds != null }.ifEmpty { ofRobots }
     val groups = RobotGroups(leading).groups
     if (groups.isEmpty()) {
@@ -74,13 +74,13 @@ private fun List<PossiblePart>.best(): PossiblePart? =
 /** A number or type of match that contradicts excludes a file, whichever of [robots] has it. */
 private fun isOfAnother(file: MatchFile, robots: List<MatchPart>) = robots.any { file.log.match.isSameAs(it.file.log.match) == false }
 
-/** Returns [seconds], which put a log on the clock of this one, and their [error] on the clock of the match. */
+/** Returns [file] on the clock of the match. [seconds] and their [error] put it on the clock of this log. */
 private fun MatchPart.placed(file: MatchFile, seconds: Double, reason: ClockReason, error: Double? = null, edges: Int = 0): MatchPart =
     MatchPart(file, this.seconds + seconds, reason, error?.let { it + (this.error ?: 0.0) }, edges)
 
 /**
- * Returns for each of [robots], each with all its logs, that does not [have][haveOne] one the Driver Station's log of its match, or
- * null. [stations] that are in no match are added to [left].
+ * Returns the Driver Station's log of its match, or null, for each of [robots] that does not [have][haveOne] one. Each robot has all its
+ * logs. [stations] that are in no match are added to [left].
  */
 private fun stationsOf(
     robots: List<List<MatchPart>>,
@@ -106,14 +106,14 @@ private fun stationOf(robots: List<MatchPart>, stations: List<MatchFile>, areAlo
         val reason = if (pair.fit.edges > 0) ClockReason.ENABLED else ClockReason.SYSTEM_TIME
         val part = robot.placed(pair.log, pair.fit.seconds, reason, pair.fit.error, pair.fit.edges)
         PlaceEvidence(pair.log, part.seconds, robots).run {
-            // A single edge may be of any match, all matches have the same periods, and a replay has the same number.
+            // A single edge may be of any match. All matches have the same periods, and a replay has the same number.
             val isSure = !contradicts && if (pair.fit.edges < MIN_EDGES) isSame && agrees else isSame || agrees || areAlone
             PossiblePart(part, isSure, contradicts)
         }
     }.best()
 }
 
-/** Returns the place of [file], a log of devices, beside [robots]; null if nothing shows it, or the match is another one. */
+/** Returns the place of [file], a log of devices, beside [robots]. Null if nothing shows it, or the match is another one. */
 private fun fitOf(file: MatchFile, robots: List<MatchPart>): PossiblePart? =
     if (isOfAnother(file, robots)) null else robots.mapNotNull { fitOf(file, it, robots) }.best()
 

@@ -4,7 +4,7 @@ import badlog.signals.clock.ClockedLog
 import badlog.signals.match.isSameAs
 import kotlin.math.abs
 
-/** What [robots], all logs of one robot, say about [file] if it is moved by [seconds] s, to the clock of the match. */
+/** What [robots], all logs of one robot, say about [file] moved by [seconds] s to the match's clock. */
 internal class PlaceEvidence(file: MatchFile, seconds: Double, robots: List<MatchPart>) {
     private val clocks = robots.mapNotNull { robot -> clocksOf(file.log, robot.file.log)?.let { agree(seconds - robot.seconds, it) } }
 

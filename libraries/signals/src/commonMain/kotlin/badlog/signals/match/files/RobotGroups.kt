@@ -4,7 +4,7 @@ import badlog.signals.clock.ClockFit
 import badlog.signals.match.isSameAs
 
 /**
- * Robots' logs, grouped by robot and match: a robot may write several at once, such as a bag and a WPILOG.
+ * Robots' logs, grouped by robot and match. A robot may write several at once, such as a bag and a WPILOG.
  *
  * @param files the logs, in order; those with a stated clock first.
  */
@@ -21,7 +21,7 @@ internal class RobotGroups(files: List<MatchFile>) {
         groups = made
     }
 
-    /** Returns the place of [file] beside [first]; null if it is the log of another match, or of another robot in the same one. */
+    /** Returns the place of [file] beside [first]. Null if it is the log of another match, or of another robot in the same one. */
     private fun besideOf(file: MatchFile, first: MatchFile): MatchPart? {
         if (file.seconds != null && first.seconds != null) return file.statedBeside(first)
         val isSame = file.log.match.isSameAs(first.log.match)

@@ -14,7 +14,7 @@ class MatchManifestSpec : FunSpec({
         MatchManifest.of(MatchManifest(files).text()).files.map { Triple(it.name, it.role, it.seconds) } shouldBe files.map { Triple(it.name, it.role, it.seconds) }
     }
 
-    test("a byte order mark and members that are null are as if they were not there") {
+    test("a byte order mark and members that are null are ignored") {
         val text = "\uFEFF{\"version\":1,\"files\":[{\"name\":\"a\",\"role\":null,\"seconds\":null,\"error\":null}]}"
         MatchManifest.of(text).files.single().run { listOf(name, role, seconds, error) } shouldBe listOf("a", null, null, null)
     }

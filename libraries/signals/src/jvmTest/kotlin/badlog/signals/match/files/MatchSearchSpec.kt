@@ -26,7 +26,7 @@ import kotlin.random.Random
 
 private val PERIODS = listOf(20.0, 35.3, 37.1, 172.2)
 
-/** The files of a match of the day: one of each role, and how far the clock of each is ahead of the robot's. */
+/** The files of a match of the day, one of each role. [ahead] has the seconds by which each clock is ahead of the robot's. */
 private class Left(val files: List<MatchFile>, val ahead: Map<String, Double>)
 
 private fun file(name: String, role: FileRole, recording: Recording, seconds: Double? = null, error: Double? = null) = MatchFile(name, role, clocked(recording, name), seconds, error)
@@ -61,7 +61,7 @@ private fun bag(log: Recording): Recording {
 private const val STEP = 0.02
 
 /**
- * Twelve matches, some of them replayed, of two robots, each with a laptop of its own; one is an hour ahead. One robot writes bags, the
+ * Twelve matches, some of them replayed, of two robots, each with a laptop of its own. One is an hour ahead. One robot writes bags, the
  * other WPILOGs. A CAN bus has a log on a clock of its own.
  */
 private fun day(random: Random): List<Left> {
@@ -125,7 +125,7 @@ class MatchSearchSpec : FunSpec({
         withClue("complete matches") { complete shouldBe matches }
     }
 
-    test("a file that contradicts, or fits two matches alike, is in none, and a sentence says so") {
+    test("a file that contradicts, or fits two matches alike, is in no match, with the reason in a sentence") {
         fun robot(name: String, number: String) = file(name, FileRole.ROBOT, logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)), null, listOf(Value("Match Number", number))))
         val bus = logOf(listOf(flag("Bus/Robot Enabled", 5.0, PERIODS.map { it + 5 }, 205.0)))
         val other = logOf(listOf(flag("Bus/Robot Enabled", 5.0, PERIODS.map { it + 5 }, 205.0)), null, listOf(Value("Match Number", "9")))
@@ -166,7 +166,7 @@ class MatchSearchSpec : FunSpec({
         checkNotNull(offered) shouldContain "by the time of day, which may be seconds off"
     }
 
-    test("a Driver Station's log whose clock contradicts is offered, not taken") {
+    test("a Driver Station's log with a contradictory clock is offered, not taken") {
         fun station(start: String?) = file("station", FileRole.STATION, logOf(listOf(flag("Driver Station/Enabled", 0.0, PERIODS.map { it + 2 }, 205.0)), start))
         val robot = file("a", FileRole.ROBOT, logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)), "2026-03-07 10:00:00 UTC"))
         val other = matchesOf(listOf(robot, station("2026-03-08 10:00:00 UTC")))
@@ -186,7 +186,7 @@ class MatchSearchSpec : FunSpec({
         found.left.single().second shouldContain "but the time of day contradicts"
     }
 
-    test("a Driver Station's log that fits only by when the robot was enabled is taken only if there is one of each, and a sentence says so") {
+    test("a Driver Station's log that fits only by when the robot was enabled is taken only if there is one of each, with the reason in a sentence") {
         fun robot(name: String, number: String? = null) = file(name, FileRole.ROBOT, logOf(listOf(flag("DS:enabled", 0.0, PERIODS, 200.0)), null, listOfNotNull(number?.let { Value("Match Number", it) })))
         fun station(name: String) = file(name, FileRole.STATION, logOf(listOf(flag("Driver Station/Enabled", 0.0, PERIODS.map { it + 2 }, 205.0)), "2026-03-07 10:00:00 UTC"))
         val match = matchesOf(listOf(robot("a"), station("x"))).matches.single()
@@ -211,7 +211,7 @@ class MatchSearchSpec : FunSpec({
             listOf(ProblemKind.LOG_LEFT_OUT to "No sample of rio.hoot is during the robot's log; check its clock (as stated).")
     }
 
-    test("stated clocks count from that of the match, whatever that of the first robot's log is, and all stated files are taken") {
+    test("stated clocks count from the match's clock, whatever the clock of the first robot's log, and all stated files are taken") {
         fun robot(name: String, seconds: Double?) = file(name, FileRole.ROBOT, logOf(listOf(flag("$name/DS:enabled", 0.0, PERIODS, 200.0))), seconds)
         fun station(name: String, seconds: Double?) = file(name, FileRole.STATION, logOf(listOf(flag("Driver Station/Enabled", 0.0, PERIODS, 200.0))), seconds, 0.02)
         fun seconds(vararg files: MatchFile) = matchesOf(files.toList()).matches.single().parts.map { "${it.file.name} ${it.seconds}" }

@@ -39,7 +39,9 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         return withLines(last.id, names)
     }
 
-    /** Adds a graph of the signal [name], drawn as [lines]; or removes existing graphs of these lines or of the signal alone. */
+    /**
+     * Adds a graph of the signal [name], drawn as [lines]. If there are graphs of these lines or of the signal alone, removes them instead.
+     */
     fun withOwnToggled(name: String, lines: List<String> = listOf(name)): Board {
         val own = graphs.filter { it.lines == listOf(name) || it.lines == lines }
         return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
@@ -129,8 +131,8 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
     }
 
     /**
-     * Draws graph [id] as a graph of y over x if [isXy]: poses as paths, other lines over the first one. Otherwise draws its lines over
-     * the common x again.
+     * Draws graph [id] as a graph of y over x if [isXy]. Poses become paths, other lines are drawn over the first one. Otherwise draws its
+     * lines over the common x again.
      */
     fun withXy(id: Int, isXy: Boolean): Board = change(id) { it.copy(isXy = isXy, xRange = null, yRange = null) }
 

@@ -82,7 +82,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         return BoardHistory(all, place, newId)
     }
 
-    /** Returns [board] with new ids for graphs that were never in this history: a board knows only which ids are free on it. */
+    /** Returns [board] with new ids for graphs that were never in this history. A board knows only which ids are free on it. */
     private fun identified(board: Board): Board {
         val id = newId ?: return board
         return Board(

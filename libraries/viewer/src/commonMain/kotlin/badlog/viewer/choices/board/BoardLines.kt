@@ -27,7 +27,7 @@ class BoardLines(val view: LogView, others: List<Graph> = emptyList()) {
     operator fun get(name: String): GraphSeries? = found.getOrPut(name) { topics[name]?.let(view::seriesOf) ?: derived[name] }
 }
 
-/** Returns whether [topic] can be drawn as a line: events are marks in every graph, and empty topics are not drawn. */
+/** Returns whether [topic] can be drawn as a line. Events are marks in every graph, and empty topics are not drawn. */
 internal fun isDrawable(topic: Topic): Boolean =
     topic.kind != TopicKind.EMPTY && topic.kind != TopicKind.EVENT && "log" !in topic.attributes
 

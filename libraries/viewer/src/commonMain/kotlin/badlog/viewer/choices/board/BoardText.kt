@@ -40,7 +40,7 @@ fun boardOfText(text: String): Board {
     return Board(text.split(';').mapIndexed { i, part -> graphOf(i + 1, part) })
 }
 
-/** The maximum number of lines in a graph, more than are ever drawn: a damaged address must not fill the memory. */
+/** The maximum number of lines in a graph, more than are ever drawn. A damaged address must not fill the memory. */
 private const val MAX_LINES = 10_000
 
 private fun graphOf(id: Int, text: String): BoardGraph {

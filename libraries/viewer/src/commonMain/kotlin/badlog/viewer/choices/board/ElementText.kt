@@ -47,7 +47,7 @@ internal fun linesOfText(text: String): List<String> {
 internal fun nameOf(text: String): String =
     nameOfAddress(text) ?: throw BoardException("“$text” has a “~” that is not a character; copy the whole address again.")
 
-/** The elements [first] to [last] of an array, with names of [before], the index and [after]; without an index, just a name. */
+/** The elements [first] to [last] of an array. Their names have [before], the index and [after]; without an index, just a name. */
 private data class ElementRun(val before: String, val first: Int = NO_INDEX, val last: Int = first, val after: String = "") {
     fun isFollowedBy(next: ElementRun) = first != NO_INDEX && next.before == before && next.after == after && next.first == last + 1 &&
         next.first - first < MAX_ELEMENTS
@@ -60,7 +60,7 @@ private data class ElementRun(val before: String, val first: Int = NO_INDEX, val
     }
 }
 
-/** Returns the element that [name] describes, such as the first of an array for `Modules[0]/speed`; null if it is not an element. */
+/** Returns the element that [name] describes. For `Modules[0]/speed`, the first of an array; null if it is not an element. */
 private fun elementOf(name: String): ElementRun? {
     val open = name.lastIndexOf('[')
     val close = name.indexOf(']', open + 1)

@@ -1,7 +1,7 @@
 package badlog.viewer.choices.board
 
 /**
- * The origin from which a log's poses are measured: the corner at the right end of an alliance's wall, or the center of the field.
+ * The origin from which a log's poses are measured. It is the corner at the right end of an alliance's wall, or the center of the field.
  *
  * @property label the name in a menu.
  */

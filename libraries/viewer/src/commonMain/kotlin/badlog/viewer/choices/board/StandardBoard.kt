@@ -9,8 +9,8 @@ import badlog.viewer.shown.outline.everChanges
 import badlog.viewer.shown.outline.outlineOf
 
 /**
- * Returns the initial graphs of a log if all of them are on the board: [boardAbove], then the rest of [defaultBoard]. A log with more
- * graphs than a person looks through has only [boardAbove].
+ * Returns the initial graphs of a log if all of them are on the board. These are [boardAbove], then the rest of [defaultBoard]. A log with
+ * more graphs than a person looks through has only [boardAbove].
  *
  * @param pointed the evidence of the first finding; used only if not all graphs are on the board anyway.
  */
@@ -54,7 +54,7 @@ private fun evidenceBeside(graphs: List<BoardGraph>, view: LogView, pointed: Lis
 private fun changingIn(view: LogView) = view.recording.topics.filter(::everChanges).mapTo(HashSet()) { it.name }
 
 /**
- * Returns the initial graphs of a log with more of them than a person looks through; null for a smaller log. [pathBoard] is first, then
+ * Returns the initial graphs of a log with more of them than a person looks through. Null for a smaller log. [pathBoard] is first, then
  * graphs of changing signals of [vocabulary]: battery and current, modes, loop time, loads, outputs, and the topics [pointed]. The other
  * graphs that [outlineOf] draws follow, the ones of several topics first.
  */

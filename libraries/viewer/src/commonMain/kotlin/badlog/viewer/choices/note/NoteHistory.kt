@@ -17,7 +17,7 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     /** The notes that are as they were at the beginning. Together with [changes], they are all of this history. */
     val unchanged: List<Note> get() = last.values.filter { it.time.isEmpty() }.map { it.note }
 
-    /** The last change of each note that is not as it was at the beginning; removed notes are without their text. */
+    /** The last change of each note that is not as it was at the beginning. Removed notes are without their text. */
     val changes: List<NoteChange> get() = last.values.filter { it.time.isNotEmpty() }
 
     /**

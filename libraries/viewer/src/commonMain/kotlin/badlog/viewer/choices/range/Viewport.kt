@@ -34,7 +34,7 @@ data class Viewport(
     private val narrowest: Double
         get() = minOf(maxOf(full.width * 1e-9, maxOf(abs(full.from), abs(full.to)) * 1e-12, 1e-300), full.width)
 
-    /** Shows the range from [from] to [to], in any order, as one of many steps of a gesture; [back] skips them. */
+    /** Shows the range from [from] to [to], in any order, as one of many steps of a gesture. [back] skips them. */
     internal fun moved(from: Double, to: Double): Viewport {
         if (!from.isFinite() || !to.isFinite()) return this
         val width = abs(to - from).coerceIn(narrowest, full.width)

@@ -18,7 +18,10 @@ enum class AxisSide {
     NONE,
     ;
 
-    /** Returns the note in a legend for a line in [unit] on this axis: the unit, and the side of the numbers, unless that is the left. */
+    /**
+     * Returns the note in a legend for a line in [unit] on this axis. It has the unit, and the side of the numbers, unless that is the
+     * left.
+     */
     fun legendOf(unit: String): String = when (this) {
         LEFT -> unit
         RIGHT -> if (unit.isEmpty()) "right" else "$unit, right"

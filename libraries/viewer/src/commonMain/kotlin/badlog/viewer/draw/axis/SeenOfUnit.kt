@@ -17,7 +17,7 @@ fun seenOn(axes: List<GraphAxis>, strokes: List<Strokes>): List<SeenOfUnit> = ax
     SeenOfUnit(axis.unit, seen.minOfOrNull { it.min } ?: Double.NaN, seen.maxOfOrNull { it.max } ?: Double.NaN)
 }
 
-/** Returns the visible range of each unit in all graphs that share their limits; [seen] has an entry for each of their axes. */
+/** Returns the visible range of each unit in all graphs that share their limits. [seen] has an entry for each of their axes. */
 fun seenTogether(seen: List<SeenOfUnit>): Map<String, SeenOfUnit> {
     val together = HashMap<String, SeenOfUnit>()
     for (one in seen) {

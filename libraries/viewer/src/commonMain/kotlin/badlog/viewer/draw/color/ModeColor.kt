@@ -3,8 +3,8 @@ package badlog.viewer.draw.color
 import badlog.viewer.draw.mark.RobotMode
 
 /**
- * Returns the shade of [mode]: amber for autonomous and blue for teleop, which everybody can distinguish; gray if the log does not have
- * the mode.
+ * Returns the shade of [mode]. Amber for autonomous and blue for teleop, which everybody can distinguish; gray if the log does not have the
+ * mode.
  */
 fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.AUTONOMOUS -> Shade.AUTONOMOUS
@@ -13,5 +13,5 @@ fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.ENABLED -> Shade.MUTED
 }
 
-/** Returns the opacity of the shade behind a graph: visible at a glance, but weaker than the lines on top of it. */
+/** Returns the opacity of the shade behind a graph. It is visible at a glance, but weaker than the lines on top of it. */
 fun modeOpacity(isDark: Boolean): Double = if (isDark) 0.11 else 0.08

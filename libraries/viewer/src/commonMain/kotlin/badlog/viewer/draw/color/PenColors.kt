@@ -11,7 +11,7 @@ class PenColors private constructor(val isDark: Boolean) {
     /** Returns the color of line [index], from 0. */
     fun line(index: Int): Int = OPAQUE or lineColor(index, isDark)
 
-    /** Returns the color of a block in state [index], from 0: a line's color, muted enough for text on top of it. */
+    /** Returns the color of a block in state [index], from 0. It is a line's color, muted enough for text on top of it. */
     fun state(index: Int): Int = over(line(index), this[Shade.SURFACE], stateOpacity(isDark))
 
     /** Returns the color of [severity]. */

@@ -4,7 +4,7 @@ import badlog.core.analysis.Span
 import kotlin.math.abs
 
 /**
- * Maps the values of an axis to the screen: [from] to the pixel [start], and [to] to a pixel [length] further on.
+ * Maps the values of an axis to the screen. [from] is at the pixel [start], and [to] is [length] pixels further on.
  *
  * @property farthest the maximum distance of a place from 0, because coordinates far outside the screen would be too large for drawing.
  */

@@ -27,7 +27,7 @@ class Strokes {
         private set
 
     /**
-     * Whether there are so many points that thin lines cover the same area, see [Curve.isDense]; thicker lines take many times longer.
+     * Whether there are so many points that thin lines cover the same area, see [Curve.isDense]. Thicker lines take many times longer.
      */
     var isDense: Boolean = false
         internal set
@@ -82,7 +82,7 @@ class Strokes {
         points[size++] = y
     }
 
-    /** Maps strokes with logged values of y by the scale [y]: it may be known only after other curves were traced. */
+    /** Maps strokes with logged values of y by the scale [y]. It may be known only after other curves were traced. */
     fun place(y: Scale) {
         for (i in 1 until (if (count == 0) 0 else ends[count - 1]) step 2) points[i] = y.placeOf(points[i])
         for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])

@@ -124,7 +124,7 @@ class FindingMarks {
 
     private companion object {
         /**
-         * The distance below which two glyphs are merged, in CSS pixels or dp: a thousand of them would take a frame, and show nothing
+         * The distance below which two glyphs are merged, in CSS pixels or dp. A thousand of them would take a frame, and show nothing
          * more.
          */
         const val CROWDED = 4

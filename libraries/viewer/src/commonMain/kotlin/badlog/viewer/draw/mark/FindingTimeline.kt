@@ -18,7 +18,7 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     val places: List<FindingPlace<F>> =
         all.flatMap { finding -> placesOf(finding).map { FindingPlace(finding, severityOf(finding), it) } }.sortedBy { it.span.from }
 
-    // For each place, the last end of it and all previous ones: a log may have ten thousand places, and each frame needs them.
+    // For each place, the last end of it and all previous ones. A log may have ten thousand places, and each frame needs them.
     private val lastEnds = DoubleArray(places.size).also { ends ->
         for (i in ends.indices) ends[i] = if (i == 0) places[0].span.to else maxOf(ends[i - 1], places[i].span.to)
     }
@@ -34,8 +34,8 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     private fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
     /**
-     * Returns the place that begins at [x]: one with a finding for which [isPreferred] is true, otherwise with the worst finding; null if
-     * there is none.
+     * Returns the place that begins at [x]. It is one with a finding for which [isPreferred] is true, otherwise with the worst finding;
+     * null if there is none.
      */
     fun placeAt(x: Double, isPreferred: (F) -> Boolean): FindingPlace<F>? =
         places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isPreferred(it.finding) }, { it.severity }))

@@ -40,7 +40,7 @@ class ModeBands {
 
     private fun add(from: Double, to: Double, mode: RobotMode) {
         val last = size - 1
-        // A band that touches the previous one extends it if the mode is the same; otherwise it begins at its end.
+        // A band that touches the previous one extends it if the mode is the same. Otherwise it begins at its end.
         if (last >= 0 && modes[last] == mode.ordinal && from - right[last] < 1) {
             right[last] = maxOf(right[last], to)
             return

@@ -32,7 +32,7 @@ internal fun timeOfNearest(
 
     var least = reach * reach
     var nearest = Double.NaN
-    // The first pass finds the least distance, the second one the time nearest to [before] among places with about that distance.
+    // The first pass finds the least distance. The second one finds the time nearest to [before] among places with about that distance.
     for (more in if (before == null) FIRST else BOTH) {
         pyramid.visit(start, end, { boxes, at, _ -> distance(boxes, at) > least + more }, {}) { i ->
             val here = distance(i)
@@ -50,5 +50,5 @@ internal fun timeOfNearest(
 
 private val FIRST = doubleArrayOf(0.0)
 
-/** The tolerance of both passes, in square pixels: places with squared distances that differ by at most that count as the same. */
+/** The tolerance of both passes, in square pixels. Places with squared distances that differ by at most that count as the same. */
 private val BOTH = doubleArrayOf(0.0, 9.0)

@@ -112,7 +112,7 @@ internal class TakenPixels {
         }
         val between = (end - start + 1).toInt()
         steps -= maxOf(0, between)
-        // The million long ways of a path that jumps a million times would take too long: then only its samples count.
+        // The million long ways of a path that jumps a million times would take too long. Then only its samples count.
         if (steps < 0) return isNew
         // Integers keep each step to a few instructions.
         val stepX = (right / count * FINE).toInt()
@@ -128,8 +128,8 @@ internal class TakenPixels {
     }
 
     /**
-     * Returns the fraction of the way from ([x], [y]), which goes [right] and [down], at which the inner cells begin; infinity if it
-     * never reaches them.
+     * Returns the fraction of the way from ([x], [y]) to the inner cells; infinity if it never reaches them. The way goes [right] and
+     * [down].
      */
     private fun enter(x: Double, y: Double, right: Double, down: Double) = maxOf(enter(x, right, columns), enter(y, down, rows))
 
@@ -189,7 +189,7 @@ internal class TakenPixels {
         /** The start of the inner cells. */
         private const val FIRST = 1.0 - AROUND
 
-        /** The bits of a fraction of a pixel: with so many, a line of thousands of steps ends less than a pixel off. */
+        /** The bits of a fraction of a pixel. With so many, a line of thousands of steps ends less than a pixel off. */
         private const val FINE_BITS = 15
         private const val FINE = 1 shl FINE_BITS
 

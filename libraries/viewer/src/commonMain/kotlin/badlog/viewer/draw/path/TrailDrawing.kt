@@ -4,7 +4,7 @@ import badlog.viewer.draw.curve.Scale
 import badlog.viewer.draw.curve.Strokes
 
 /**
- * Draws a trail pixel by pixel: every pixel that contains a sample is drawn, in the order of the samples, but none twice. So a picture
+ * Draws a trail pixel by pixel. Every pixel that contains a sample is drawn, in the order of the samples, but none twice. So a picture
  * needs at most as many strokes as it has pixels, however many samples there are.
  *
  * Blocks of the [pyramid] that are invisible, within one pixel, or where everything is drawn already are skipped. Where the trail is

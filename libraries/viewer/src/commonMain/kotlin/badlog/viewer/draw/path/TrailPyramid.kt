@@ -18,8 +18,8 @@ internal class TrailPyramid(val trail: Trail) {
     private val levels = ArrayList<DoubleArray>()
 
     /**
-     * The maximum distance of samples from straight lines, for each of the smallest blocks and each of [STRIDES]: in x, then in y. The
-     * lines join samples that are a stride apart.
+     * The maximum distance of samples from straight lines, first in x, then in y. For each of the smallest blocks and each of [STRIDES].
+     * The lines join samples that are a stride apart.
      */
     private val bends = FloatArray(2 * STRIDES.size * maxOf(0, (trail.size - 1) / BLOCK))
 
@@ -130,8 +130,8 @@ internal class TrailPyramid(val trail: Trail) {
     }
 
     /**
-     * Returns the number of steps of the largest block that begins with sample [i], ends before [end] and [isSkipped]; 0 if there is
-     * none.
+     * Returns the number of steps of the largest block that begins with sample [i]. The block ends before [end] and [isSkipped]; 0 if there
+     * is none.
      */
     private inline fun stepsFrom(i: Int, end: Int, isSkipped: (DoubleArray, Int, Int) -> Boolean): Int {
         for (level in levels.indices.reversed()) {

@@ -38,7 +38,7 @@ class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val
     }
 
     /**
-     * Draws the resets of the pose, and the result: the fitted line, or the place where the robot left its plan.
+     * Draws the resets of the pose, and the result. It is the fitted line, or the place where the robot left its plan.
      *
      * @param momentOf returns the text of a time on the x that all logs share.
      */

@@ -11,7 +11,7 @@ import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 
 /**
- * The content of a graph of y over x: the paths of all drawn logs on one field, otherwise their topics over each other.
+ * The content of a graph of y over x. It has the paths of all drawn logs on one field, otherwise their topics over each other.
  *
  * @param lines the names of the graph's lines.
  * @param origin the origin of the poses.
@@ -42,8 +42,8 @@ class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
     }
 
     /**
-     * Returns the plane to show in a frame of [width] by [height] pixels: [selected], or [full] if it is null or cannot be drawn. Null if
-     * there is nothing to draw. A field keeps its shape.
+     * Returns the plane to show in a frame of [width] by [height] pixels. It is [selected], or [full] if that is null or cannot be drawn.
+     * Null if there is nothing to draw. A field keeps its shape.
      */
     fun seen(selected: Plane?, width: Double, height: Double): Plane? {
         val wanted = selected?.takeIf { it.isDrawable && !isEmpty } ?: full

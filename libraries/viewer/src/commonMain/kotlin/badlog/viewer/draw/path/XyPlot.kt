@@ -17,7 +17,7 @@ import badlog.viewer.draw.axis.limitsFor
 import badlog.viewer.text.shortNames
 
 /**
- * The content of a graph of y over x: the paths of poses on a field, otherwise one topic over another.
+ * The content of a graph of y over x. It has the paths of poses on a field, otherwise one topic over another.
  *
  * @property traces the traces in drawing order: seen poses first, then planned ones, then the driven path.
  * @property isField whether x and y are places on a field.

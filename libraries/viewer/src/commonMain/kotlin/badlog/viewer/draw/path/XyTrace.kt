@@ -45,7 +45,7 @@ class XyTrace internal constructor(
     val isJoined: Boolean get() = role != PoseRole.SEEN && followers.isEmpty()
 
     /**
-     * Draws the part of the trace in [span] into [strokes], on [width] by [height] pixels that show [plane]: lines if it [isJoined],
+     * Draws the part of the trace in [span] into [strokes], on [width] by [height] pixels that show [plane]. Draws lines if it [isJoined],
      * otherwise dots. Very many dots are not single: each stroke is a row of them, from its left pixel to its right one.
      */
     fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
@@ -67,8 +67,8 @@ class XyTrace internal constructor(
     fun headingAt(time: Double): Double = heading?.at(time) ?: Double.NaN
 
     /**
-     * Returns the trace's numbers at [time] for a legend, or its place and heading on a field: `3.21, 4.50 m · 87°`. Empty if it has no
-     * place.
+     * Returns the trace's numbers at [time] for a legend. On a field, these are its place and heading: `3.21, 4.50 m · 87°`. Empty if it
+     * has no place.
      */
     fun textAt(time: Double, isField: Boolean): String {
         val index = indexAt(time)

@@ -4,7 +4,7 @@ package badlog.viewer.draw.pen
 fun Pen.fittedStart(text: String, room: Double, letters: Double, isBold: Boolean = false): String =
     fitted(text, room, letters, isBold) { text.take(it) + "…" }
 
-/** Returns [text], or both its ends with `…` between if it is wider than [room]: names often differ only at their ends. */
+/** Returns [text], or both its ends with `…` between if it is wider than [room]. Names often differ only at their ends. */
 fun Pen.fittedEnds(text: String, room: Double, letters: Double): String = fitted(text, room, letters, isBold = false) { length ->
     text.take(length / 2) + "…" + text.takeLast(length - length / 2)
 }

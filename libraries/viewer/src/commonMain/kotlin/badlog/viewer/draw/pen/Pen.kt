@@ -66,7 +66,7 @@ interface Pen {
     fun moved(x: Double, y: Double, draw: () -> Unit)
 
     /**
-     * Draws a layer that many graphs share: a pen may draw it once and copy it while [key] stays the same.
+     * Draws a layer that many graphs share. A pen may draw it once and copy it while [key] stays the same.
      *
      * @param name identifies the layer among the shared ones.
      * @param draw receives a pen and a height, and draws the layer at the pen's origin in that height; of a higher drawing, the bottom is

@@ -188,7 +188,7 @@ class SvgPen(
     }
 }
 
-/** Returns [value] with at most two decimals: a hundredth of a pixel is invisible, and further digits would take most of the file. */
+/** Returns [value] with at most two decimals. A hundredth of a pixel is invisible, and further digits would take most of the file. */
 private fun numberOf(value: Double): String {
     val hundredths = (value * 100).roundToLong()
     val whole = abs(hundredths) / 100

@@ -15,7 +15,7 @@ import kotlin.math.round
 const val AXIS_LETTERS: Double = 11.0
 
 /**
- * Draws the grid: lines across [frame] at the ticks of x, and across [lineFrame], its part with lines, at the ticks of the first of
+ * Draws the grid. Lines go across [frame] at the ticks of x, and across [lineFrame], its part with lines, at the ticks of the first of
  * [axes].
  */
 fun Pen.drawGrid(frame: PlotFrame, lineFrame: PlotFrame, axes: List<PlotAxis>, colors: PenColors) {
@@ -39,8 +39,8 @@ fun Pen.drawXNumbers(frame: PlotFrame, width: Double, height: Double, colors: Pe
 }
 
 /**
- * Draws the axis of x as a bar in [frame], below graphs: marks at the ticks, their numbers, and [title] at the right end. Numbers leave
- * room for the title.
+ * Draws the axis of x as a bar in [frame], below graphs. It has marks at the ticks, their numbers, and [title] at the right end. Numbers
+ * leave room for the title.
  */
 fun Pen.drawXBar(frame: PlotFrame, title: String, colors: PenColors) {
     val ticks = xTicks(frame)
@@ -101,7 +101,7 @@ fun Pen.drawYNumbers(frame: PlotFrame, axes: List<PlotAxis>, colors: PenColors, 
     }
 }
 
-/** Writes the numbers of [ticks], which are at [places], below the height [top]; the last ones are omitted if they would reach [room]. */
+/** Writes the numbers of [ticks], which are at [places], below the height [top]. The last ones are omitted if they would reach [room]. */
 private fun Pen.writeNumbers(ticks: Ticks, places: DoubleArray, top: Double, colors: PenColors, room: Double = Double.POSITIVE_INFINITY) {
     val letters = AXIS_LETTERS * density
     ticks.texts.forEachIndexed { i, number ->

@@ -46,7 +46,7 @@ object PlotMargins {
     /** The margins above and below together. */
     const val HEIGHT: Int = TOP + BOTTOM
 
-    /** Returns the frame of a plot of [width] by [height] CSS pixels that shows [x]; one of them is [density] physical pixels. */
+    /** Returns the frame of a plot of [width] by [height] CSS pixels that shows [x]. A CSS pixel is [density] physical pixels. */
     fun frameOf(width: Int, height: Int, x: Span, density: Double): PlotFrame {
         val left = round(LEFT * density)
         val top = round(TOP * density)
@@ -56,7 +56,7 @@ object PlotMargins {
     }
 
     /**
-     * Returns the height of a plot with all of [plane] in its frame, with the same scale for x and y. The plot is [width] CSS pixels
+     * Returns the height of a plot with all of [plane] in its frame. The scale is the same for x and y. The plot is [width] CSS pixels
      * wide.
      */
     fun heightOf(plane: Plane, width: Int): Int = ((width - LEFT - RIGHT) * plane.y.width / plane.x.width).toInt() + HEIGHT

@@ -27,8 +27,8 @@ interface GraphLine {
 }
 
 /**
- * Returns the plot of the graph [look] in [frame]: its visible [lines], each on the axis of its unit, and [lanes] below. The axes fit the
- * visible samples of their lines, unless a person has selected a range.
+ * Returns the plot of the graph [look] in [frame]. It has its visible [lines], each on the axis of its unit, and [lanes] below. The axes
+ * fit the visible samples of their lines, unless a person has selected a range.
  *
  * @param strokes the strokes of each of [lines], with y as logged. They are placed here, because a scale is known only when all lines
  *   are.
@@ -77,7 +77,7 @@ fun Plot.dotAt(index: Int, line: GraphLine, x: Double, frame: PlotFrame): Pair<D
     return if (left in frame.left..frame.right && top in lineFrame.top..lineFrame.bottom) left to top else null
 }
 
-/** Draws a dot on each of [lines], which [plot] draws, where a cursor at [x] reads it: at the sample, or where its value holds. */
+/** Draws a dot on each of [lines], which [plot] draws, where a cursor at [x] reads it. It is at the sample, or where its value holds. */
 fun Pen.drawSamples(frame: PlotFrame, plot: Plot, lines: List<GraphLine>, x: Double, colors: PenColors) {
     if (x !in frame.shown) return
     lines.forEachIndexed { i, line -> plot.dotAt(i, line, x, frame)?.let { (left, top) -> drawSample(left, top, line.color, colors) } }

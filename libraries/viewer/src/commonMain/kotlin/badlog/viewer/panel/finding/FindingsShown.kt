@@ -59,8 +59,8 @@ enum class FindingsRoom {
 }
 
 /**
- * Returns whether a list above graphs has a fixed height, in which it scrolls, so that the graphs stay where they are when the rules have
- * run. A log in which the robot was enabled mostly has findings. A person who [isInside] the list has all of it.
+ * Returns whether a list above graphs has a fixed height, in which it scrolls. The graphs thus stay where they are when the rules have run.
+ * A log in which the robot was enabled mostly has findings. A person who [isInside] the list has all of it.
  */
 fun FindingsRoom.isFixed(hasRules: Boolean, wasEnabled: Boolean, isInside: Boolean): Boolean =
     this == FindingsRoom.SHARED && hasRules && wasEnabled && !isInside

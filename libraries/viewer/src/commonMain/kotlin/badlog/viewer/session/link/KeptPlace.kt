@@ -6,7 +6,10 @@ import badlog.viewer.state.Place
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.WantedFinding
 
-/** The pinned cursors and the selected finding, each as the end of an address, for the next time that the log is opened; may be empty. */
+/**
+ * The pinned cursors and the selected finding, each as the end of an address. They are for the next time that the log is opened; may be
+ * empty.
+ */
 val Place.keptText: String
     get() {
         val selected = visited?.run { WantedFinding(finding.rule, finding.topic, span.from) } ?: wanted

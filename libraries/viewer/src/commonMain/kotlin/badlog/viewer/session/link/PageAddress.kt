@@ -129,7 +129,7 @@ private fun withoutPercents(text: String): String {
     }
 }
 
-/** The version that this program writes, without naming it to keep links short; also the version of links that do not name one. */
+/** The version that this program writes, without naming it to keep links short. It is also the version of links that do not name one. */
 private const val LINK_VERSION = 1
 
 /** The length of a time with microseconds, in a log that is not too long for a battery: `12345.678901`. */

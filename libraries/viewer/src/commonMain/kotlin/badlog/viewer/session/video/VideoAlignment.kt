@@ -22,7 +22,7 @@ class VideoAlignment(startSeconds: Double) {
     fun secondsAt(x: Double, secondsOfX: Double): Double = x * secondsOfX - startSeconds
 
     companion object {
-        /** Returns the alignment of a video that shows [x] at [seconds] from its start; one unit of x is [secondsOfX] seconds. */
+        /** Returns the alignment of a video that shows [x] at [seconds] from its start. One unit of x is [secondsOfX] seconds. */
         fun of(seconds: Double, x: Double, secondsOfX: Double): VideoAlignment = VideoAlignment(x * secondsOfX - seconds)
 
         /** The reason why a frame cannot be aligned with the cursor. */
@@ -38,7 +38,7 @@ class VideoAlignment(startSeconds: Double) {
     }
 }
 
-/** Returns the instruction for aligning a video with a log; [hasEnabled] says whether the log shows when the robot was enabled. */
+/** Returns the instruction for aligning a video with a log. [hasEnabled] says whether the log shows when the robot was enabled. */
 fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
     "Find the first frame in which the robot is enabled, and click “Enabled here”."
 } else {
@@ -46,7 +46,7 @@ fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
 }
 
 /**
- * Returns the time of a frame in which the robot becomes enabled: the start of the first span of [enabled] that begins in [visible],
+ * Returns the time of a frame in which the robot becomes enabled. It is the start of the first span of [enabled] that begins in [visible],
  * otherwise of the very first. [enabled] is in the order of x. Null if the log does not show when the robot was enabled.
  */
 fun enabledStart(enabled: List<Span>, visible: Span): Double? = (enabled.firstOrNull { it.from in visible } ?: enabled.firstOrNull())?.from

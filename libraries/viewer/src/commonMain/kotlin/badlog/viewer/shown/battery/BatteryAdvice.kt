@@ -67,8 +67,8 @@ class BatteryAdvice private constructor(val next: AdvisedBattery?, val retire: L
         }
 
         /**
-         * Returns the battery to use next: of the [fit] ones that are no worse than the [best] known one, or else than the best of them, the one
-         * that rested longest. One that was never measured is used only if there is no other.
+         * Returns the battery to use next. It is the one that rested longest of the [fit] ones no worse than the [best] known one, or else
+         * than the best of them. One that was never measured is used only if there is no other.
          */
         private fun nextOf(fit: List<BatterySeason>, all: List<BatterySeason>, best: BatterySeason?): AdvisedBattery? {
             val last = all.maxByOrNull { it.lastUse }

@@ -29,7 +29,7 @@ class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
 class ComparedGraph(val graph: Graph, val lines: List<String>, val names: List<String>, val colors: List<Int>)
 
 /**
- * Returns the index of the color of the line at [place] in a graph of log [index]; [count] logs are drawn. The color distinguishes logs
+ * Returns the index of the color of the line at [place] in a graph of log [index]. [count] logs are drawn. The color distinguishes logs
  * first: it is the same in all graphs, even if a log lacks a line.
  */
 fun colorOf(place: Int, index: Int, count: Int): Int = place * count + index

@@ -26,7 +26,7 @@ fun namesBeside(logs: List<LogName>): List<String> {
 
 private val List<String>.areDistinct get() = distinct().size == size
 
-/** Returns [label] in at most [letters] characters, shortened in the middle if necessary: matches of one event differ at their end. */
+/** Returns [label] in at most [letters] characters, shortened in the middle if necessary. Matches of one event differ at their end. */
 fun shortLabel(label: String, letters: Int): String {
     if (label.length <= letters) return label
     val end = (letters - 1) / 2

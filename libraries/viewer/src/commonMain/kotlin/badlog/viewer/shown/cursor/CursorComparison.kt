@@ -6,8 +6,8 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * Returns the values of this line at cursors at [a] and [b], the difference, and the slope: `A 12.1 · B 9.3 · Δ -2.8 · -1.4 V/s`. States
- * and gaps have no difference and slope.
+ * Returns the values of this line at cursors at [a] and [b]. The difference and the slope follow: `A 12.1 · B 9.3 · Δ -2.8 · -1.4 V/s`.
+ * States and gaps have no difference and slope.
  *
  * @param xUnit the unit of x.
  * @param sampleText formats a sample.

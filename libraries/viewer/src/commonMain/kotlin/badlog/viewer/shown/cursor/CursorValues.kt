@@ -15,7 +15,7 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
     private val reach = reachOn(axis)
 
     /**
-     * The difference between the largest and the smallest number of each line; 0 for states, and for fewer than two numbers. NaN until
+     * The difference between the largest and the smallest number of each line. 0 for states, and for fewer than two numbers. NaN until
      * needed.
      */
     private val ranges = DoubleArray(lines.size) { Double.NaN }
@@ -35,7 +35,7 @@ class CursorValues(private val lines: List<GraphSeries>, axis: XAxis) {
         val line = lines[index]
         val data = line.data
         if (!data.isOrdered || x.isNaN()) return 0.0
-        // Includes the value that still held at the start; otherwise the first of a few samples would not be a change.
+        // Includes the value that still held at the start. Otherwise the first of a few samples would not be a change.
         var at = data.firstAtOrAfter(x - reach).let { if (it > 0) it - 1 else it }
         var least = Double.POSITIVE_INFINITY
         var most = Double.NEGATIVE_INFINITY

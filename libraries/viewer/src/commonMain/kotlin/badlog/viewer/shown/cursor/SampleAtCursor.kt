@@ -19,8 +19,8 @@ fun GraphSeries.indexAt(x: Double): Int = when {
 }
 
 /**
- * Returns the x of a cursor's dot on this line, for a cursor at [x]: at the cursor if the value holds, otherwise at the sample. NaN if
- * there is none.
+ * Returns the x of a cursor's dot on this line, for a cursor at [x]. It is at the cursor if the value holds, otherwise at the sample. NaN
+ * if there is none.
  */
 fun GraphSeries.dotAt(x: Double): Double {
     val index = indexAt(x)

@@ -5,7 +5,7 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * Returns the announcement of a screen reader when a key has moved a cursor to [x]: [place], the text of x, and the first values of
+ * Returns the announcement of a screen reader when a key has moved a cursor to [x]. It has [place], the text of x, and the first values of
  * [lines] there.
  */
 fun spokenAt(lines: List<GraphSeries>, x: Double, place: String): String {

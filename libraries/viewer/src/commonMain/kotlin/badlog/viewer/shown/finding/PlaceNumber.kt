@@ -5,15 +5,14 @@ import badlog.rules.Finding
 import badlog.viewer.text.countText
 
 /**
- * The places of the finding in the order in which a person steps through them: in the order of x, even if another one is to look at
+ * The places of the finding in the order in which a person steps through them. That is the order of x, even if another one is to look at
  * first.
  */
 val Finding.placesInOrder: List<Span> get() = places.sortedBy { it.from }
 
 /**
- * Returns the number of [place] among the finding's places, such as `3 of 12`, for a person who steps through them. If the finding
- * occurred more often than at the known places, its count follows: `3 of 100, found 1200 times`. An unknown place counts as the first
- * one.
+ * Returns the number of [place] among the finding's places, such as `3 of 12`. It is for a person who steps through them. If the finding
+ * occurred more often than at the known places, its count follows: `3 of 100, found 1200 times`. An unknown place counts as the first one.
  */
 fun Finding.placeNumber(place: Span): String {
     val steps = placesInOrder

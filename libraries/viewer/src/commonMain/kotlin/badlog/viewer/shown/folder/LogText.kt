@@ -46,7 +46,7 @@ val ListedLog.problemSeverity: Severity?
         else -> null
     }
 
-/** Returns the heading of a shown log, [title], beside a list of logs, which may be of another folder, or no longer have it. */
+/** Returns the heading of a shown log, [title], beside a list of logs. The list may be of another folder, or no longer have the log. */
 fun headingOf(title: String, isListed: Boolean): String = if (isListed) title else "$title · not in the list"
 
 /** Returns the problems in words, for a tooltip. */

@@ -29,14 +29,16 @@ fun verdictText(found: FindingSummary?): String = when {
     else -> found.verdict?.headline ?: "No errors, no warnings"
 }
 
-/** Returns the reason why a pit view of [logs] is empty, as a sentence; [isReading] if some may still be read. */
+/** Returns the reason why a pit view of [logs] is empty, as a sentence. [isReading] is true if some may still be read. */
 fun pitEmptiness(logs: List<ListedLog>, isReading: Boolean): String = when {
     isReading -> "Reading the first logs…"
     logs.any { it.isReadable } -> "No log of an enabled robot yet."
     else -> "No log yet."
 }
 
-/** Returns the known facts of [log]: its date, its length and its lowest battery voltage, as in `16 Mar 2024, 10:41 · 2:36 · 6.73 V`. */
+/**
+ * Returns the known facts of [log]: its date, its length and its lowest battery voltage. For example: `16 Mar 2024, 10:41 · 2:36 · 6.73 V`.
+ */
 fun pitFacts(log: ListedLog): String = listOfNotNull(LogColumn.DATE.text(log), durationText(log), batteryText(log)).joinToString(" · ")
 
 /** Returns the paths of the [logs] that share their run with others: the match alone does not distinguish them. */

@@ -88,8 +88,8 @@ internal fun withTargets(groups: List<TopicGroup>): List<TopicGroup> {
 }
 
 /**
- * Returns the measured value in the folder of the bare target [target], such as `Arm/Angle` for `Arm/Goal`; null if there is not exactly
- * one.
+ * Returns the measured value in the folder of the bare target [target]. For example `Arm/Angle` for `Arm/Goal`; null if there is not
+ * exactly one.
  */
 private fun measuredIn(groups: List<TopicGroup>, things: List<TargetName?>, target: Int): Int? = groups.indices.singleOrNull { i ->
     val name = groups[i].name

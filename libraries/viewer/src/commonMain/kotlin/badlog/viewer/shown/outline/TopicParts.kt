@@ -34,7 +34,7 @@ private fun arrayOf(name: String): String? {
 
 private fun isNumber(text: String) = text.isNotEmpty() && text.all { it in '0'..'9' }
 
-/** Returns the end of [name] that consists of field names, with slashes; at least one name if there is a folder. */
+/** Returns the end of [name] that consists of field names, with slashes. It has at least one name if there is a folder. */
 private fun fieldsOf(name: String): String {
     var start = name.lastIndexOf('/')
     if (start <= 0) return ""

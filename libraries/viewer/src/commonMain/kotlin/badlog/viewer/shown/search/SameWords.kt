@@ -11,7 +11,7 @@ val SAME_WORDS: List<List<String>> = listOf(
     listOf("radio", "wireless", "wifi"),
 )
 
-/** Returns the further texts that a search for [word], in lower case, finds: other words for the same thing, and its stem. */
+/** Returns the further texts that a search for [word], in lower case, finds. They are other words for the same thing, and its stem. */
 internal fun variantsOf(word: String): List<String> {
     val stem = stemOf(word)
     return (SAME_WORDS.filter { word in it || stem in it }.flatten() + stem).distinct() - word

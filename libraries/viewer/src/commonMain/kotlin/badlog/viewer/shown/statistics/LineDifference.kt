@@ -136,7 +136,7 @@ private fun turnOf(unit: String, one: Series, other: Series): Double {
     return if (wraps(one, turn) || wraps(other, turn)) turn else Double.NaN
 }
 
-/** Returns whether [series] wraps around: it stays within one [turn], and jumps by about that from one end to the other. */
+/** Returns whether [series] wraps around. If so, it stays within one [turn], and jumps by about that from one end to the other. */
 private fun wraps(series: Series, turn: Double): Boolean {
     var least = Double.POSITIVE_INFINITY
     var most = Double.NEGATIVE_INFINITY

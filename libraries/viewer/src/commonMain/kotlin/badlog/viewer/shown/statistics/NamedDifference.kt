@@ -52,8 +52,8 @@ class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val 
         const val MAX_SHOWN: Int = 6
 
         /**
-         * Returns the differences of a graph's [lines] within [parts] of x, at most [MAX_SHOWN]: between each line and the first one of its
-         * unit.
+         * Returns the differences of a graph's [lines] within [parts] of x, at most [MAX_SHOWN]. Each is between a line and the first one
+         * of its unit.
          */
         fun of(lines: List<GraphSeries>, parts: List<Span>): List<NamedDifference> {
             val width = parts.sumOf { it.width }

@@ -12,8 +12,8 @@ import kotlin.math.floor
 class TableRows(val times: DoubleArray, val remark: String) {
     companion object {
         /**
-         * Makes rows in [range] for [columns] topics: one every 20 ms, as often as a robot's program runs, or one at each of [samples],
-         * the times of the topic [densest], if these are more.
+         * Makes rows in [range] for [columns] topics: one every 20 ms, as often as a robot's program runs. If there are more [samples], the
+         * times of the topic [densest], makes one at each of these.
          */
         fun of(range: Span, columns: Int, densest: String?, samples: DoubleArray): TableRows {
             // Many topics over many hours would be more than any spreadsheet can open, and need more memory than there is.

@@ -132,7 +132,7 @@ class MergedBoardSpec : FunSpec({
         }
     }
 
-    test("undoing in one tab undoes its own changes, and none of another's") {
+    test("undoing in one tab undoes only its own changes") {
         checkAll(Arb.list(Arb.int(0..7), 0..30)) { all ->
             val store = Store(start)
             val tabs = List(2) { Tab(store) }
@@ -164,7 +164,7 @@ class MergedBoardSpec : FunSpec({
         store.board.graphs[0].lines shouldBe listOf("A", "E")
     }
 
-    test("undoing before the board is remembered undoes nothing of another's, whatever is changed after it") {
+    test("undoing before the board is remembered does not undo another tab's changes, whatever is changed after it") {
         val store = Store(start)
         val (mine, theirs) = List(2) { Tab(store) }
         val (first, second, third) = start.graphs.map { it.id }

@@ -31,7 +31,7 @@ class NoteLinesSpec : FunSpec({
         notesOf(listOf(Note(-0.0, "a")), listOf(atZero)) shouldBe emptyList()
     }
 
-    test("lines of three laptops give the same notes in any order and with repetitions") {
+    test("lines of three laptops make the same notes in any order and with repetitions") {
         checkAll(Arb.int(), Arb.int(0..40)) { seed, length ->
             val random = Random(seed)
             val laptops = List(3) { laptop ->

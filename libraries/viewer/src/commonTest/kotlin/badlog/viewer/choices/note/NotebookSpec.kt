@@ -26,7 +26,7 @@ class NotebookSpec : FunSpec({
         Notebook().begun(1.0).typed("a".repeat(Note.MAX_TEXT + 1)).kept().notes.single().text.length shouldBe Note.MAX_TEXT
     }
 
-    test("a removed note is gone, and the draft stays when others change the notes") {
+    test("a removed note disappears, and the draft stays when others change the notes") {
         Notebook(listOf(hit, jam)).without(hit).notes shouldBe listOf(jam)
         Notebook(listOf(hit)).begun(1.0).typed("a").with(listOf(jam, hit)).kept().notes shouldBe listOf(Note(1.0, "a"), hit, jam)
     }

@@ -41,7 +41,7 @@ class GraphAxisSpec : FunSpec({
         axisLimits(axes, wholes, null, Span(1.0, 2.0)) shouldBe listOf(wholes[0], Span(1.0, 2.0), wholes[2])
     }
 
-    test("with any values and limits, each axis shows a range that goes upward") {
+    test("with any values and limits, each axis shows a range from a lower to a higher number") {
         val number = Arb.double()
         checkAll(number, number, number, number) { least, width, from, to ->
             val seen = if (width.isNaN() || least.isNaN()) Double.NaN else maxOf(least, width)

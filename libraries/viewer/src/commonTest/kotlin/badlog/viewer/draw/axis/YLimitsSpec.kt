@@ -5,7 +5,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 
 class YLimitsSpec : FunSpec({
-    test("values that never go below 0 have no margin there") {
+    test("values that are never below 0 have no margin below 0") {
         limitsFor(0.1, 10.0, includesZero = false).from shouldBe 0.0
     }
 

@@ -59,7 +59,7 @@ class EventTimelineSpec : FunSpec({
         }
     }
 
-    test("100,000 events are complete, are found, and cost no more marks than there are pixels") {
+    test("100,000 events are complete and found, with at most one mark for each pixel") {
         val many = timeline(List(100_000) { ((it * 7919L) % 100_000).toDouble() to "event ${it % 1000}" })
         many.x.toList().shouldBeSorted()
         many.matching(Query("event 77")).size shouldBe 1900

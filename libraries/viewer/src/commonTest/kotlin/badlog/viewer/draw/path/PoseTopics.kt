@@ -10,7 +10,7 @@ internal fun poseTopic(name: String, unit: String = "", type: String = ""): Topi
 /** The topics of a struct Pose2d called [name]. */
 internal fun poseTopics(name: String, type: String = "struct:Pose2d"): List<Topic> = listOf("translation/x", "translation/y", "rotation/value").map { poseTopic("$name/$it", type = type) }
 
-/** The topics of a struct Pose2d called [name], which faces up the field: each of [places] a time, an x and a y. */
+/** The topics of a struct Pose2d called [name], which faces up the field. Each of [places] is a time, an x and a y. */
 internal fun pathTopics(name: String, vararg places: Triple<Double, Double, Double>): List<Topic> = listOf(
     timedTopic("$name/translation/x", *places.map { it.first to it.second }.toTypedArray()),
     timedTopic("$name/translation/y", *places.map { it.first to it.third }.toTypedArray()),

@@ -97,7 +97,8 @@ class XyPlotSpec : FunSpec({
         }!!
         val arrows = plot.arrowsAt(0.0)
         arrows.map { it.isTarget } shouldBe List(4) { true } + List(4) { false }
-        // The robot faces up the field: its front left corner is at the upper left, and the arrow goes up, by 4 m/s for a quarter of a second.
+        // The robot faces up the field. Its front left corner is at the upper left, and the arrow goes up, by 4 m/s for a quarter of a
+        // second.
         arrows[0].places.take(4).zip(listOf(1.7, 3.3, 1.7, 4.3)).forEach { (at, expected) -> at shouldBe (expected plusOrMinus 1e-9) }
         plot.arrowsAt(-1.0) shouldBe emptyList()
     }

@@ -13,7 +13,7 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 
-/** The text of drawn parts of x, and of the bar of x, primitive by primitive, with letters of a fixed width. */
+/** The text of drawn parts of x, and of the bar of x, primitive by primitive. Its letters have a fixed width. */
 class RangeDrawingSpec : FunSpec({
     val colors = PenColors.LIGHT
     val frame = PlotFrame(0.0, 0.0, 200.0, 40.0, Span(0.0, 10.0))

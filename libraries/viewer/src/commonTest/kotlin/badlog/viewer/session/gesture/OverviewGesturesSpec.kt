@@ -38,7 +38,7 @@ class OverviewGesturesSpec : FunSpec({
         plot.place.range.back().visible shouldBe Span(60.0, 80.0)
     }
 
-    test("a click beside the visible range moves it there, a click inside does not, and both pin the cursor") {
+    test("a click beside the visible range moves it, a click inside does not, and both pin the cursor") {
         val plot = TestPlot(part)
         val gestures = OverviewGestures(plot)
         gestures.stroke(pointer(500))

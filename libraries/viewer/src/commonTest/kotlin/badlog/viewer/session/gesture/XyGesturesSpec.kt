@@ -22,7 +22,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 
 class XyGesturesSpec : FunSpec({
-    /** A path along y = 5 from x = 0 to 10, a unit each second, on a plane of 10 by 10. The log is drawn [offset] later. */
+    /** A path along y = 5 from x = 0 to 10, a unit each second. Its plane is 10 by 10. The log is drawn [offset] later. */
     class TestPath(offset: Double = 0.0) : XyTarget {
         private val view = timedView(
             timedTopic("A", *Array(11) { it * 1.0 to it * 1.0 }),

@@ -54,11 +54,11 @@ internal class KeptPlaceSpec : FunSpec({
         reduce(waiting, known, PlaceAction.Open(Span(0.0, 1.0))).state.place.keptText shouldBe ""
     }
 
-    test("a finding that is gone does not become another one that begins there") {
+    test("a finding that no longer exists is not replaced by another one at the same time") {
         beginning.back(left.place.keptText, logWith(RuleResults(listOf(other)))).place.visited shouldBe null
     }
 
-    test("a person who has pinned and selected nothing leaves nothing") {
+    test("a log without a pinned cursor and a selected finding stores no place") {
         beginning.place.keptText shouldBe ""
         actionsOfKept("") shouldBe emptyList()
     }

@@ -23,7 +23,7 @@ class BatteryAdviceSpec : FunSpec({
         advice.retire.shouldBeEmpty()
     }
 
-    test("the battery of the last match is not next if there is another") {
+    test("the battery of the last match is not the next one if there is another") {
         adviceOn(use("A1", 25.0), use("B2", 20.0)).next?.name shouldBe "A1"
         adviceOn(use("B2", 20.0)).next?.reason shouldBe "Its resistance is 20.0 ± 0.3 mΩ and it is the only usable one."
     }
@@ -59,7 +59,7 @@ class BatteryAdviceSpec : FunSpec({
         adviceOn(team = listOf(TeamBattery("D4"))).next.shouldBeNull()
     }
 
-    test("a battery to be checked is not next if there is another") {
+    test("a battery to be checked is not the next one if there is another") {
         val advice = adviceOn(use("A1", rest = 12.8), use("B2", rest = 12.1), use("B2", rest = 12.1), use("B2", rest = 12.1), use("C3", rest = 12.8))
         advice.next?.name shouldBe "A1"
     }

@@ -16,7 +16,7 @@ class PlaceNumberSpec : FunSpec({
         found(3).placeNumber(Span(7.0, 7.0)) shouldBe "1 of 3"
     }
 
-    test("a finding with more occurrences than known places says so") {
+    test("a finding with more occurrences than known places shows both numbers") {
         found(1200).placeNumber(Span(3.0, 3.5)) shouldBe "3 of 3, found 1200 times"
     }
 })

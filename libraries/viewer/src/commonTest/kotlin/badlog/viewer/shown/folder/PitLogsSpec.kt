@@ -25,7 +25,7 @@ class PitLogsSpec : FunSpec({
         pit?.before?.map { it.path } shouldBe listOf("d", "c", "b")
     }
 
-    test("idle logs and unreadable files are nothing to see") {
+    test("idle logs and unreadable files are left out") {
         pit(log("idle", 9, content = Content.NO_SAMPLES)) shouldBe null
         pit(log("idle", 9, content = Content.NO_SAMPLES), log("a", 1))?.last?.path shouldBe "a"
     }

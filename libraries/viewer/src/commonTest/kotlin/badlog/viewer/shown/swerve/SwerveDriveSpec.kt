@@ -78,7 +78,7 @@ class SwerveDriveSpec : FunSpec({
         worstModuleText(drive.within()) shouldBe "Module 3 has the largest speed error: 4.00 m/s RMS, the others 0.00 m/s."
     }
 
-    test("errors without a clearly worse module name none") {
+    test("errors without a clearly worse module do not name a module") {
         fun textOf(vararg degrees: Double) = worstModuleText(driveOf(angle = { module, time -> wanted(time) + degrees[module] * degree }).within())
         textOf(1.2, 1.3, 1.6, 1.4) shouldBe "The angle errors of the modules are alike: 1.2 to 1.6° RMS."
         textOf(1.0, 4.0, 5.0, 1.0) shouldBe "No module stands out: angle errors of 1.0 to 5.0° RMS."

@@ -75,7 +75,9 @@ class WorstModuleSpec : FunSpec({
     }
 
     test("a log in milliseconds has the errors of the same log in seconds") {
-        /** Returns the errors of a bag over x in [unit], of which a second has [second]: module 0 lags, and the target of module 1 jumps. */
+        /**
+         * Returns the errors of a bag over x in [unit]; a second has [second] of it. Module 0 lags, and the target of module 1 jumps.
+         */
         fun errorsOver(unit: String, second: Double): List<ModuleError> {
             fun wanted(module: Int, time: Double) = pivot(module, time) + if (module == 1 && time >= 5) PI / 3 else 0.0
             val names = (0..2).flatMap { listOf("A[$it]/speed", "A[$it]/angle/value", "Goal[$it]/speed", "Goal[$it]/angle/value") }

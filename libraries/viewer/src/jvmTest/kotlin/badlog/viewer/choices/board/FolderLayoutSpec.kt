@@ -16,7 +16,7 @@ class FolderLayoutSpec : FunSpec({
 
     fun lineFor(log: Path, top: Path? = null, type: String? = null) = FolderLayout.of(log, top) { type }.layout?.board?.graphs?.single()?.lines?.single()
 
-    test("the layout is from the log's folder, otherwise from a folder above it up to the top, otherwise there is none") {
+    test("the layout is from the log's folder, otherwise from a folder above it up to the top, otherwise missing") {
         val top = tempdir().toPath()
         val day = Files.createDirectories(top.resolve("day 1"))
         val log = day.resolve("a.bag")

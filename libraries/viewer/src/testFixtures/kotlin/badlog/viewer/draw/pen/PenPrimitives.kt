@@ -10,7 +10,7 @@ import badlog.viewer.draw.curve.Strokes
 import kotlin.math.sin
 
 /**
- * Each primitive of a pen, by name, on a picture of [PRIMITIVE_WIDTH] by [PRIMITIVE_HEIGHT]: the pictures of all pens must agree. Each is
+ * Each primitive of a pen, by name, on a picture of [PRIMITIVE_WIDTH] by [PRIMITIVE_HEIGHT]. The pictures of all pens must agree. Each is
  * called with [PRIMITIVE_IMAGE] as the pen's own kind of image. For texts, see [PEN_TEXTS].
  */
 val PEN_PRIMITIVES: Map<String, Pen.(PenImage) -> Unit> = mapOf(
@@ -54,7 +54,7 @@ const val PRIMITIVE_WIDTH: Int = 200
 /** The height of a picture with a primitive. */
 const val PRIMITIVE_HEIGHT: Int = 100
 
-/** An image of 20 by 10 pixels: blue to the left, with a green quarter above, and orange to the right. */
+/** An image of 20 by 10 pixels. It is blue to the left, with a green quarter above, and orange to the right. */
 const val PRIMITIVE_IMAGE: String = "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAABQAAAAKCAIAAAA7N+mxAAAAH0lEQVR42mOQ7bLBg64ESOFBDCNR" +
     "M3fSETxoVDM6AgC2V+QhrHKk7AAAAABJRU5ErkJggg=="
 

@@ -18,7 +18,7 @@ class PenText(
         if (isClipped) pen.clip(0.0, 0.0, CLIP_RIGHT, PRIMITIVE_HEIGHT.toDouble()) { write(pen) } else write(pen)
     }
 
-    /** Returns the rectangle of the text, if its width is as [widthOf] returns for the text, the font size, and whether it is bold. */
+    /** Returns the rectangle of the text. Its width comes from [widthOf], called with the text, the font size, and whether it is bold. */
     fun boxFor(widthOf: (String, Double, Boolean) -> Double): PenBox {
         val width = widthOf(TEXT, LETTERS, isBold)
         val left = when (side) {
