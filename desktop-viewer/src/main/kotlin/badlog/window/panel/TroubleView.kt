@@ -36,7 +36,7 @@ internal fun TroubleView(trouble: Trouble) {
     }
 }
 
-/** Returns the place of the carets in the last line of [text]. It is a share of its longest line, 0 to 1. */
+/** Returns the place of the carets in the last line of [text], as a share of its longest line, 0 to 1. */
 private fun placeOfCarets(text: String): Float =
     text.lastIndexOf(' ').minus(text.lastIndexOf('\n')).toFloat() / text.lines().maxOf { it.length }.coerceAtLeast(1)
 

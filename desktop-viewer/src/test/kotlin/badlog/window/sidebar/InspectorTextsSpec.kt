@@ -18,7 +18,7 @@ class InspectorTextsSpec : FunSpec({
     val note = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
     val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.", topic = "Arm/Angle")
 
-    test("problems are listed with the worst first") {
+    test("problems come worst first") {
         worstFirst(listOf(note, warning, cut)) shouldContainExactly listOf(cut, warning, note)
     }
 
