@@ -249,7 +249,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         }
 
         /**
-         * Knows what the page still has to do, so that no step of a test depends on the machine's speed.
+         * Counts the pending work of a page, so that no step of a test depends on the machine's speed.
          *
          * `settled` ends short pauses at once, and waits for the frames, tasks and ways through the history that the page has asked for. It
          * gives up on a page that is never quiet, such as one that plays. Timers of notices that disappear by themselves and of resting

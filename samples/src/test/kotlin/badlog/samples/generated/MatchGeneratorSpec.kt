@@ -43,7 +43,7 @@ private fun difference(one: HeldSamples, other: HeldSamples, from: Double, until
     return if (count == 0) 0.0 else sum / count / maxOf(most - least, 1e-3)
 }
 
-/** Returns a contradiction between the faulty [match], whose log is [with], and the table of faults; null if there is none. */
+/** Returns a contradiction between the log [with] the fault of [match] and the table of faults; null if there is none. */
 private fun contradictionIn(match: GeneratedMatch, with: Recording): String? {
     val fault = checkNotNull(match.fault)
     val start = checkNotNull(match.start)
