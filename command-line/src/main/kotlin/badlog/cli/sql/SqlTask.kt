@@ -50,7 +50,7 @@ internal class SqlTask(
     /** Returns [folder] if it is a lake, or else its updated lake, null if it has no logs; with the exit code for missing logs. */
     private fun lakeOf(service: SeasonService, console: Console): Pair<Path?, ExitCode> {
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
-        val logs = LogFiles(listOf(folder), console)
+        val logs = LogFiles(listOf(folder), console, opensMatches = true)
         if (logs.files.isEmpty()) {
             val outcomes = Outcomes("sql", console, isJson = false)
             logs.report(outcomes) { _, _ -> }
