@@ -310,6 +310,16 @@ def test_rows_have_the_last_values() -> None:
     assert list(at_states["Time"].samples) == [0.01, 0.035] and list(at_states["a"].samples) == [1.0, 3.0]
 
 
+@both_ways
+def test_a_topic_of_which_badlog_wrote_only_parts_has_its_former_type(with_numpy: bool) -> None:
+    log = WpilogWriter().start(1, "Pose/x", "double", '{"badlog":"type struct:Pose2d"}').start(2, "Count", "int64", '{"unit":"B","badlog":"type raw"}')
+    log.start(3, "seen", "double", '{"badlog":"sparse"}')
+    log.double(1, 20_000, 1.5).integer(2, 20_000, 8).double(3, 20_000, 2.5)
+    recording = parsed(log.data, with_numpy)
+    assert [topic.type for topic in recording.topics] == ["struct:Pose2d", "raw", "double"]
+    assert list(recording["Pose/x"].samples) == [1.5]
+
+
 def test_a_topic_that_was_sparse_in_a_bag_is_sparse_in_rows_again() -> None:
     log = WpilogWriter().start(1, "t", "double").start(2, "seen", "double", '{"badlog":"sparse"}')
     for index in range(10):

@@ -21,6 +21,8 @@ _MESSAGES = ("messages", "console")
 _CONSOLE = "DS:/Dscomm/Console/"
 # The name under which dashboards, and Telemetry from 2027 on, give an object's type. The object is made of the topics beside it.
 _TYPE = "/.type"
+# The beginning of the former type of a topic, if a WPILOG has only parts or sizes of its samples.
+_TYPE_ROLE = "type "
 
 
 class Entry:
@@ -54,6 +56,13 @@ class Entry:
         members = read_object(self.metadata) or []
         unit = _last(members, "unit") or _property(members, "unit")
         return UNITLESS if unit is None or unit.text is None else unit.text
+
+    @property
+    def topic_type(self) -> str:
+        """The type of its topics. It is the former one if badlog wrote only parts or sizes of their samples."""
+        role = _last(read_object(self.metadata) or [], "badlog")
+        text = "" if role is None or role.text is None else role.text
+        return text.removeprefix(_TYPE_ROLE) if text.startswith(_TYPE_ROLE) else self.type
 
     @property
     def attributes(self) -> tuple[str, ...]:

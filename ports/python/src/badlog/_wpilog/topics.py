@@ -32,20 +32,21 @@ class TopicMaker:
         vectors = self._vectors
         unit = _BYTE if decoded.is_undecoded else entry.unit
         attributes = entry.attributes
+        type = entry.topic_type
         if not any(block.columns for block in decoded.blocks):
             # An entry without records, or with only empty arrays, is still a topic.
             size = len(decoded.timestamps)
             gaps = Column("", NUMBERS, size, vectors.nans(size), vectors.gaps_outside(size, vectors.whole([])))
             name = self._unique(entry.name)
-            yield gaps.topic(name, unit, attributes, decoded.timestamps, vectors, self._problems, entry.type, entry.metadata)
+            yield gaps.topic(name, unit, attributes, decoded.timestamps, vectors, self._problems, type, entry.metadata)
         for block in decoded.blocks:
             block.timestamps.finish(self._first, self._last, self._origin)
             for column in block.columns:
                 name = self._unique(entry.name + column.path)
                 # In an event message, only texts are events; times and counts beside them are numbers.
-                is_number = len(column.text_rows) == 0 and entry.type.startswith("proto:")
+                is_number = len(column.text_rows) == 0 and type.startswith("proto:")
                 own = tuple(text for text in attributes if text != "log") if is_number else attributes
-                yield column.topic(name, unit, own, block.timestamps, vectors, self._problems, entry.type, entry.metadata)
+                yield column.topic(name, unit, own, block.timestamps, vectors, self._problems, type, entry.metadata)
 
     def _unique(self, wanted: str) -> str:
         name = wanted

@@ -1,13 +1,16 @@
 package badlog.cli.command
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.console.Console
 import badlog.cli.input.LogInput
 import badlog.cli.input.LogSearch
 import badlog.files.LogFile
 import badlog.files.UnreadableFileException
 import badlog.files.reading
+import badlog.signals.match.files.MatchManifest
 import java.nio.file.Path
 import kotlin.io.path.invariantSeparatorsPathString
+import kotlin.io.path.name
 
 /** The current logs below [paths], for evaluating all of them at once, and reporting each result afterwards. */
 internal class LogFiles(paths: List<Path>, console: Console, opensMatches: Boolean = false) {
@@ -18,10 +21,18 @@ internal class LogFiles(paths: List<Path>, console: Console, opensMatches: Boole
     init {
         for (input in found.inputs) {
             try {
-                fileOf[input] = input.seen ?: reading(input.file) { LogFile.of(input.file) }
+                fileOf[input] = input.seen ?: reading(input.file) { fileOf(input.file) }
             } catch (e: UnreadableFileException) {
                 failures[input] = e
             }
+        }
+    }
+
+    /** Returns the current state of [file], and of the logs that a `match.json` names. */
+    private fun fileOf(file: Path): LogFile {
+        val logs = if (file.name == MatchManifest.NAME) MatchMaker.filesOf(file) else emptySet()
+        return logs.map(LogFile::of).fold(LogFile.of(file)) { all, log ->
+            all.copy(size = all.size + log.size, modified = maxOf(all.modified, log.modified))
         }
     }
 

@@ -3,6 +3,7 @@ package badlog.cli.convert
 import badlog.cli.command.LogCommand
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
+import badlog.cli.input.LogSearch
 import badlog.cli.output.OutputFormat
 import badlog.cli.output.OutputOptions
 import badlog.cli.plugin.PluginLoader
@@ -56,8 +57,11 @@ internal class ConvertCommand(private val parts: PluginLoader) :
         if (!format.hasRows && xTopic != null) throw UsageError("--x belongs to --to bag and --to csv; a WPILOG's x is time")
         if (format.hasRows && isChangesOnly) throw UsageError("--changes-only belongs to --to wpilog; each row has all topics")
         val conversion = LogConversion(format, isGzip, xTopic, Rows(period, rowsAt), isChangesOnly)
-        return ConvertTask(paths, output.plan(paths), conversion, virtual.definitions, only.choice, isJson)
+        return ConvertTask(paths, plan(), conversion, virtual.definitions, only.choice, isJson)
     }
+
+    /** A folder that is one match is one log. */
+    private fun plan() = output.plan(paths, isOne = LogSearch(opensMatches = true).find(paths).inputs.singleOrNull()?.isFound == false)
 
     private fun isParquet() =
         to == ParquetTask.OPTION || (to == null && output.outPath.toString().endsWith(ParquetTask.ENDING, ignoreCase = true))
@@ -67,7 +71,7 @@ internal class ConvertCommand(private val parts: PluginLoader) :
         (others + ("--changes-only" to isChangesOnly)).firstOrNull { it.second }?.let { (option, _) ->
             throw UsageError("$option has no effect on Parquet files; leave it out")
         }
-        return ParquetTask(paths, output.plan(paths), virtual.definitions, only.choice, parts, isJson)
+        return ParquetTask(paths, plan(), virtual.definitions, only.choice, parts, isJson)
     }
 
     private companion object {

@@ -5,7 +5,6 @@ import badlog.cli.command.LogLoop
 import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
-import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
@@ -52,17 +51,16 @@ internal class ConvertTask(
 ) : Task {
     private class WithRows(val recording: Recording, val leftOut: Omissions)
 
-    override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson).run(paths, ::convert)
+    override fun run(console: Console): ExitCode = LogLoop("convert", console, isJson, opensMatches = true).run(paths, ::convert)
 
     private fun convert(input: LogInput, progress: Progress): Outcome {
         val log = LogToConvert(input, virtualTopics, only, needed = listOfNotNull(conversion.xTopic, conversion.rows.topic), progress)
         val fit = if (conversion.format.hasRows) withRows(log.wanted, input.file) else WithRows(log.wanted, Omissions())
         val recording = fit.recording
-        val name = FileName.of(input.file)
-        val converted = name.with(conversion.format.ending, conversion.isGzip || name.isGzip)
+        val converted = log.name.with(conversion.format.ending, conversion.isGzip || log.name.isGzip)
         val target = plan.place(input, converted, converted)
         val calculated = recording.copy(values = emptyList(), topics = recording.topics.filter { it.name in log.added })
-        val leftOut = fit.leftOut + write(input.file, recording, calculated, target, progress)
+        val leftOut = fit.leftOut + write(input.file, log.isMatch, recording, calculated, target, progress)
         val count = if (conversion.format.hasRows) {
             counted(recording.rowCount.toLong(), "row")
         } else {
@@ -82,8 +80,15 @@ internal class ConvertTask(
         return Outcome(recording.isSalvaged || leftOut.hasLoss, text.joinToString("\n"), jsonOf(json))
     }
 
-    private fun write(file: Path, recording: Recording, calculated: Recording, target: Path, progress: Progress): Omissions {
-        if (!recording.format.hasRecords || conversion.format.hasRows) {
+    private fun write(
+        file: Path,
+        isMatch: Boolean,
+        recording: Recording,
+        calculated: Recording,
+        target: Path,
+        progress: Progress,
+    ): Omissions {
+        if (isMatch || !recording.format.hasRecords || conversion.format.hasRows) {
             return writeLog(recording, conversion.format, target, changesOnly = conversion.isChangesOnly, progress = progress)
         }
         val lostBytes = Damage(recording).bytesAtEnd

@@ -1,6 +1,8 @@
 package badlog.cli.convert
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.input.Failure
+import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.input.readLog
 import badlog.cli.search.signalsBeside
@@ -9,6 +11,7 @@ import badlog.core.analysis.LogView
 import badlog.core.recording.Recording
 import badlog.files.terminal.Progress
 import badlog.signals.withVirtualTopics
+import kotlin.io.path.nameWithoutExtension
 
 /**
  * The log of [input], read to be written in another format.
@@ -25,7 +28,13 @@ internal class LogToConvert(
     needed: List<String> = emptyList(),
     progress: Progress,
 ) {
-    private val read: Recording = readLog(input.file, progress)
+    private val read: Recording = readLog(input.file, progress, maker = MatchMaker)
+
+    /** Whether its file has the logs of a match. */
+    val isMatch: Boolean = MatchMaker.isSource(input.file)
+
+    /** The name of its file; for a match, without the ending of a ZIP or `match.json`. */
+    val name: FileName = FileName.of(if (isMatch) input.file.resolveSibling(input.file.nameWithoutExtension) else input.file)
 
     init {
         if (read.topics.isEmpty()) {

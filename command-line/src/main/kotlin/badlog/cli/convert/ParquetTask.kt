@@ -6,7 +6,6 @@ import badlog.cli.command.Outcome
 import badlog.cli.command.Task
 import badlog.cli.console.Console
 import badlog.cli.input.Failure
-import badlog.cli.input.FileName
 import badlog.cli.input.LogInput
 import badlog.cli.output.Omissions
 import badlog.cli.output.OutputPlan
@@ -45,14 +44,14 @@ internal class ParquetTask(
 ) : Task {
     override fun run(console: Console): ExitCode = parts.call("convert --to $OPTION", SeasonService::class.java, console) { service ->
         service.parquet().use { session ->
-            LogLoop("convert", console, isJson).run(paths) { input, progress -> convert(session, input, progress) }
+            LogLoop("convert", console, isJson, opensMatches = true).run(paths) { input, progress -> convert(session, input, progress) }
         }
     }
 
     private fun convert(session: ParquetSession, input: LogInput, progress: Progress): Outcome {
         val file = input.file
         val log = LogToConvert(input, virtualTopics, only, progress = progress)
-        val name = FileName.of(file).with(ENDING, isGzip = false)
+        val name = log.name.with(ENDING, isGzip = false)
         val target = plan.place(input, name, name)
         val view = LogView.of(log.wanted)
         val files = try {

@@ -1,5 +1,6 @@
 package badlog.cli.find
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogCommand
 import badlog.cli.command.LogFiles
@@ -8,6 +9,7 @@ import badlog.cli.command.Outcomes
 import badlog.cli.command.Task
 import badlog.cli.command.VirtualTopicOption
 import badlog.cli.console.Console
+import badlog.cli.merge.LeftOutLogs
 import badlog.cli.search.rulesBeside
 import badlog.cli.text.jsonOf
 import badlog.files.UserFolders
@@ -66,12 +68,13 @@ internal class FindTask(
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode {
-        val find = Find(question, virtualTopics, cache, xTopic, rulesBeside(paths, console::warn).signals)
+        val made = LeftOutLogs(MatchMaker)
+        val find = Find(question, virtualTopics, cache, xTopic, rulesBeside(paths, console::warn).signals, made)
         find.mistake?.let {
             console.warn(it.pointed)
             return ExitCode.USAGE
         }
-        val logs = LogFiles(paths, console)
+        val logs = LogFiles(paths, console, opensMatches = true)
         val results = console.progress("find").use { bar ->
             find.over(logs.files, { done, total -> bar.advanced(done.toLong(), total.toLong()) })
         }
@@ -90,7 +93,12 @@ internal class FindTask(
             val result = resultOf.getValue(file)
             when (val reply = result.reply) {
                 is Reply.Unreadable -> outcomes.unreadable(input, reply.message, reply.isNoLog)
-                else -> outcomes.done(input.file, Outcome(result.isSalvaged, "", if (isJson) jsonOf(FindJson(result)) else emptyMap()))
+
+                else -> {
+                    if (!isJson) made.of(file.path).forEach { console.warn("${file.path}: $it") }
+                    val json = if (isJson) jsonOf(FindJson(result)) + made.jsonOf(file.path) else emptyMap()
+                    outcomes.done(input.file, Outcome(result.isSalvaged, "", json))
+                }
             }
         }
         return outcomes.end()

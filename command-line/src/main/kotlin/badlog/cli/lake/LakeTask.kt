@@ -1,5 +1,6 @@
 package badlog.cli.lake
 
+import badlog.catalog.match.MatchMaker
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogFiles
 import badlog.cli.command.Outcome
@@ -25,7 +26,7 @@ internal class LakeTask(
     private val isJson: Boolean,
 ) : Task {
     override fun run(console: Console): ExitCode = parts.call("lake", SeasonService::class.java, console) { service ->
-        val logs = LogFiles(paths, console)
+        val logs = LogFiles(paths, console, opensMatches = true)
         try {
             report(logs, refreshed(service, out, paths, logs, console), console)
         } catch (e: SeasonException) {
@@ -89,7 +90,7 @@ internal fun refreshed(
         waits
     }
     return console.progress("lake").use { bar ->
-        service.refresh(lake, named, paths, rules, isBusy) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
+        service.refresh(lake, named, paths, rules, MatchMaker, isBusy) { done, total -> bar.advanced(done.toLong(), total.toLong()) }
     }
 }
 

@@ -4,6 +4,9 @@ import badlog.core.recording.Problem
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.files.LogMaker
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
@@ -16,6 +19,10 @@ internal class LeftOutLogs(private val maker: LogMaker) : LogMaker {
 
     /** Returns a sentence about each log that is left out of the one made of [file]. */
     fun of(file: Path): List<String> = found[file].orEmpty()
+
+    /** Returns the same as a member of JSON; nothing if none is left out. */
+    fun jsonOf(file: Path): Map<String, JsonElement> =
+        of(file).let { left -> if (left.isEmpty()) emptyMap() else mapOf("leftOut" to JsonArray(left.map { JsonPrimitive(it) })) }
 
     override fun isSource(file: Path, head: ByteArray): Boolean = maker.isSource(file, head)
 

@@ -96,9 +96,13 @@ internal class LogBesideStation(private val merging: Merging, private val isJson
 
     private fun placeOf(file: Path): Place? = places.computeIfAbsent(file) {
         val part = readPart(file)?.takeUnless { it.recording.isOfDriverStation }
-        val station = part?.let(merging::stationOf)
-        if (part != null && station == null) {
-            say("$file: no Driver Station log of its match was found, so it is shown as it is.")
+        val station = try {
+            part?.let(merging::stationOf).also {
+                if (part != null && it == null) say("$file: no Driver Station log of its match was found, so it is shown as it is.")
+            }
+        } catch (e: Failure) {
+            say(e.message)
+            null
         }
         listOfNotNull(station?.let { Place(it.part.file, it.fit) })
     }.singleOrNull()

@@ -59,7 +59,7 @@ internal class Merging(
         // A camera's log, for example, does not show when the robot was enabled.
         val robot = robots.find { clocked(it).edges.isNotEmpty() } ?: robots.firstOrNull()
             ?: throw Failure("--with-ds needs a robot's log; name one.")
-        return finder.of(robot, folderBeside(robot.file, folder), acceptsOnly)
+        return finder.of(robot, folderBeside(robot.file, folder), acceptsOnly, robots.map { it.file })
     }
 
     /** Topics keep times of their own if one log has them, or the result can. */

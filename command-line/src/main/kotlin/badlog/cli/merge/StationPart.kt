@@ -32,20 +32,22 @@ internal class StationFinder {
      * Returns the Driver Station log of the same match as [robot], below [folder].
      *
      * @param acceptsOnly see [badlog.signals.clock.StationSearch.over].
+     * @param given the logs that are known to be of that robot, too.
      * @throws Failure if none can be identified.
      */
-    fun of(robot: LogPart, folder: Path, acceptsOnly: Boolean): StationPart = find(robot, folder, acceptsOnly) ?: throw Failure(
-        if (logsBelow(folder).size == 0) {
-            "No Driver Station log found in $folder; name its folder with --with-ds=FOLDER."
-        } else {
-            "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
-                "to merge one anyway, name it as a log, with --align enabled."
-        },
-    )
+    fun of(robot: LogPart, folder: Path, acceptsOnly: Boolean, given: List<Path>): StationPart =
+        find(robot, folder, acceptsOnly, given) ?: throw Failure(
+            if (logsBelow(folder).size == 0) {
+                "No Driver Station log found in $folder; name its folder with --with-ds=FOLDER."
+            } else {
+                "No Driver Station log in $folder has the time or the match of ${robot.file}; " +
+                    "to merge one anyway, name it as a log, with --align enabled."
+            },
+        )
 
     /** Returns the same, or null if none can be identified. */
-    fun find(robot: LogPart, folder: Path, acceptsOnly: Boolean): StationPart? =
-        logsBelow(folder).of(clocked(robot), robot.file, acceptsOnly)?.let { found ->
+    fun find(robot: LogPart, folder: Path, acceptsOnly: Boolean, given: List<Path> = emptyList()): StationPart? =
+        logsBelow(folder).of(clocked(robot), robot.file, acceptsOnly, given)?.let { found ->
             StationPart(robot, LogPart(found.log.path, found.station.recording), found.fit)
         }
 

@@ -2,6 +2,7 @@ package badlog.cli.plugin
 
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
+import badlog.files.LogMaker
 import badlog.rules.RuleSet
 import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.json.JsonElement
@@ -21,6 +22,7 @@ public interface SeasonService {
     /**
      * Updates the lake [lake] to [logs], each with its name there. Other logs below [roots] are removed from it.
      *
+     * @param matches makes one log of the logs of a match; null if no such file is read.
      * @param isBusy called from time to time while another badlog writes to that lake; returns whether to wait until it has finished.
      * @param progress called with the number of changed logs that are done. An exception from it stops the work and is passed on.
      */
@@ -29,6 +31,7 @@ public interface SeasonService {
         logs: List<Pair<LogFile, String>>,
         roots: List<Path>,
         rules: RuleSet,
+        matches: LogMaker?,
         isBusy: () -> Boolean,
         progress: (done: Int, total: Int) -> Unit,
     ): LakeReport

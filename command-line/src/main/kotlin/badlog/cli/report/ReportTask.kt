@@ -34,8 +34,6 @@ import badlog.report.reportText
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.match.files.MatchManifest
-import kotlinx.serialization.json.JsonArray
-import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Path
 import kotlin.io.path.name
 
@@ -122,7 +120,7 @@ internal class ReportTask(
             if (unreadable != null) {
                 outcomes.unreadable(input, unreadable, log.isNoLog)
             } else {
-                report(log, pages, stations, made.of(file.path), outcomes, console)
+                report(log, pages, stations, made, outcomes, console)
             }
         }
         pages?.finish(result, outcomes) { if (charts == null) PageCharts.NONE else drawn(it, charts, console) }
@@ -147,20 +145,20 @@ internal class ReportTask(
         log: LogReport,
         pages: ReportPages?,
         stations: StationLogFinder?,
-        leftOut: List<String>,
+        made: LeftOutLogs,
         outcomes: Outcomes,
         console: Console,
     ) {
         val failure = pages?.failureOf(log)
         val json = if (form == ResultForm.JSON) {
             jsonOf(ReportJson(log)) + pages?.let { jsonOf(it.json(log)) }.orEmpty() + stations?.jsonOf(log.file).orEmpty() +
-                (if (leftOut.isEmpty()) emptyMap() else mapOf("leftOut" to JsonArray(leftOut.map { JsonPrimitive(it) })))
+                made.jsonOf(log.file.path)
         } else {
             emptyMap()
         }
         if (form != ResultForm.JSON) {
             stations?.sentenceOf(log.file)?.let(console::warn)
-            leftOut.forEach { console.warn("${log.file.path}: $it") }
+            made.of(log.file.path).forEach { console.warn("${log.file.path}: $it") }
         }
         outcomes.done(log.file.path, Outcome(log.isSalvaged || log.hookFailures.isNotEmpty() || failure != null, "", json))
         if (failure != null && form != ResultForm.JSON) console.warn(failure)

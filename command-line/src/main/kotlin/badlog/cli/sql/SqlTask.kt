@@ -52,7 +52,7 @@ internal class SqlTask(
      */
     private fun lakeOf(service: SeasonService, console: Console): Pair<Path?, ExitCode> {
         if (service.isLake(folder)) return folder to ExitCode.WHOLE
-        val logs = LogFiles(listOf(folder), console)
+        val logs = LogFiles(listOf(folder), console, opensMatches = true)
         if (logs.files.isEmpty()) {
             val outcomes = Outcomes("sql", console, isJson = false)
             logs.report(outcomes) { _, _ -> }

@@ -1,5 +1,6 @@
 package badlog.cli.station
 
+import badlog.cli.input.Failure
 import badlog.cli.input.folderBeside
 import badlog.cli.text.JsonNumber
 import badlog.cli.text.jsonOf
@@ -25,6 +26,8 @@ internal class StationLogFinder(private val folder: Path, private val signals: S
     private val logsIn = ConcurrentHashMap<Path, StationLogs>()
     private val found = ConcurrentHashMap<Path, UsedStationLog>()
 
+    private val doubts = ConcurrentHashMap<Path, String>()
+
     private class UsedStationLog(val name: String, val fit: ClockFit)
 
     /** Returns the view for rules for the robot's log [view] of [file]. It has that log, plus what only the Driver Station's has. */
@@ -32,13 +35,18 @@ internal class StationLogFinder(private val folder: Path, private val signals: S
         if (view.recording.isOfDriverStation) return view
         val below = folderBeside(file.path, folder)
         val robot = ClockedLog(file.name, view.recording, signals)
-        val station = logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
+        val station = try {
+            logsIn.computeIfAbsent(below, ::StationLogs).of(robot, file.path) ?: return view
+        } catch (e: Failure) {
+            doubts[file.path] = e.message
+            return view
+        }
         found[file.path] = UsedStationLog(station.log.name, station.fit)
         return StationOverlay(view, station.station, station.fit, signals).forRules
     }
 
-    /** Returns a sentence that says which log was added to [file]; null for none. */
-    fun sentenceOf(file: LogFile): String? = found[file.path]?.run {
+    /** Returns a sentence that says which log was added to [file], or may belong to it; null for none. */
+    fun sentenceOf(file: LogFile): String? = doubts[file.path] ?: found[file.path]?.run {
         val how = if (fit.edges > 1) {
             "${fit.edges} edges of enabled fit within ${shortNumber(fit.error, DIGITS)} s"
         } else {

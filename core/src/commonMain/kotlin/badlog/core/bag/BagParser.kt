@@ -8,8 +8,10 @@ import badlog.core.recording.ProblemList
 import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.core.recording.Topic
+import badlog.core.recording.Value
 import badlog.core.text.NUL
 import badlog.core.text.TextDecoder
+import badlog.core.text.wallTimeText
 
 /**
  * Reads a bag or a plain CSV file from pieces of any size. It never throws because of the bytes: anything wrong in them becomes a problem
@@ -106,6 +108,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         advance(true)
         val rows = rows ?: rowsOf(header.columns ?: columnsWithoutTitles())
         val topics = rows.topics()
+        if (rows.origin > 0) header.reportClock(rows.axis)
         if (pending.sawCarriageReturn && !ignoresRest) {
             problems.add(ProblemKind.CARRIAGE_RETURNS, "Lines end in a carriage return, as on Windows; that is fine.")
         }
@@ -114,11 +117,18 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
         return Recording(
             format = if (header.line != null) RecordingFormat.BAG else RecordingFormat.CSV,
             headerLine = header.line,
-            values = header.header?.values.orEmpty().map { it.value } + header.translation?.values.orEmpty(),
+            values = values(rows.origin),
             topics = topics,
             rowCount = rows.rowCount,
             problems = problems.toList(),
         )
+    }
+
+    /** Returns the file's values, and when it starts, at [origin], unless it says so itself. */
+    private fun values(origin: Double): List<Value> {
+        val own = header.header?.values.orEmpty().map { it.value }
+        val start = header.translation?.startText ?: if (origin > 0) wallTimeText(origin) else null
+        return if (start == null || own.any { it.name == START }) own else own + Value(START, start)
     }
 
     private fun advance(isEnd: Boolean) {
@@ -202,6 +212,8 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     public companion object {
         /** A thousand rows a second for more than half a day. */
         public const val MAX_ROWS: Int = 50_000_000
+
+        private const val START = "Start Time"
 
         /** A line that does not end is examined again only when it exceeds the length of any valid line. */
         private const val MAX_WAIT = 1 shl 24

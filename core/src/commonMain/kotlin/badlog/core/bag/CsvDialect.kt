@@ -1,6 +1,7 @@
 package badlog.core.bag
 
 import badlog.core.text.COMMA
+import badlog.core.text.originOf
 
 /**
  * The differences between a CSV file and the usual form: cells separated by commas, and decimal points.
@@ -8,7 +9,7 @@ import badlog.core.text.COMMA
  * @property separator the byte between two cells.
  * @property hasComma whether numbers have decimal commas.
  * @property between the mark between thousands, a character; null if there is none.
- * @property clocks the notation of each column of times of day, by the column's index.
+ * @property clocks the µs in the unit of each column of times of day, by the column's index; [ISO_CLOCK] for times in ISO 8601.
  * @property hasTitles whether the first line is titles.
  * @property isNamed whether the file's first line names the separator, as Excel's does.
  */
@@ -16,7 +17,7 @@ internal class CsvDialect(
     val separator: Int = COMMA,
     val hasComma: Boolean = false,
     val between: Char? = null,
-    val clocks: Map<Int, CsvClock> = emptyMap(),
+    val clocks: Map<Int, Double> = emptyMap(),
     val hasTitles: Boolean = true,
     val isNamed: Boolean = false,
 ) {
@@ -44,22 +45,10 @@ internal class CsvDialect(
     }
 }
 
-/** The notation of times of day in a column. */
-internal enum class CsvClock(val microsEach: Double) {
-    /** As in ISO 8601. */
-    ISO(0.0),
-    SECONDS(1e6),
-    MILLISECONDS(1e3),
-    MICROSECONDS(1.0),
-    NANOSECONDS(1e-3),
-    ;
+/** The clock of a column with times in ISO 8601, which count nothing. */
+internal const val ISO_CLOCK = 0.0
 
-    companion object {
-        /** September 2001 and the end of 2096, in s since 1970. */
-        private const val FIRST = 1e9
-        private const val LAST = 4e9
+/** Returns the clock of a column with [number], a time since 1970: the µs in its unit. Null if it is not a time in s, ms, µs or ns. */
+internal fun clockOf(number: Double): Double? = CLOCKS.find { originOf(number * it) > 0 }
 
-        /** Returns the unit in which [number] is a time since 1970; null if there is none. */
-        fun of(number: Double): CsvClock? = entries.find { it != ISO && number * it.microsEach / 1e6 in FIRST..LAST }
-    }
-}
+private val CLOCKS = listOf(1e6, 1e3, 1.0, 1e-3)

@@ -1,6 +1,5 @@
 package badlog.core.bag
 
-import badlog.core.recording.Value
 import badlog.core.text.COMMA
 import badlog.core.text.CR
 import badlog.core.text.DOT
@@ -25,16 +24,16 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
     private var hasQuotes = false
     private var mayEndQuotes = false
     private val starts = HashMap<Int, Double>()
-    private var startText: String? = null
+
+    /** The first of the times of day; null if there is none. */
+    var startText: String? = null
+        private set
 
     /** The rewritten file: the first [outSize] bytes. */
     var out = ByteArray(1 shl 10)
         private set
     var outSize = 0
         private set
-
-    /** The values that the times of day provide: when the file starts. */
-    val values: List<Value> get() = listOfNotNull(startText?.let { Value("Start Time", it) })
 
     /** Rewrites the bytes from [from] until [until] into [out], and drops its former content. */
     fun accept(bytes: ByteArray, from: Int, until: Int) {
@@ -131,9 +130,9 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
         val clock = dialect.clocks[index] ?: return false
         val text = text()
         val micros =
-            (if (clock == CsvClock.ISO) microsOfIsoTime(text) else text.toDoubleOrNull()?.let { it * clock.microsEach }) ?: return false
+            (if (clock == ISO_CLOCK) microsOfIsoTime(text) else text.toDoubleOrNull()?.let { it * clock }) ?: return false
         val first = starts.getOrPut(index) {
-            if (startText == null) startText = if (clock == CsvClock.ISO) text else wallTimeText(micros)
+            if (startText == null) startText = if (clock == ISO_CLOCK) text else wallTimeText(micros)
             micros
         }
         put(((micros - first) / 1e6).toString())

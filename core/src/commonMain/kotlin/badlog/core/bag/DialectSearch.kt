@@ -94,16 +94,16 @@ internal object DialectSearch {
         "time" in titles.getOrNull(index)?.text.orEmpty().lowercase() &&
             rows.all { it[index].isEmpty || it[index].number?.isPossible == true }
 
-    private fun clockOf(index: Int, titles: List<Cell>, rows: List<List<Cell>>): CsvClock? {
+    private fun clockOf(index: Int, titles: List<Cell>, rows: List<List<Cell>>): Double? {
         val cells = rows.map { it[index] }.filter { !it.isEmpty }
         if (cells.size < 2) return null
         val times = cells.mapNotNull { microsOfIsoTime(it.text.trim()) }
-        if (times.size == cells.size) return CsvClock.ISO.takeIf { times.first() < times.last() }
+        if (times.size == cells.size) return ISO_CLOCK.takeIf { times.first() < times.last() }
         val title = titles.getOrNull(index)?.text.orEmpty().lowercase()
         if (TIMES.none { it in title }) return null
         val numbers = cells.map { it.text.trim().toDoubleOrNull() ?: return null }
-        val clock = CsvClock.of(numbers[0]) ?: return null
-        val isTime = numbers.all { CsvClock.of(it) == clock } && numbers.zipWithNext().all { (one, next) -> one <= next }
+        val clock = clockOf(numbers[0]) ?: return null
+        val isTime = numbers.all { clockOf(it) == clock } && numbers.zipWithNext().all { (one, next) -> one <= next }
         return clock.takeIf { isTime && numbers.first() < numbers.last() }
     }
 

@@ -30,7 +30,7 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
     /** The translation of the bytes that follow; null for a bag and for a CSV file of the usual form. */
     var translation: CsvTranslation? = null
         private set
-    private var clocks = emptyMap<Int, CsvClock>()
+    private var clocks = emptyMap<Int, Double>()
 
     /** The columns; null until they are known, and if the line of titles is missing or cut. */
     var columns: HeaderColumns? = null
@@ -216,14 +216,17 @@ internal class HeaderReader(private val pending: PendingBytes, private val decod
             val unit = if (index in clocks) "s" else units.getOrNull(index).orEmpty()
             BagTopic(names[index], unit.ifEmpty { "ul" }, if (index == isAxis) listOf("xaxis") else emptyList())
         }
-        for (index in clocks.keys) {
-            val message = "“${names.getOrNull(index) ?: continue}” has times of day; they were read as seconds since the first one."
-            problems.add(ProblemKind.CSV_DIALECT, message, topic = names[index])
-        }
+        clocks.keys.forEach(::reportClock)
         if (line == null) return next
         problems.add(ProblemKind.CSV_DIALECT, "Line ${pending.line} has units instead of values; they were taken as such.", pending.line)
         pending.line++
         return line.next
+    }
+
+    /** Reports that column [index] has times of day, if there is such a column. */
+    fun reportClock(index: Int) {
+        val name = columns?.columnNames?.getOrNull(index) ?: return
+        problems.add(ProblemKind.CSV_DIALECT, "“$name” has times of day; they were read as seconds since the first one.", topic = name)
     }
 
     private fun isControl(char: Char) = char < ' ' && char != '\t'

@@ -1,10 +1,12 @@
 package badlog.core.bag
 
+import badlog.core.analysis.Units
 import badlog.core.recording.NumberSinks
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Topic
 import badlog.core.text.TextDecoder
+import badlog.core.text.originOf
 
 /** Reads the rows into columns: plain ones with [RowScanner], all others with [RowRepair]. */
 internal class RowReader(
@@ -33,6 +35,14 @@ internal class RowReader(
 
     // The columns have room for this many rows.
     private var roomyRows = SAMPLE_ROWS
+
+    /** The index of the column with the x axis; -1 if there is none. */
+    val axis = layout.topics.indexOfFirst { "xaxis" in it?.attributes.orEmpty() }
+    private val microsPerX = if (axis < 0) 0.0 else Units.microsIn(layout.topics[axis]?.unit.orEmpty())
+
+    /** The first x, in µs, if it is a time since 1970; otherwise 0. NaN if there is none. */
+    var origin = Double.NaN
+        private set
 
     /** The number of rows read. */
     var rowCount = 0
@@ -67,9 +77,12 @@ internal class RowReader(
     fun add(batch: RowBatch): Boolean {
         if (batch.rowCount > maxRows - rowCount) return false
         if (batch.hasSamples != keepSamples || (!keepSamples && columns.any { it.hasSink })) return false
+        // The first x may be in it.
+        if (axis >= 0 && origin.isNaN() && !keepSamples) return false
         val linesBefore = pending.line - 1
         pending.pass(batch)
         if (rowCount + batch.rowCount > roomyRows) makeRoom(rowCount + batch.rowCount)
+        if (axis >= 0 && keepSamples) for (row in 0 until batch.rowCount) countFromOrigin(batch.numbers[axis], row)
         val details = BatchReader(batch, BatchReader.COMMON_INTS)
         for (i in columns.indices) columns[i].append(rowCount, batch.rowCount, batch.numbers[i], details, linesBefore)
         rowCount += batch.rowCount
@@ -78,8 +91,16 @@ internal class RowReader(
 
     private fun addRow(text: ByteArray) {
         if (rowCount == roomyRows) makeRoom(rowCount)
+        if (axis >= 0 && cells.kinds[axis].let { it != CellKind.EMPTY && it != CellKind.TEXT }) countFromOrigin(cells.numbers, axis)
         cells.commit(columns, rowCount, text, pending.line)
         rowCount++
+    }
+
+    /** Makes the x at [index] of [numbers] seconds since the first one, if that is a time since 1970. */
+    private fun countFromOrigin(numbers: DoubleArray, index: Int) {
+        val micros = numbers[index] * microsPerX
+        if (origin.isNaN()) origin = if (micros.isFinite()) originOf(micros) else return
+        if (origin > 0) numbers[index] = (micros - origin) / 1e6
     }
 
     /**
@@ -110,7 +131,8 @@ internal class RowReader(
         val topics = arrayOfNulls<Topic>(columns.size)
         forAll(columns.size) { index ->
             val described = layout.topics[index]
-            topics[index] = columns[index].build(rowCount, described?.unit ?: Topic.UNITLESS, described?.attributes.orEmpty())
+            val unit = if (index == axis && origin > 0) "s" else described?.unit ?: Topic.UNITLESS
+            topics[index] = columns[index].build(rowCount, unit, described?.attributes.orEmpty())
         }
         return layout.order.map { index -> checkNotNull(topics[index]).also { reportColumn(columns[index], it, problems) } }
     }

@@ -22,6 +22,12 @@ public fun wallTimeText(micros: Double): String? {
 }
 
 /**
+ * Returns time 0 of a log with the earliest time [firstMicros], both in µs. It is that time if it counts from 1970, as the clock of a laptop does,
+ * otherwise 0. A robot that counts from its start would have to run for 31 years.
+ */
+public fun originOf(firstMicros: Double): Double = if (firstMicros in FIRST..LAST) firstMicros else 0.0
+
+/**
  * Returns the time that [text] gives in ISO 8601, in whole µs since 1970. Null if it is not such a time. [text] needs at least date, hour
  * and minute. With an offset, the result is in UTC, otherwise on the clock that wrote it.
  */
@@ -65,6 +71,10 @@ private const val MIN_LENGTH = "2024-03-16 10:41".length
 private const val DASH = 4
 private const val FRACTION = 7
 private const val ZONE = 8
+
+/** September 2001 and the end of 2096, in µs since 1970. */
+private const val FIRST = 1e15
+private const val LAST = 4e15
 private const val DAY = 86400
 private const val DAYS_TO_1970 = 719468
 private const val DAYS_OF_ERA = 146097

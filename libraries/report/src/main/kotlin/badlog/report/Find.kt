@@ -4,12 +4,14 @@ import badlog.catalog.examine.LogContent
 import badlog.catalog.examine.UndefinedTopic
 import badlog.catalog.store.CachedResult
 import badlog.catalog.store.ResultCache
+import badlog.core.recording.ProblemKind
 import badlog.exporter.BADLOG_VERSION
 import badlog.expression.Answer
 import badlog.expression.ExpressionError
 import badlog.expression.ParsedQuestion
 import badlog.expression.Question
 import badlog.files.LogFile
+import badlog.files.LogMaker
 import badlog.files.ReadOptions
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
@@ -29,6 +31,7 @@ import java.nio.file.Path
  * @param cache a folder for cached results, so that an unchanged file is not read again; null for none.
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
  * @param signals the names of topics that the question refers to by their meaning.
+ * @param maker makes one log of a file with several in it; null if no such file is read.
  */
 class Find(
     private val question: String,
@@ -36,6 +39,7 @@ class Find(
     private val cache: Path? = null,
     private val xTopic: String? = null,
     private val signals: SignalVocabulary = RuleSet.BUILT_IN.signals,
+    private val maker: LogMaker? = null,
 ) {
     private val clauses = QuestionClauses.of(question)
     private val usedSignals = signals.namedIn((virtualTopics + clauses.question).joinToString("\n"))
@@ -75,7 +79,7 @@ class Find(
         each: (FindResult) -> Unit = {},
     ): List<FindResult> {
         val results = ArrayList<FindResult>(files.size)
-        val key = "$BADLOG_VERSION\nfind, and what was left out\n${virtualTopics.joinToString(
+        val key = "$BADLOG_VERSION\nfind, and what was left out, in matches\n${virtualTopics.joinToString(
             "\n",
         )}\n\n${xTopic.orEmpty()}\n${usedSignals.toJson()}\n$question"
         val known = cache?.let { ResultCache(it, key, StoredReply.serializer()) }
@@ -103,7 +107,7 @@ class Find(
 
     private fun ask(file: LogFile, cores: Int): CachedResult<StoredReply> {
         if (mistake != null) return CachedResult(StoredReply(null, mistake), isLasting = false)
-        val options = ReadOptions(sinks = named, cores = cores)
+        val options = ReadOptions(sinks = named, cores = cores, maker = maker)
         return LogContent.examined(file, virtualTopics, usedSignals, { it.withAnyX(xTopic, file.path) }, options, work = ::ask)
     }
 
@@ -126,7 +130,11 @@ class Find(
                     is Question -> asked.names.signalsOf(content.view).let { answered(question.answer(it), it.implausible) }
                 }
             }
-            CachedResult(StoredReply(content.view.title, reply, content.undefined, content.recording.isSalvaged), isLasting = true)
+            CachedResult(
+                StoredReply(content.view.title, reply, content.undefined, content.recording.isSalvaged),
+                // Whoever asks again learns again which logs of a match are left out.
+                isLasting = content.recording.problems.none { it.kind == ProblemKind.LOG_LEFT_OUT },
+            )
         }
     }
 

@@ -61,7 +61,7 @@ internal class LogLake(
         @Volatile
         private var done = 0
         private val task = FutureTask {
-            service.refresh(folder, all, listOf(logs.root), rules, isBusy = { true }) { done, _ ->
+            service.refresh(folder, all, listOf(logs.root), rules, matches = null, isBusy = { true }) { done, _ ->
                 this.done =
                     done
             }

@@ -1,6 +1,7 @@
 package badlog.formats.column
 
 import badlog.core.analysis.stableOrder
+import badlog.core.text.originOf
 import kotlin.math.round
 
 /** The growing list of times of one or several columns, in s. */
@@ -72,4 +73,4 @@ internal class Timestamps(private val keepsSamples: Boolean) {
     }
 }
 
-private const val MICROS = 1e6
+internal const val MICROS = 1e6

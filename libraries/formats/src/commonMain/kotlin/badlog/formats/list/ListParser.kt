@@ -5,7 +5,9 @@ import badlog.core.recording.Loss
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Recording
+import badlog.core.recording.Value
 import badlog.core.recording.timesText
+import badlog.core.text.wallTimeText
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.addTooMany
 
@@ -52,7 +54,8 @@ internal class ListParser(keepSamples: Boolean) : LogParser {
         reportBadRows()
         val all = topics.build()
         if (topics.sampleCount == 0) problems.add(ProblemKind.NO_ROWS, "There is a header, but there are no samples.")
-        return Recording(ListFormat, null, emptyList(), all, 0, problems.toList())
+        val start = if (topics.origin > 0) wallTimeText(topics.origin) else null
+        return Recording(ListFormat, null, listOfNotNull(start?.let { Value("Start Time", it) }), all, 0, problems.toList())
     }
 
     private fun started(): ListRows = rows ?: ListRows(separator(), ::take).also { created ->

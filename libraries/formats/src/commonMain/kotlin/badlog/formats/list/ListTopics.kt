@@ -8,13 +8,16 @@ import badlog.core.recording.TextColumn
 import badlog.core.recording.Topic
 import badlog.core.recording.timesText
 import badlog.core.text.UniqueNames
+import badlog.core.text.originOf
 import badlog.formats.column.ColumnSource
 import badlog.formats.column.ElementBlocks
 import badlog.formats.column.GrowingDoubles
+import badlog.formats.column.MICROS
 import badlog.formats.column.SampleBlock
 import badlog.formats.column.Timestamps
 import badlog.formats.column.reportTopic
 import badlog.formats.wpilog.attributesIn
+import kotlin.math.round
 
 /** The topics of a list. The first value of each that is not empty shows whether it has numbers, texts or arrays of numbers. */
 internal class ListTopics(private val source: ColumnSource, private val problems: ProblemList) {
@@ -39,6 +42,11 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     private var earlyCount = 0
     private var firstEarly = ""
 
+    private var earliest = Double.POSITIVE_INFINITY
+
+    /** Time 0 of the samples so far, in µs; 0 unless they have times since 1970. */
+    val origin: Double get() = originOf(round(earliest * MICROS))
+
     /** The number of samples so far. */
     var sampleCount = 0
         private set
@@ -50,6 +58,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
         val listed = byName.getOrPut(name) { if (source.hasRoomFor(1)) ListedTopic() else null }
         sampleCount++
         if (time < 0 && earlyCount++ == 0) firstEarly = name
+        if (time >= 0 && time < earliest) earliest = time
         when {
             listed == null -> droppedCount++
 
@@ -176,9 +185,10 @@ internal class ListTopics(private val source: ColumnSource, private val problems
 
     private fun build(name: String, listed: ListedTopic, names: UniqueNames, topics: MutableList<Topic>) {
         listed.firstEmpty?.let { decide(listed, it) }
-        listed.elements.timestamps.finish(ALL)
+        val span = (if (origin > 0) earliest else 0.0)..Double.MAX_VALUE
+        listed.elements.timestamps.finish(span)
         for (block in listed.elements.blocks) {
-            block.timestamps.finish(ALL)
+            block.timestamps.finish(span)
             for (column in block.columns) {
                 val like =
                     Topic(name, Topic.UNITLESS, attributesIn("", name), DoubleArray(0), TextColumn.EMPTY, CellCounts(0, 0, 0, 0, 0, 0))
@@ -198,7 +208,6 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     }
 
     private companion object {
-        val ALL = 0.0..Double.MAX_VALUE
         val TRUTH_SIZES = 4..5
         const val QUOTED = 60
     }

@@ -2,8 +2,8 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.PathName
 import badlog.core.recording.Value
+import badlog.core.text.originOf
 import badlog.core.text.wallTimeText
-import badlog.formats.column.originOf
 
 /** The facts about the whole run that certain entries report: the match, and the time of day. */
 internal class MatchMetadata {

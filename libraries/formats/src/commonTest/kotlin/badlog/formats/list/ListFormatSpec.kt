@@ -5,6 +5,7 @@ import badlog.core.bag.describe
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.Recording
 import badlog.core.recording.TopicKind
+import badlog.core.recording.Value
 import badlog.formats.LOG_FORMATS
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -53,6 +54,15 @@ class ListFormatSpec : FunSpec({
         recording.topic("/Pose[0]").samples[2].shouldBeNaN()
         recording.topic("/A").kind shouldBe TopicKind.BOOLEAN
         recording.problems shouldBe emptyList()
+    }
+
+    test("a list with times since 1970 begins at 0, and says when that was") {
+        val recording = read("Timestamp,Name,Value\n1795832420.5,b,2\n1795832420.1234561,a,1\n-1,b,1\n1795832421.25,a,3\n")
+        recording.topic("a").times?.toList() shouldBe listOf(0.0, 1.126544)
+        recording.topic("b").times?.toList() shouldBe listOf(0.0, 0.376544)
+        recording.values shouldBe listOf(Value("Start Time", "2026-11-28 02:20:20 UTC"))
+        recording.problems.map { it.kind } shouldBe listOf(ProblemKind.TIMES_SORTED, ProblemKind.EARLY_TIMES)
+        read("Timestamp,Name,Value\n20.5,a,2\n1795832420,a,1\n").values shouldBe emptyList()
     }
 
     test("a list that a spreadsheet saved with semicolons and decimal commas is read") {

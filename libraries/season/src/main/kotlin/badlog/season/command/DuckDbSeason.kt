@@ -11,6 +11,7 @@ import badlog.cli.plugin.SqlTable
 import badlog.cli.plugin.WrongQueryException
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
+import badlog.files.LogMaker
 import badlog.rules.RuleSet
 import badlog.season.engine.NoEngineException
 import badlog.season.lake.Lake
@@ -34,6 +35,7 @@ public class DuckDbSeason : SeasonService {
         logs: List<Pair<LogFile, String>>,
         roots: List<Path>,
         rules: RuleSet,
+        matches: LogMaker?,
         isBusy: () -> Boolean,
         progress: (done: Int, total: Int) -> Unit,
     ): LakeReport = failing {
@@ -43,6 +45,7 @@ public class DuckDbSeason : SeasonService {
             },
             roots,
             rules,
+            matches = matches,
             isBusy = isBusy,
             progress = progress,
         )

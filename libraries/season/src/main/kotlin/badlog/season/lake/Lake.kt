@@ -2,6 +2,7 @@ package badlog.season.lake
 
 import badlog.files.FolderRun
 import badlog.files.LogFile
+import badlog.files.LogMaker
 import badlog.files.unwritable
 import badlog.rules.RuleSet
 import badlog.season.engine.Engine
@@ -76,6 +77,7 @@ class Lake(val folder: Path) {
      * most 256 MB.
      *
      * @param rules the rules for findings, and the names of topics.
+     * @param matches makes one log of the logs of a match; null if no such file is read.
      * @param isBusy called from time to time while another badlog writes to the lake; returns whether to wait until it has finished. An
      *   exception from it is passed on.
      * @param batch the number of logs after which the tables of a small lake are written at the latest.
@@ -89,13 +91,14 @@ class Lake(val folder: Path) {
         roots: List<Path>,
         rules: RuleSet,
         batch: Int = DEFAULT_BATCH,
+        matches: LogMaker? = null,
         isBusy: () -> Boolean = { false },
         progress: (done: Int, total: Int) -> Unit = { _, _ -> },
     ): LakeResult = locked(isBusy) {
         writing(folder) {
             val mark = LakeMark.of(folder) ?: LakeMark().also { it.write(folder) }
             Engine(Engine.WRITING_MEGABYTES, threads = 1).use { engine ->
-                LakeRefresh(folder, engine, rules, mark).run(logs, roots, batch, progress)
+                LakeRefresh(folder, engine, LakeExamination(rules, engine, matches = matches), mark).run(logs, roots, batch, progress)
             }
         }
     }
@@ -155,10 +158,14 @@ internal inline fun <R> writing(folder: Path, work: () -> R): R = try {
 }
 
 /** One run of [Lake.refresh] with [engine] on the lake [folder], which is locked and has the mark [mark]. */
-internal class LakeRefresh(private val folder: Path, private val engine: Engine, rules: RuleSet, private val mark: LakeMark) {
+internal class LakeRefresh(
+    private val folder: Path,
+    private val engine: Engine,
+    private val examination: LakeExamination,
+    private val mark: LakeMark,
+) {
     private val registered = registeredIn(folder, engine)
     private val stage = LakeStage(folder, engine)
-    private val examination = LakeExamination(rules, engine)
     private val underWay = ReentrantReadWriteLock()
     private var isStopped = false
 

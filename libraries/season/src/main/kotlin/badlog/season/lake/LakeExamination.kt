@@ -1,6 +1,7 @@
 package badlog.season.lake
 
 import badlog.core.analysis.LogView
+import badlog.files.LogMaker
 import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.orNotRead
@@ -26,8 +27,17 @@ sealed interface ExaminedLog {
     class None internal constructor(val message: String, val isNoLog: Boolean) : ExaminedLog
 }
 
-/** Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe. */
-internal class LakeExamination(private val rules: RuleSet, private val engine: Engine, private val hasSamples: Boolean = true) {
+/**
+ * Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe.
+ *
+ * @param matches makes one log of the logs of a match; null if no such file is read.
+ */
+internal class LakeExamination(
+    private val rules: RuleSet,
+    private val engine: Engine,
+    private val hasSamples: Boolean = true,
+    private val matches: LogMaker? = null,
+) {
     private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
     /** Identifies everything besides its file that affects the records of a log. */
@@ -40,7 +50,7 @@ internal class LakeExamination(private val rules: RuleSet, private val engine: E
      */
     fun write(file: Path, cores: Int, source: LogSource, log: String, folder: Path): ExaminedLog =
         orNotRead(file, { Result.success(ExaminedLog.None(it.message, it.isLasting)) }) {
-            when (val read = readLog(file, LOG_FORMATS, ReadOptions(cores = cores, name = source.file))) {
+            when (val read = readLog(file, LOG_FORMATS, ReadOptions(cores = cores, name = source.file, maker = matches))) {
                 is ReadResult.NotRead -> Result.success(ExaminedLog.None(read.message, read.isLasting))
 
                 is ReadResult.Read -> {

@@ -3,6 +3,7 @@ package badlog.signals.clock
 import badlog.core.analysis.Series
 import badlog.signals.signalTopicsOf
 import kotlin.math.ceil
+import kotlin.math.round
 import kotlin.math.sqrt
 
 /**
@@ -21,10 +22,21 @@ fun batteryFit(log: ClockedLog, other: ClockedLog): ClockFit? {
     return ClockFit(own.from(other = others, best.key * FINE), 0, error)
 }
 
+/**
+ * Returns how alike the battery voltage moves in [log], moved by [seconds] s, and in [other], from -1 to 1. Null if one lacks it, or it moves too
+ * little.
+ */
+internal fun batteryLikeness(log: ClockedLog, other: ClockedLog, seconds: Double): Double? {
+    val (own, others) = (batteryOf(log) ?: return null) to (batteryOf(other) ?: return null)
+    val lag = round((seconds + own.begin - others.begin) / COARSE).toInt()
+    val (one, two) = own.every(COARSE) to others.every(COARSE)
+    return (lag - 1..lag + 1).mapNotNull { correlation(one, two, it) }.maxOrNull()
+}
+
 private fun Double.inSteps() = ceil(this / FINE).toInt()
 
 private class Voltage(val series: Series, val secondsPerX: Double) {
-    private val begin = series.x.first() * secondsPerX
+    val begin = series.x.first() * secondsPerX
     private val end = series.x.last() * secondsPerX
 
     /** Returns the voltage every [step] s, from the first sample on; each is the last one before. */
@@ -104,8 +116,8 @@ private const val LONGEST = 1200.0
 
 /** In V: the standard deviation of a battery that moves. */
 private const val MIN_VOLTS = 0.05
-private const val ALIKE = 0.9
-private const val CLEARER = 0.15
+internal const val ALIKE = 0.9
+internal const val CLEARER = 0.15
 
 /** So many steps around the best lag belong to it. */
 private const val NEIGHBORS = 15

@@ -3,8 +3,8 @@ package badlog.formats.wpilog.record
 import badlog.core.analysis.stableOrder
 import badlog.core.recording.ProblemList
 import badlog.core.recording.Value
+import badlog.core.text.originOf
 import badlog.formats.column.ColumnSource
-import badlog.formats.column.originOf
 import badlog.formats.wpilog.ControlKind
 import badlog.formats.wpilog.Entry
 import badlog.formats.wpilog.MatchMetadata

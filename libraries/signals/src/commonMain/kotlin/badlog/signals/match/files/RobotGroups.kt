@@ -1,5 +1,6 @@
 package badlog.signals.match.files
 
+import badlog.core.recording.Recording
 import badlog.signals.clock.ClockFit
 import badlog.signals.match.isSameAs
 
@@ -25,23 +26,23 @@ internal class RobotGroups(files: List<MatchFile>) {
     private fun besideOf(file: MatchFile, first: MatchFile): MatchPart? {
         if (file.seconds != null && first.seconds != null) return file.statedBeside(first)
         val isSame = file.log.match.isSameAs(first.log.match)
-        if (isSame == false || areAlike(namesOf(file), namesOf(first))) return null
+        if (isSame == false || areAlike(file.log.recording, first.log.recording)) return null
         val byClocks = clocksOf(file.log, first.log)
         val fit = ClockFit.ofEdges(file.log.edges, first.log.edges, byClocks)?.takeIf { it.edges >= MIN_EDGES } ?: return null
         // Every match has the same periods, and one robot has one clock.
         val isSure = if (byClocks == null) isSame == true else areNear(fit.seconds, byClocks)
         return if (isSure) MatchPart(file, fit.seconds, ClockReason.ENABLED, fit.error, fit.edges) else null
     }
-
-    /** Two robots with one program log the same topics, nearly. A coprocessor may log a few of its robot's. */
-    private fun areAlike(one: Set<String>, other: Set<String>): Boolean =
-        one == other || one.count { it in other } * 2 >= maxOf(one.size, other.size)
-
-    /** The names of topics, without those that each log of WPILib has. */
-    private fun namesOf(file: MatchFile): Set<String> =
-        file.log.recording.topics.map { it.name }.filterNotTo(HashSet()) { name -> EVERYWHERE.any { it in name } }
-
-    private companion object {
-        val EVERYWHERE = listOf("DS:", "FMSInfo", "systemTime", "messages", "/.schema/")
-    }
 }
+
+/** Whether the logs [one] and [other] have nearly the same topics, as two robots with one program. A coprocessor may log a few of its robot's. */
+internal fun areAlike(one: Recording, other: Recording): Boolean {
+    val (names, others) = namesIn(one) to namesIn(other)
+    return names == others || names.count { it in others } * 2 >= maxOf(names.size, others.size)
+}
+
+/** The names of topics, without those that each log of WPILib has. */
+private fun namesIn(log: Recording): Set<String> =
+    log.topics.map { it.name }.filterNotTo(HashSet()) { name -> EVERYWHERE.any { it in name } }
+
+private val EVERYWHERE = listOf("DS:", "FMSInfo", "systemTime", "messages", "/.schema/")
