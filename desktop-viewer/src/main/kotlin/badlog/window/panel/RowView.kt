@@ -55,7 +55,7 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
         Column(Modifier.width(62.dp)) {
-            row.severity?.let { SeverityBadge(it) }
+            row.severity?.let { SeverityBadge(it, it.word) }
             for (line in row.lines) {
                 line.since?.let { Time(it) }
                 Time(line.time)
@@ -70,11 +70,12 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
     }
 }
 
+/** Shows [word] in the colors of [severity]. */
 @Composable
-private fun SeverityBadge(severity: Severity) {
+internal fun SeverityBadge(severity: Severity, word: String) {
     val palette = LocalPalette.current
     Text(
-        severity.word,
+        word,
         Modifier
             .fillMaxWidth()
             .background(palette.findingSoft(severity), RoundedCornerShape(4.dp))

@@ -42,7 +42,7 @@ internal fun FindingsPanel(
     val details =
         remember(open, evidence) { FindingDetails(evidence.graphs.isNotEmpty(), evidenceOffers(open.view, open.vocabulary, evidence)) }
     val list = todo.state.list.takeIf { todo.state.folder != null }
-    val parts = remember(open, known.list, view.findings, view.visited, changes, details, list, isComparing) {
+    val parts = remember(open, known.list, view.findings, view.visited, changes, details, list, isComparing, view.unfolded) {
         val shown = FindingsShown(
             known.list,
             isRunning = known.list == null,
@@ -54,6 +54,7 @@ internal fun FindingsPanel(
             todo = list?.let(::ListedFindings),
             details = details,
             isComparing = isComparing,
+            unfolded = view.unfolded,
         )
         findingsPanel(shown)
     }

@@ -30,6 +30,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.LogView
 import badlog.core.recording.Severity
+import badlog.viewer.panel.problemsPanel
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
 import badlog.window.compare.ComparedRecordings
@@ -41,6 +42,7 @@ import badlog.window.log.FilteredEvents
 import badlog.window.log.GraphBoard
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
+import badlog.window.panel.PanelView
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
@@ -98,7 +100,7 @@ internal fun InspectorPane(
 
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
 
-                InspectorTab.PROBLEMS -> ProblemsPanel(open, Modifier.fillMaxSize())
+                InspectorTab.PROBLEMS -> PanelView(remember(open) { problemsPanel(open.view.problems) }, goal = null, send, Modifier.fillMaxSize())
 
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
 

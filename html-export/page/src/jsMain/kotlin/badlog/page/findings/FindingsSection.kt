@@ -3,14 +3,13 @@ package badlog.page.findings
 import badlog.page.dom.element
 import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
-import badlog.page.dom.isNarrow
+import badlog.page.dom.panelRoom
 import badlog.page.parts.PartNodes
 import badlog.page.parts.patch
 import badlog.page.view.Scene
 import badlog.rules.Finding
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.panel.LogTimes
-import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.panel.finding.isFixed
@@ -68,7 +67,7 @@ internal class FindingsSection(
     private val state get() = scene.store.state.findings
 
     init {
-        scene.store.onChange { if (scene.visited !== drawn || it.findings != state) show() }
+        scene.store.onChange { if (scene.visited !== drawn || it.findings != state || it.unfolded != scene.store.state.unfolded) show() }
         show()
     }
 
@@ -122,7 +121,8 @@ internal class FindingsSection(
                 signals.topics,
                 signals.assigned,
                 isComparing = scene.compared.isNotEmpty(),
-                room = room,
+                room = panelRoom,
+                unfolded = scene.store.state.unfolded,
             ),
         )
         element.patch(nodes.of(parts))
@@ -142,8 +142,7 @@ internal class FindingsSection(
     }
 
     private fun keepHeight() {
-        element.classList.toggle("is-fixed", room.isFixed(hasRules, scene.enabled.isNotEmpty(), isInside || drawn != null))
+        element.classList.toggle("is-fixed", panelRoom.isFixed(hasRules, scene.enabled.isNotEmpty(), isInside || drawn != null))
     }
 
-    private val room: FindingsRoom get() = if (isNarrow) FindingsRoom.NARROW else FindingsRoom.SHARED
 }
