@@ -48,8 +48,11 @@ internal class AxisView(private val store: Store) {
     /** The place of the finding that a person went to last; null for none. */
     val visited: FindingPlace<Finding>? by derivedStateOf { store.state.place.visited }
 
-    /** The search and the unfolded parts in the findings. */
+    /** The search in the findings. */
     val findings: FindingsState by derivedStateOf { store.state.findings }
+
+    /** The parts of panels that the person has unfolded, or folded, by their keys. */
+    val unfolded: Map<String, Boolean> by derivedStateOf { store.state.unfolded }
 
     /** Whether the person stays at the end of a log that grows. */
     val following: EndFollowing get() = store.state.following

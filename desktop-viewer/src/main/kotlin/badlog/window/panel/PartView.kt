@@ -41,6 +41,7 @@ import badlog.viewer.panel.Rows
 import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
 import badlog.viewer.state.Action
+import badlog.window.findings.findingColor
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip
@@ -60,7 +61,7 @@ internal fun PartView(part: Part, send: (Action) -> Unit) {
         is Code -> CodeView(part)
         is Field -> FieldView(part, send)
         is Fold -> FoldTitle(part, send)
-        is Rows -> for (row in part.rows) RowView(row, send)
+        is Rows -> for (row in part.rows) PartView(row, send)
         is PanelRow -> RowView(part, send)
     }
 }
@@ -111,6 +112,8 @@ private val PartIcon.vector: ImageVector
         PartIcon.PIN -> Icons.Pin
         PartIcon.ADD -> Icons.Add
         PartIcon.REMOVE -> Icons.Remove
+        PartIcon.NOTE -> Icons.Note
+        PartIcon.CLOSE -> Icons.Close
         PartIcon.DONE -> Icons.Check
         PartIcon.PERSON -> Icons.Flag
         PartIcon.UNDONE -> Icons.Undo
@@ -147,7 +150,7 @@ private fun FoldTitle(fold: Fold, send: (Action) -> Unit) {
         Alignment.CenterVertically,
     ) {
         Icon(if (fold.isOpen) Icons.Down else Icons.Right, contentDescription = null, Modifier.size(14.dp), palette.muted)
-        Text(fold.title, color = palette.muted)
+        Text(fold.title, color = fold.severity?.let(palette::findingColor) ?: palette.muted)
     }
 }
 

@@ -55,26 +55,28 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
         horizontalArrangement = Arrangement.spacedBy(8.dp),
     ) {
         Column(Modifier.width(62.dp)) {
-            row.severity?.let { SeverityBadge(it) }
+            row.severity?.let { SeverityBadge(it, it.word) }
             for (line in row.lines) {
                 line.since?.let { Time(it) }
                 Time(line.time)
             }
         }
         Column(Modifier.weight(1f)) {
-            NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
+            if (row.title.isNotEmpty()) NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
             for (line in row.lines) Text(line.text)
             if (row.count.isNotEmpty()) Text(row.count, color = LocalPalette.current.muted, fontSize = 12.sp)
             BelowRow(row.below, send)
         }
+        ButtonsView(row.tools, send, areIcons = true)
     }
 }
 
+/** Shows [word] in the colors of [severity]. */
 @Composable
-private fun SeverityBadge(severity: Severity) {
+internal fun SeverityBadge(severity: Severity, word: String) {
     val palette = LocalPalette.current
     Text(
-        severity.word,
+        word,
         Modifier
             .fillMaxWidth()
             .background(palette.findingSoft(severity), RoundedCornerShape(4.dp))

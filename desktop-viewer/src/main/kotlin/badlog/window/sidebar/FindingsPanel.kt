@@ -5,9 +5,9 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.choices.board.evidenceOffers
+import badlog.viewer.panel.ListedTasks
 import badlog.viewer.panel.finding.FindingDetails
 import badlog.viewer.panel.finding.FindingsShown
-import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.state.Action
@@ -42,7 +42,7 @@ internal fun FindingsPanel(
     val details =
         remember(open, evidence) { FindingDetails(evidence.graphs.isNotEmpty(), evidenceOffers(open.view, open.vocabulary, evidence)) }
     val list = todo.state.list.takeIf { todo.state.folder != null }
-    val parts = remember(open, known.list, view.findings, view.visited, changes, details, list, isComparing) {
+    val parts = remember(open, known.list, view.findings, view.visited, changes, details, list, isComparing, view.unfolded) {
         val shown = FindingsShown(
             known.list,
             isRunning = known.list == null,
@@ -51,9 +51,10 @@ internal fun FindingsPanel(
             open.times,
             changes.differences,
             names,
-            todo = list?.let(::ListedFindings),
+            todo = list?.let { ListedTasks(it, open.file.fileName.toString()) },
             details = details,
             isComparing = isComparing,
+            unfolded = view.unfolded,
         )
         findingsPanel(shown)
     }

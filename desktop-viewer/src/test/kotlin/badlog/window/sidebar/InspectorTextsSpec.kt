@@ -1,8 +1,6 @@
 package badlog.window.sidebar
 
 import badlog.core.analysis.Span
-import badlog.core.recording.Problem
-import badlog.core.recording.ProblemKind
 import badlog.viewer.choices.board.Board
 import badlog.viewer.shown.cursor.CursorValues
 import badlog.window.bagOf
@@ -14,14 +12,6 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.shouldBe
 
 class InspectorTextsSpec : FunSpec({
-    val cut = Problem(ProblemKind.ROW_CUT, "A row is cut.", line = 12, count = 3)
-    val note = Problem(ProblemKind.BLANK_LINE, "A line is blank.")
-    val warning = Problem(ProblemKind.ROW_SHORT, "A row is short.", topic = "Arm/Angle")
-
-    test("problems come worst first") {
-        worstFirst(listOf(note, warning, cut)) shouldContainExactly listOf(cut, warning, note)
-    }
-
     test("an event's time counts from the moment at which the robot was enabled") {
         val header = """{"topics":[{"name":"Time","unit":"s","attrs":["xaxis"]},{"name":"Enabled","unit":"ul","attrs":[]}],"values":[]}"""
         val times = recordingOf("$header\nTime,Enabled\n0,0\n2.5,1\n200,1\n").times

@@ -129,7 +129,6 @@ internal class ExportSpec : PageSpec({
                 RecordingWriter(damaged, RecordingFormat.CSV).write(0, damaged.rowCount) { bytes, size -> written.write(bytes, 0, size) }
                 val wanted = read(written.toByteArray(), "converted.csv")
                 onPage(TestPages.ofSample(name)) {
-                    if (name.endsWith(".gz")) elements(".problem").map { it.getDomAttribute("data-kind") } shouldContainAll listOf("GZIP_CUT", "ROW_CUT")
                     saved(name) { click("#download") } shouldBe Files.readAllBytes(SAMPLES.resolve(name))
                     val bytes = saved("$name.csv") { click("#download-csv") }
                     val repaired = read(bytes, "page.csv")

@@ -59,7 +59,7 @@ internal class FirstScreenSpec : PageSpec({
             onPage(ruled("practice.bag"), Screen.PHONE) {
                 checkFirstGraph()
                 number("return document.documentElement.scrollWidth") shouldBeLessThanOrEqual 390.0
-                val toggle = element(".problems-toggle")
+                val toggle = element("#problems summary")
                 toggle.text shouldContain "Data is missing in 4 places"
                 elements(".problem").isEmpty() shouldBe true
                 toggle.click()

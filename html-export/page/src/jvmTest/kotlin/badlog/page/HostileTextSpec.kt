@@ -71,7 +71,7 @@ internal class HostileTextSpec : PageSpec({
                 texts(".hook .folder-name") shouldBe HOSTILE.map { "From the hook $it" }
                 texts(".hook .values dd") shouldBe HOSTILE
                 texts(".hook .origin") shouldBe HOSTILE.map { "from $it" }
-                if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+                if (elements(".problem-list").isEmpty()) click("#problems summary")
                 texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
                 for (graph in graphNames) graph(graph).scrollTo()
                 checkTame()
@@ -82,7 +82,7 @@ internal class HostileTextSpec : PageSpec({
             val definitions = HOSTILE + HOSTILE.map { "\"${it.replace("\"", "\"\"")}\" = A * 2" }
             onPage(TestPages.of(bag, additions = PageAdditions(definitions)), script = alarm) {
                 graphNames.size shouldBe HOSTILE.size + 1
-                if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+                if (elements(".problem-list").isEmpty()) click("#problems summary")
                 texts(".problem-text").joinToString("\n") shouldContain HOSTILE[0]
                 press("f")
                 press(HOSTILE[0])
@@ -105,7 +105,7 @@ internal class HostileTextSpec : PageSpec({
                 elements(".graph").map { it.getDomAttribute("data-name") } shouldContainAll HOSTILE
                 texts(".graph-unit") shouldContainAll HOSTILE
                 for (name in graphNames) graph(name).scrollTo().hover(0.5)
-                if (!element(".problem-list").isDisplayed) click(".problems-toggle")
+                if (elements(".problem-list").isEmpty()) click("#problems summary")
                 texts(".problem-text").joinToString("\n").let { listed -> HOSTILE.forEach { listed shouldContain it } }
                 click("#info summary")
                 checkTame()

@@ -141,10 +141,10 @@ internal class KeyboardSpec : PageSpec({
                 graphNames shouldBe listOf("Odd?")
                 press(Keys.SPACE)
                 graphNames shouldContain "Arm/Angle"
-                focus(".problems-toggle")
-                val before = element(".problem-list").isDisplayed
+                focus("#problems summary")
+                val before = elements(".problem-list").size
                 press(Keys.SPACE)
-                element(".problem-list").isDisplayed shouldNotBe before
+                elements(".problem-list").size shouldNotBe before
                 focus(".event-go")
                 press(Keys.ENTER)
                 graph("Arm/Angle").scrollTo().value("Angle") shouldBe "60"

@@ -11,7 +11,7 @@ import io.kotest.matchers.shouldNotBe
 internal class ThemeSpec : PageSpec({
     /** Selectors of the texts that must be readable. */
     val texts = listOf(
-        "h1", ".facts", ".fact", ".problems-toggle", ".problem-text", ".problem-place", ".severity", ".search-input",
+        "h1", ".facts", ".fact", "#problems summary", ".problem-text", ".problem-place", ".severity", ".search-input",
         ".range-readout", ".cursor-readout", ".event-readout", "#download", ".folder-link-name", ".count",
         ".folder-toggle", ".graph-title", ".unit", ".legend-name", ".value", ".x-title", ".values dt", ".values dd",
         ".event-go", ".event-text", ".events thead th", "#info summary", ".text-button", ".event-label",

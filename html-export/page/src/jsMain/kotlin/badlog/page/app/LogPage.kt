@@ -31,7 +31,7 @@ import badlog.page.graph.VisibleGraphs
 import badlog.page.header.Downloads
 import badlog.page.header.ExportMenu
 import badlog.page.header.Printing
-import badlog.page.header.ProblemStrip
+import badlog.page.header.ProblemSection
 import badlog.page.header.SearchBox
 import badlog.page.header.ThemeSwitch
 import badlog.page.header.ZoomBar
@@ -152,7 +152,7 @@ internal class LogPage(
     private val hasRules = this.additions.rules.rules.isNotEmpty()
     private val findings = FindingsSection(scene, signalChoice, embeddedFindings, hasRules, { changes.differences }, store::send)
     private val rules = PageRules(this.additions, embeddedFindings, about.name, findings) { element.isConnected }
-    private val noteList = NoteList(scene, notes, noteDialog::edit)
+    private val noteList = NoteList(scene, notes)
     private val evidence = EvidenceSection(scene, graphs, signals, { store.send(FindingAction.StepWithin(it)) }, ::send)
     private val topicDialog = TopicDialog(scene)
     private val layouts =
@@ -165,7 +165,7 @@ internal class LogPage(
         PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, live, findingRequests::perform)
     private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
-    private val problems = ProblemStrip(view, additionProblems(formulas, additions, layout))
+    private val problems = ProblemSection(store, view.problems, additionProblems(formulas, additions, layout))
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }) {
         problems.print(it)
         findings.print(it)

@@ -1,11 +1,15 @@
 package badlog.page.dom
 
+import badlog.viewer.panel.PanelRoom
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /** Whether the screen is narrow, as defined by the style sheet. */
 internal val isNarrow: Boolean get() = window.innerWidth <= 760
+
+/** The room for a panel above the graphs. */
+internal val panelRoom: PanelRoom get() = if (isNarrow) PanelRoom.NARROW else PanelRoom.SHARED
 
 /** Makes an element. [text] becomes a text node, so that nothing in a file can become markup. */
 internal fun element(tag: String, className: String = "", text: String = "", build: HTMLElement.() -> Unit = {}): HTMLElement {

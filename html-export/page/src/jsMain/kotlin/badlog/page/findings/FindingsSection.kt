@@ -3,14 +3,12 @@ package badlog.page.findings
 import badlog.page.dom.element
 import badlog.page.dom.focusInPlace
 import badlog.page.dom.isHidden
-import badlog.page.dom.isNarrow
+import badlog.page.dom.panelRoom
 import badlog.page.parts.PartNodes
 import badlog.page.parts.patch
 import badlog.page.view.Scene
 import badlog.rules.Finding
 import badlog.viewer.draw.mark.FindingPlace
-import badlog.viewer.panel.LogTimes
-import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.panel.finding.isFixed
@@ -38,7 +36,6 @@ internal class FindingsSection(
     private val differences: () -> List<Finding>,
     private val send: (Action) -> Unit,
 ) {
-    private val times = LogTimes(scene.range.full.width, scene.xAxis, scene.enabled)
     private val nodes = PartNodes(send)
     private var drawn: FindingPlace<Finding>? = null
     private var isRunning = hasRules
@@ -68,7 +65,7 @@ internal class FindingsSection(
     private val state get() = scene.store.state.findings
 
     init {
-        scene.store.onChange { if (scene.visited !== drawn || it.findings != state) show() }
+        scene.store.onChange { if (scene.visited !== drawn || it.findings != state || it.unfolded != scene.store.state.unfolded) show() }
         show()
     }
 
@@ -117,12 +114,13 @@ internal class FindingsSection(
                 isRunning,
                 state,
                 drawn,
-                times,
+                scene.times,
                 differences(),
                 signals.topics,
                 signals.assigned,
                 isComparing = scene.compared.isNotEmpty(),
-                room = room,
+                room = panelRoom,
+                unfolded = scene.store.state.unfolded,
             ),
         )
         element.patch(nodes.of(parts))
@@ -142,8 +140,6 @@ internal class FindingsSection(
     }
 
     private fun keepHeight() {
-        element.classList.toggle("is-fixed", room.isFixed(hasRules, scene.enabled.isNotEmpty(), isInside || drawn != null))
+        element.classList.toggle("is-fixed", panelRoom.isFixed(hasRules, scene.enabled.isNotEmpty(), isInside || drawn != null))
     }
-
-    private val room: FindingsRoom get() = if (isNarrow) FindingsRoom.NARROW else FindingsRoom.SHARED
 }

@@ -64,10 +64,10 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     }
 
     private fun trouble(trouble: Trouble): Node {
-        val text = listOf(Node("span", text = trouble.text)) +
-            if (trouble.pointer.isEmpty()) emptyList() else listOf(Node("pre", "pointer", trouble.pointer))
-        val word = trouble.severity.word
-        val parts = listOf(Node("span", "severity is-$word", word), Node("div", "problem-text", children = text))
+        val pointer = if (trouble.pointer.isEmpty()) null else Node("pre", "pointer", trouble.pointer)
+        val text = listOfNotNull(Node("span", text = trouble.text), Node("span", "problem-place", trouble.place), pointer)
+        val severity = Node("span", "severity is-${trouble.word}", trouble.word)
+        val parts = listOf(severity, Node("div", "problem-text", children = text))
         return Node("div", "problem", key = trouble.key, children = parts)
     }
 
@@ -124,15 +124,18 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         }
         val title = Node("summary", text = fold.title, on = mapOf("click" to toggle))
         val parts = listOf(title) + if (fold.isOpen) nodesOf(fold.parts) else emptyList()
-        return Node("details", fold.className, key = fold.key, attributes = mapOf("open" to "".takeIf { fold.isOpen }), children = parts)
+        val className = fold.className + fold.severity?.let { " has-${it.word}" }.orEmpty()
+        return Node("details", className, key = fold.key, attributes = mapOf("open" to "".takeIf { fold.isOpen }), children = parts)
     }
 
     private fun rows(rows: Rows): Node {
         // Anything that scrolls must react to keys.
         val attributes = mapOf("aria-label" to rows.name, "tabindex" to "0".takeIf { rows.isLong })
         val className = rows.className + if (rows.isLong) " is-long" else ""
-        return Node("ol", className, key = rows.key, attributes = attributes, children = rows.rows.map(::row))
+        return Node("ol", className, key = rows.key, attributes = attributes, children = rows.rows.map(::item))
     }
+
+    private fun item(part: Part): Node = if (part is Row) row(part) else Node("li", key = part.key, children = listOf(of(part)))
 
     private fun row(row: Row): Node {
         val severity = row.severity?.word
@@ -196,6 +199,8 @@ private val PartIcon.icon: Icon
         PartIcon.PIN -> Icon.PIN
         PartIcon.ADD -> Icon.PLUS
         PartIcon.REMOVE -> Icon.MINUS
+        PartIcon.NOTE -> Icon.NOTE
+        PartIcon.CLOSE -> Icon.CLOSE
         PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
         PartIcon.UNDONE -> Icon.UNDO
     }

@@ -2,6 +2,7 @@ package badlog.viewer.panel
 
 import badlog.core.recording.Severity
 import badlog.viewer.state.Action
+import badlog.viewer.text.word
 
 /** A part of a panel's content, as data: each shell draws each kind once. */
 sealed interface Part {
@@ -37,16 +38,25 @@ enum class Tone {
 /**
  * Something that is wrong.
  *
- * @property text the problem, its place, and the next step.
+ * @property text the problem and the next step.
  * @property pointer the place in a file, with carets below it; empty for none.
+ * @property place the place in words; empty for none.
+ * @property word the displayed word for [severity].
  */
-class Trouble(override val key: String, val severity: Severity, val text: String, val pointer: String = "") : Part
+class Trouble(
+    override val key: String,
+    val severity: Severity,
+    val text: String,
+    val pointer: String = "",
+    val place: String = "",
+    val word: String = severity.word,
+) : Part
 
 /** Something to press. */
 class Button(val label: String, val action: Action, val icon: PartIcon? = null, val hint: String = label, val isEnabled: Boolean = true)
 
 /** The icons of buttons. */
-enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, DONE, PERSON, UNDONE }
+enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE, PERSON, UNDONE }
 
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
@@ -63,8 +73,17 @@ class Option(val label: String, val isOn: Boolean, val action: Action)
 /** Lines of a program, called [name] by screen readers. */
 class Code(override val key: String, val name: String, val text: String) : Part
 
-/** Parts that a press on [title] shows or hides; while it is not open, [parts] need not be known. */
-class Fold(override val key: String, val title: String, val isOpen: Boolean, val toggle: Action, val parts: List<Part>) : Part
+/**
+ * Parts that a press on its title shows or hides.
+ *
+ * @property parts its parts; need not be known while it is not open.
+ * @property severity the worst of its content; null if that does not matter.
+ */
+class Fold(override val key: String, val title: String, val isOpen: Boolean, val parts: List<Part>, val severity: Severity? = null) :
+    Part {
+    /** The effect of a press on [title]. */
+    val toggle: Action get() = Action.Unfold(key, !isOpen)
+}
 
 /**
  * A field that a person types into.
@@ -85,8 +104,8 @@ class Field(
     val onText: (String) -> Action,
 ) : Part
 
-/** Rows below each other, called [name]. */
-class Rows(override val key: String, val name: String, val rows: List<Row>, val isLong: Boolean = false) : Part
+/** Rows below each other, called [name]: each is a [Row], or a [Trouble]. */
+class Rows(override val key: String, val name: String, val rows: List<Part>, val isLong: Boolean = false) : Part
 
 /**
  * A row of a list: a claim, a note, an event.

@@ -7,6 +7,9 @@ sealed interface Action {
     /** A person presses [key], or a button that does the same. */
     class Press(val key: KeyAction) : Action
 
+    /** Unfolds the part of a panel with the key [fold], or folds it. */
+    class Unfold(val fold: String, val isOpen: Boolean) : Action
+
     /** Asks for a [Request], which only the shell can perform. */
     data class Ask(val request: Request) : Action
 }

@@ -34,12 +34,6 @@ sealed interface FindingAction : Action {
     /** Lists only the first few findings. */
     object ListFew : FindingAction
 
-    /** Folds or unfolds the findings that incidents contain but do not mention. */
-    object ToggleWithin : FindingAction
-
-    /** Folds or unfolds the rules that could not run. */
-    object ToggleSkipped : FindingAction
-
     /** Unfolds and searches nothing, as for findings that are not known yet. */
     object Forget : FindingAction
 

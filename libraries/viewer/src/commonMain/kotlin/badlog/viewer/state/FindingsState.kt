@@ -3,20 +3,16 @@ package badlog.viewer.state
 import badlog.signals.logging.LoggingLibrary
 
 /**
- * A person's search and unfolded parts in the findings of a log.
+ * A person's search in the findings of a log.
  *
  * @property query the text of the search; empty for none.
  * @property listed how many findings beside the incidents are listed, if not the first few; null for these.
- * @property isWithinOpen whether findings that incidents contain but do not mention are unfolded.
- * @property isSkippedOpen whether the rules that could not run are unfolded.
  * @property library the library of the lines shown for missing signals.
  * @property refusal why a topic was not assigned to a signal, as a sentence; null if nothing was refused.
  */
 data class FindingsState(
     val query: String = "",
     val listed: Int? = null,
-    val isWithinOpen: Boolean = false,
-    val isSkippedOpen: Boolean = false,
     val library: LoggingLibrary = LoggingLibrary.WPILIB,
     val refusal: String? = null,
 )

@@ -12,9 +12,7 @@ internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = w
     is FindingAction.Search -> findings { copy(query = action.text, listed = null) }
     FindingAction.ListMore -> findings { copy(listed = (listed ?: 0) + FINDINGS_AT_A_TIME) }
     FindingAction.ListFew -> findings { copy(listed = null) }
-    FindingAction.ToggleWithin -> findings { copy(isWithinOpen = !isWithinOpen) }
-    FindingAction.ToggleSkipped -> findings { copy(isSkippedOpen = !isSkippedOpen) }
-    FindingAction.Forget -> findings { FindingsState(library = library) }
+    FindingAction.Forget -> Outcome(copy(findings = FindingsState(library = findings.library), unfolded = emptyMap()))
     is FindingAction.ShowLines -> findings { copy(library = action.library) }
     is FindingAction.Refuse -> findings { copy(refusal = action.reason) }
 }

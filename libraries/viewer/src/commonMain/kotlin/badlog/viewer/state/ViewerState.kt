@@ -10,7 +10,8 @@ import badlog.viewer.choices.board.BoardHistory
  *
  * @property place where the person is in the log.
  * @property board the graphs that the person put together, with their history.
- * @property findings the search and the unfolded parts in the findings.
+ * @property findings the search in the findings.
+ * @property unfolded the parts of panels that a person has unfolded, or folded, by their keys.
  * @property added each graph added to show a finding, in its original form, except graphs that a person keeps: undoing also brings back
  *   the graphs of previous findings.
  * @property following whether the person stays at the end of the log.
@@ -19,6 +20,7 @@ data class ViewerState(
     val place: Place,
     val board: BoardHistory,
     val findings: FindingsState = FindingsState(),
+    val unfolded: Map<String, Boolean> = emptyMap(),
     val added: Set<BoardGraph> = emptySet(),
     val following: EndFollowing = EndFollowing(),
 ) {

@@ -49,6 +49,11 @@ class ReduceSpec : FunSpec({
     fun ViewerState.then(vararg keys: KeyAction) = keys.fold(this) { state, key -> after(state, Log(state.board.now), key).state }
     fun ViewerState.names() = this.board.now.graphs.map { it.lines.single() }
 
+    test("a part of a panel stays as a person has last unfolded or folded it") {
+        fun ViewerState.unfolding(fold: String, isOpen: Boolean) = reduce(this, log, Action.Unfold(fold, isOpen)).state
+        beginning.unfolding("a", true).unfolding("b", true).unfolding("a", false).unfolded shouldBe mapOf("a" to false, "b" to true)
+    }
+
     test("the cursor of keys begins at the middle sample, moves by samples, and is revealed when it leaves the visible range") {
         beginning.then(KeyAction.NEXT_SAMPLE).place.cursors.pinned shouldBe 50.0
         beginning.then(KeyAction.NEXT_SAMPLE, KeyAction.NEXT_SAMPLE, KeyAction.TEN_SAMPLES_BACK).place.cursors.pinned shouldBe 41.0
@@ -125,13 +130,11 @@ class ReduceSpec : FunSpec({
         beginning.after(FindingAction.StepWithin(1), log).state shouldBe beginning
     }
 
-    test("a new search lists the first few again, and folded and refused parts are in the state") {
+    test("a new search lists the first few again, a refusal is in the state, and both are forgotten with what is unfolded") {
         val searched = beginning.after(FindingAction.ListMore).state.after(FindingAction.Search("late")).state
         searched.findings shouldBe FindingsState(query = "late")
-        beginning.after(FindingAction.ToggleSkipped).state.findings.isSkippedOpen shouldBe true
-        beginning.after(FindingAction.ToggleWithin).state.after(FindingAction.ToggleWithin).state shouldBe beginning
         beginning.after(FindingAction.Refuse("no")).state.findings.refusal shouldBe "no"
-        searched.after(FindingAction.ListMore).state.after(FindingAction.Forget).state shouldBe beginning
+        searched.after(FindingAction.ListMore).state.copy(unfolded = mapOf("a" to true)).after(FindingAction.Forget).state shouldBe beginning
         beginning.after(Action.Ask(FindingRequest.RunRules)).request shouldBe FindingRequest.RunRules
     }
 

@@ -12,9 +12,7 @@ import badlog.signals.logging.LoggingLibrary
 import badlog.viewer.bagView
 import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.panel.finding.FindingDetails
-import badlog.viewer.panel.finding.FindingsRoom
 import badlog.viewer.panel.finding.FindingsShown
-import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.panel.finding.isFixed
 import badlog.viewer.shown.finding.RuleResults
@@ -45,9 +43,9 @@ class FindingsPanelSpec : FunSpec({
     val whole = found("Whole", Severity.WARNING)
     val some = RuleResults(listOf(early, late, whole), ran = 3)
 
-    fun shown(found: RuleResults? = some, state: FindingsState = FindingsState(), visited: Finding? = null, room: FindingsRoom = FindingsRoom.WHOLE, details: FindingDetails? = null) = FindingsShown(found, isRunning = found == null, state, visited?.firstPlace, times, details = details, room = room)
+    fun shown(found: RuleResults? = some, state: FindingsState = FindingsState(), visited: Finding? = null, room: PanelRoom = PanelRoom.WHOLE, details: FindingDetails? = null, unfolded: Map<String, Boolean> = emptyMap()) = FindingsShown(found, isRunning = found == null, state, visited?.firstPlace, times, details = details, room = room, unfolded = unfolded)
 
-    fun List<Part>.rows(key: String = "findings-list") = filterIsInstance<Rows>().filter { it.key == key }.flatMap { it.rows }
+    fun List<Part>.rows(key: String = "findings-list") = filterIsInstance<Rows>().filter { it.key == key }.flatMap { it.rows }.filterIsInstance<Row>()
     fun List<Part>.fold(key: String) = filterIsInstance<Fold>().single { it.key == key }
     fun List<Part>.buttons(): List<Button> = flatMap { part ->
         when (part) {
@@ -56,7 +54,8 @@ class FindingsPanelSpec : FunSpec({
             is Heading -> part.tools
             is Paragraph -> listOfNotNull(part.button)
             is Fold -> part.parts.buttons()
-            is Rows -> part.rows.flatMap { it.tools + it.below.buttons() }
+            is Rows -> part.rows.buttons()
+            is Row -> part.tools + part.below.buttons()
             else -> emptyList()
         }
     }
@@ -64,12 +63,12 @@ class FindingsPanelSpec : FunSpec({
     fun many(count: Int) = RuleResults(List(count) { found("Rule $it", Severity.NOTE, Span(it.toDouble(), it.toDouble())) }, ran = count)
 
     test("a list above graphs of a match is as high before the rules have run as after, until a person is inside it") {
-        fun isFixed(room: FindingsRoom = FindingsRoom.SHARED, hasRules: Boolean = true, wasEnabled: Boolean = true, isInside: Boolean = false) = room.isFixed(hasRules, wasEnabled, isInside)
+        fun isFixed(room: PanelRoom = PanelRoom.SHARED, hasRules: Boolean = true, wasEnabled: Boolean = true, isInside: Boolean = false) = room.isFixed(hasRules, wasEnabled, isInside)
         isFixed() shouldBe true
         isFixed(isInside = true) shouldBe false
         isFixed(hasRules = false) shouldBe false
         isFixed(wasEnabled = false) shouldBe false
-        for (room in listOf(FindingsRoom.WHOLE, FindingsRoom.NARROW)) isFixed(room) shouldBe false
+        for (room in listOf(PanelRoom.WHOLE, PanelRoom.NARROW)) isFixed(room) shouldBe false
     }
 
     test("findings have severity, time and text, the worst first, and ones without a time are about the whole log") {
@@ -112,16 +111,16 @@ class FindingsPanelSpec : FunSpec({
     }
 
     test("above graphs a few findings are listed, two more if these are all, and the others on request") {
-        findingsPanel(shown(many(7), room = FindingsRoom.SHARED)).rows().size shouldBe 7
-        val parts = findingsPanel(shown(many(8), room = FindingsRoom.SHARED))
+        findingsPanel(shown(many(7), room = PanelRoom.SHARED)).rows().size shouldBe 7
+        val parts = findingsPanel(shown(many(8), room = PanelRoom.SHARED))
         parts.rows().size shouldBe 5
         parts.buttons().single { it.action == FindingAction.ListMore }.label shouldBe "Show 3 more"
-        val more = findingsPanel(shown(many(400), FindingsState(listed = 300), room = FindingsRoom.SHARED))
+        val more = findingsPanel(shown(many(400), FindingsState(listed = 300), room = PanelRoom.SHARED))
         more.rows().size shouldBe 300
         more.filterIsInstance<Rows>().single().isLong shouldBe true
         more.buttons().filter { it.label.startsWith("Show") }.map { it.label } shouldBe listOf("Show 100 more", "Show fewer")
-        findingsPanel(shown(many(8), room = FindingsRoom.NARROW)).rows().size shouldBe 1
-        for ((room, listed) in listOf(FindingsRoom.SHARED to 6, FindingsRoom.NARROW to 2)) {
+        findingsPanel(shown(many(8), room = PanelRoom.NARROW)).rows().size shouldBe 1
+        for ((room, listed) in listOf(PanelRoom.SHARED to 6, PanelRoom.NARROW to 2)) {
             val all = many(8)
             val visiting = findingsPanel(shown(all, visited = all.all[6], room = room))
             visiting.rows().size shouldBe listed
@@ -129,7 +128,7 @@ class FindingsPanelSpec : FunSpec({
             visiting.filterIsInstance<Rows>().single().isLong shouldBe false
         }
         val seven = many(7)
-        findingsPanel(shown(seven, visited = seven.all[6], room = FindingsRoom.SHARED)).rows().size shouldBe 7
+        findingsPanel(shown(seven, visited = seven.all[6], room = PanelRoom.SHARED)).rows().size shouldBe 7
         findingsPanel(shown(many(400))).rows().size shouldBe 400
     }
 
@@ -160,14 +159,14 @@ class FindingsPanelSpec : FunSpec({
         val field = parts.filterIsInstance<Field>().single()
         field.text shouldBe "early"
         field.onText("late") shouldSend FindingAction.Search("late")
-        findingsPanel(shown(room = FindingsRoom.SHARED)).filterIsInstance<Field>().shouldBeEmpty()
+        findingsPanel(shown(room = PanelRoom.SHARED)).filterIsInstance<Field>().shouldBeEmpty()
     }
 
     test("skipped rules are folded, with a field for each of at most five missing signals") {
         val skipped = List(8) { SkippedRule("Rule $it", 1, "no signal", isMistake = false, lacking = "signal $it") }
-        val fold = findingsPanel(shown(RuleResults(skipped = skipped, ran = 2), FindingsState(isSkippedOpen = true))).fold("findings-skipped")
+        val fold = findingsPanel(shown(RuleResults(skipped = skipped, ran = 2), unfolded = mapOf("findings-skipped" to true))).fold("findings-skipped")
         fold.isOpen shouldBe true
-        fold.toggle shouldBe FindingAction.ToggleSkipped
+        fold.toggle shouldSend Action.Unfold("findings-skipped", false)
         val fields = fold.parts.filterIsInstance<Field>()
         fields.map { it.label } shouldBe List(5) { "“signal $it” is" }
         fields[1].onText("B") shouldSend Action.Ask(FindingRequest.Assign("signal 1", "B"))
@@ -177,14 +176,14 @@ class FindingsPanelSpec : FunSpec({
 
     test("signals that a program can log have the lines of code for them, with the selected library") {
         val skipped = listOf("battery", "packet loss", "no such").map { SkippedRule("Rule of $it", 1, "no signal", isMistake = false, lacking = it) }
-        fun parts(state: FindingsState) = findingsPanel(shown(RuleResults(skipped = skipped, ran = 2), state)).fold("findings-skipped").parts
-        val first = parts(FindingsState(isSkippedOpen = true))
+        fun parts(state: FindingsState) = findingsPanel(shown(RuleResults(skipped = skipped, ran = 2), state, unfolded = mapOf("findings-skipped" to true))).fold("findings-skipped").parts
+        val first = parts(FindingsState())
         first.filterIsInstance<Code>().single().text shouldBe """SmartDashboard.putNumber("Battery Voltage", RobotController.getBatteryVoltage());"""
         val options = first.filterIsInstance<Choice>().single().options
         options.map { it.label } shouldBe listOf("WPILib", "AdvantageKit", "Epilogue", "DogLog", "Phoenix 6", "badlog")
         options.filter { it.isOn }.map { it.label } shouldBe listOf("WPILib")
         options[3].action shouldSend FindingAction.ShowLines(LoggingLibrary.DOGLOG)
-        parts(FindingsState(isSkippedOpen = true, library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
+        parts(FindingsState(library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
             """DogLog.log("Battery Voltage", RobotController.getBatteryVoltage());"""
         first.filterIsInstance<Paragraph>().take(2).map { it.text } shouldBe listOf(
             "In robotPeriodic(), with DataLogManager.start() in the robot's constructor.",
@@ -194,7 +193,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("with a team's list, a finding has the actions for its item in the menu and below it") {
         val list = TodoList.of(emptyList(), emptyList())
-        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedFindings(list), details = FindingDetails(false, emptyList())))
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedTasks(list, "a.bag"), details = FindingDetails(false, emptyList())))
         val row = parts.rows().first()
         row.menu.map { it.label } shouldBe listOf("Mark as done…", "Assign…", "Put on the list")
         row.menu.last().action shouldBe Action.Ask(TodoRequest.Write(taskOf(early), TodoDeed.Open))
@@ -211,7 +210,7 @@ class FindingsPanelSpec : FunSpec({
     }
 
     test("assigned signals are listed, to be forgotten or saved") {
-        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, assigned = mapOf("battery" to "Volts"), room = FindingsRoom.SHARED))
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), null, times, assigned = mapOf("battery" to "Volts"), room = PanelRoom.SHARED))
         parts.filterIsInstance<Paragraph>().single { it.key.startsWith("signals-chosen") }.run {
             text shouldBe "“battery” is “Volts” in this browser."
             button?.action shouldSend Action.Ask(FindingRequest.Forget("battery"))

@@ -17,6 +17,7 @@ import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
 import badlog.viewer.panel.Offers
 import badlog.viewer.panel.Option
+import badlog.viewer.panel.PanelRoom
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
@@ -42,7 +43,7 @@ fun findingsPanel(shown: FindingsShown): List<Part> {
     if (found.all.isEmpty() && found.ran == null && found.trouble == null && !shown.isRunning) return emptyList()
     val searched = found.foundBy(shown.state.query)
     val listed = listedFindings(shown, searched)
-    val isLong = shown.room != FindingsRoom.WHOLE && shown.state.listed != null && listed.findings.isNotEmpty()
+    val isLong = shown.room != PanelRoom.WHOLE && shown.state.listed != null && listed.findings.isNotEmpty()
     return listOfNotNull(
         heading(shown, found, searched),
         rulesLine(shown, found),
@@ -62,7 +63,7 @@ fun findingsPanel(shown: FindingsShown): List<Part> {
 private fun heading(shown: FindingsShown, found: RuleResults, searched: SearchedFindings): Heading {
     val counts = if (found.all.isEmpty() && found.ran != null && found.trouble == null) SearchedFindings.NOTHING else searched.counts
     val status = listOf(counts, if (shown.isRunning) RUNNING else "").filter { it.isNotEmpty() }.joinToString()
-    if (shown.room != FindingsRoom.WHOLE) return Heading(TITLE, status)
+    if (shown.room != PanelRoom.WHOLE) return Heading(TITLE, status)
     val hasPlaces = found.timeline.places.isNotEmpty()
     return Heading(
         TITLE,
@@ -87,7 +88,7 @@ private fun heading(shown: FindingsShown, found: RuleResults, searched: Searched
     )
 }
 
-private fun rulesLine(shown: FindingsShown, found: RuleResults): Part? = if (shown.room == FindingsRoom.WHOLE) {
+private fun rulesLine(shown: FindingsShown, found: RuleResults): Part? = if (shown.room == PanelRoom.WHOLE) {
     val others = if (shown.isComparing) " Findings of the open log only, not of compared logs." else ""
     Paragraph("rules", "Rules: ${found.rules ?: "built-in"}.$others", Tone.MUTED)
 } else {
@@ -109,7 +110,7 @@ private fun troubles(found: RuleResults): List<Part> {
 }
 
 private fun search(shown: FindingsShown, found: RuleResults): Part? {
-    if (shown.room != FindingsRoom.WHOLE || found.all.isEmpty()) return null
+    if (shown.room != PanelRoom.WHOLE || found.all.isEmpty()) return null
     return Field("search", "Search findings", text = shown.state.query, isSearch = true) { FindingAction.Search(it) }
 }
 
@@ -131,9 +132,9 @@ private class VisibleFindings(val incidents: List<Incident>, val findings: List<
 
 private fun listedFindings(shown: FindingsShown, searched: SearchedFindings): VisibleFindings {
     val beside = searched.beside
-    if (shown.room == FindingsRoom.WHOLE) return VisibleFindings(searched.incidents, beside.outside, left = 0)
+    if (shown.room == PanelRoom.WHOLE) return VisibleFindings(searched.incidents, beside.outside, left = 0)
     val all = beside.outside + beside.within
-    val isNarrow = shown.room == FindingsRoom.NARROW
+    val isNarrow = shown.room == PanelRoom.NARROW
     val wanted = shown.state.listed
     // A phone's first screen should show a graph.
     val few = if (!isNarrow) {
@@ -161,21 +162,20 @@ private fun more(shown: FindingsShown, listed: VisibleFindings): Part? {
     val more = if (left > FINDINGS_AT_A_TIME) "Show more (${countText(left)} left)" else "Show ${countText(left)} more"
     val buttons = listOfNotNull(
         if (left > 0) Button(more, FindingAction.ListMore) else null,
-        if (shown.state.listed != null && shown.room != FindingsRoom.WHOLE) Button("Show fewer", FindingAction.ListFew) else null,
+        if (shown.state.listed != null && shown.room != PanelRoom.WHOLE) Button("Show fewer", FindingAction.ListFew) else null,
     )
     return if (buttons.isEmpty()) null else Buttons("findings-more", buttons)
 }
 
 private fun within(shown: FindingsShown, searched: SearchedFindings): Part? {
     val within = searched.beside.within
-    if (shown.room != FindingsRoom.WHOLE || within.isEmpty()) return null
-    val isOpen = shown.state.isWithinOpen || shown.state.query.isNotEmpty() || within.any { it === shown.visited?.finding }
+    if (shown.room != PanelRoom.WHOLE || within.isEmpty()) return null
+    val isOpen = shown.unfolded["findings-within"] == true || shown.state.query.isNotEmpty() || within.any { it === shown.visited?.finding }
     val title = "${countText(within.size, "more finding")}, part of the incidents"
     return Fold(
         "findings-within",
         title,
         isOpen,
-        FindingAction.ToggleWithin,
         if (isOpen) listOf(Rows("findings-list", title, findingRows(shown, within))) else emptyList(),
     )
 }
@@ -184,14 +184,14 @@ private fun skipped(shown: FindingsShown, found: RuleResults): Part? {
     val notLookedAt = found.notLookedAt ?: return null
     val lacking = found.skipped.filter { !it.isMistake }
     if (lacking.isEmpty()) return null
-    val isOpen = shown.state.isSkippedOpen
+    val isOpen = shown.unfolded["findings-skipped"] == true
     val parts = if (isOpen) lacking(shown, notLookedAt.lacking.take(MAX_LACKING), lacking) else emptyList()
-    return Fold("findings-skipped", notLookedAt.text, isOpen, FindingAction.ToggleSkipped, parts)
+    return Fold("findings-skipped", notLookedAt.text, isOpen, parts)
 }
 
 /** Returns fields to assign the missing [signals], lines of code that log them, and the [skipped] rules. */
 private fun lacking(shown: FindingsShown, signals: List<String>, skipped: List<SkippedRule>): List<Part> {
-    val where = if (shown.room == FindingsRoom.WHOLE) " in all logs of this folder" else ""
+    val where = if (shown.room == PanelRoom.WHOLE) " in all logs of this folder" else ""
     val fields = signals.map { signal ->
         Field("signals-lacking $signal", "“$signal” is", "Choose the topic for “$signal”$where", suggestions = shown.topics) {
             Action.Ask(FindingRequest.Assign(signal, it))

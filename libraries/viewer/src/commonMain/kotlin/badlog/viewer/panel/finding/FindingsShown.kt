@@ -4,6 +4,8 @@ import badlog.rules.Finding
 import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.panel.LogTimes
+import badlog.viewer.panel.PanelRoom
+import badlog.viewer.panel.TodoOfLog
 import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.FindingsState
 
@@ -12,7 +14,7 @@ import badlog.viewer.state.FindingsState
  *
  * @property found the findings of the rules; null until they have run.
  * @property isRunning whether rules are running.
- * @property state the search and the unfolded sections.
+ * @property state the search.
  * @property visited the place of the finding that a person went to; null if there is none.
  * @property times the times of the log.
  * @property differences the differences between the log and the matches before it.
@@ -22,6 +24,7 @@ import badlog.viewer.state.FindingsState
  * @property details the content below the visited finding; null if the shell shows it elsewhere.
  * @property isComparing whether other logs are drawn, too.
  * @property room the available room.
+ * @property unfolded the parts that a person has unfolded, see [ViewerState][badlog.viewer.state.ViewerState].
  */
 class FindingsShown(
     val found: RuleResults?,
@@ -32,10 +35,11 @@ class FindingsShown(
     val differences: List<Finding> = emptyList(),
     val topics: List<String> = emptyList(),
     val assigned: Map<String, String> = emptyMap(),
-    val todo: TodoOfFindings? = null,
+    val todo: TodoOfLog? = null,
     val details: FindingDetails? = null,
     val isComparing: Boolean = false,
-    val room: FindingsRoom = FindingsRoom.WHOLE,
+    val room: PanelRoom = PanelRoom.WHOLE,
+    val unfolded: Map<String, Boolean> = emptyMap(),
 )
 
 /**
@@ -46,21 +50,9 @@ class FindingsShown(
  */
 class FindingDetails(val hasGraphs: Boolean, val offers: List<EvidenceOffer>)
 
-/** The room for a list of findings. */
-enum class FindingsRoom {
-    /** The list has its own pane, which scrolls, with a search. */
-    WHOLE,
-
-    /** The list is above graphs, which should stay visible. */
-    SHARED,
-
-    /** The list is above graphs on a phone. */
-    NARROW,
-}
-
 /**
  * Returns whether a list above graphs has a fixed height, in which it scrolls. The graphs thus stay where they are when the rules have run.
  * A log in which the robot was enabled mostly has findings. A person who [isInside] the list has all of it.
  */
-fun FindingsRoom.isFixed(hasRules: Boolean, wasEnabled: Boolean, isInside: Boolean): Boolean =
-    this == FindingsRoom.SHARED && hasRules && wasEnabled && !isInside
+fun PanelRoom.isFixed(hasRules: Boolean, wasEnabled: Boolean, isInside: Boolean): Boolean =
+    this == PanelRoom.SHARED && hasRules && wasEnabled && !isInside
