@@ -18,7 +18,9 @@ internal class LogFile(path: File, val output: BagOutput) {
     @Volatile
     var isMissing: Boolean = false
 
-    /** Renames the file. Others may append to it, holding [lock]. Returns false, with its name unchanged, if that fails. */
+    /**
+     * Renames the file, which other threads may append to only while holding [lock]. Returns false, with its name unchanged, if that fails.
+     */
     fun rename(to: File, lock: Any): Boolean = output.rename(to, lock).also { if (it) path = to }
 
     /** Closes it. Reports a failure, since the disk may be gone by then. */

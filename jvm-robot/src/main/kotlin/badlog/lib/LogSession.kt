@@ -41,7 +41,7 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
     val state: LogState
         get() = if (phase == LogState.LOGGING && !isWritable()) LogState.FAILING else phase
 
-    /** Creates the file. Reports it once if that fails. */
+    /** Creates the file; reports a failure once. */
     fun open(path: File, isCompressed: Boolean) {
         LogFile.open(path, isCompressed, faults)?.let(::logTo)
     }

@@ -5,9 +5,9 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * The time of a log: the system's, or a test's.
+ * The clock of a log: the system's, or one that a test sets.
  *
- * @property given the current time in nanoseconds; null for the system's.
+ * @property given the current time in nanoseconds, as set by a test; null for the system's clock.
  */
 internal open class LogTime(@JvmField val given: AtomicLong? = null) {
     /** Nanoseconds since some moment. Inlined, because each row asks several times, and should call nothing but the system. */

@@ -86,7 +86,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     /**
      * Returns [parts] with their times moved to one clock.
      *
-     * @param station the one of them that is a Driver Station log, to be put beside a robot's.
+     * @param station the Driver Station log among [parts], with the robot's log to align it with; null if there is none.
      * @throws Failure if one cannot be moved.
      */
     fun moved(parts: List<LogPart>, station: StationPart? = null): MovedLogs {

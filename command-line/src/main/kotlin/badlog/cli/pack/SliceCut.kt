@@ -18,9 +18,9 @@ import badlog.signals.overItsTime
 import badlog.signals.withSignals
 
 /**
- * The slice for [order], cut from its log.
+ * A slice of a log, cut as [order] says.
  *
- * @throws Failure if the log has no such moment.
+ * @throws Failure if the requested moment is not in the log.
  */
 internal class SliceCut(private val order: SliceOrder, progress: Progress) {
     private val view =

@@ -51,7 +51,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
         add(number)
     }
 
-    /** Returns the topic, with one of [times] for each sample; null for samples in rows. */
+    /** Returns the topic. [times] has the time of each sample; null if the samples belong to rows. */
     fun build(times: DoubleArray? = null): Topic {
         val column = TextColumn(textRows.copyOf(texts), textIds.copyOf(texts), dictionary.keys.toList())
         val counts = CellCounts(numbers, notFinite, truthValues, texts, empty, gaps)

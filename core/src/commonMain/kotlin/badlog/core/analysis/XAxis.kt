@@ -36,7 +36,7 @@ public class XAxis private constructor(
 
     private val usual by lazy { UsualRange(positions) }
 
-    /** The number of [positions] outside [range], because they are far from all others. */
+    /** The number of [positions] that [range] leaves out because they are far from all others. */
     public val wildCount: Int get() = usual.wildCount
 
     /** The farthest of the positions that [range] does not include; NaN if there are none. */

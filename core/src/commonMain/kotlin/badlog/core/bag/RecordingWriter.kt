@@ -87,8 +87,8 @@ public class RecordingWriter(private val recording: Recording, private val forma
 
     public companion object {
         /**
-         * Returns the number of cells of [topic] that hold `NaN` but are written empty. That happens if the topic also has empty cells,
-         * because both are the same sample.
+         * Returns the number of `NaN` cells of [topic] that are written as empty cells. In memory, `NaN` and an empty cell are the same
+         * sample, so a topic with both cannot tell them apart.
          */
         public fun emptiedNaNs(topic: Topic): Int = if (gapsAreNaN(topic)) 0 else writtenNaNs(topic)
 

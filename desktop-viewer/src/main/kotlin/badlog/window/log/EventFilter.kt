@@ -11,7 +11,7 @@ import badlog.viewer.shown.search.Query
  * @property topics the names of the topics with accepted events; empty, or of other recordings, for all.
  */
 internal data class EventFilter(val text: String = "", val topics: Set<String> = emptySet()) {
-    /** Returns the accepted [events]; they are the events of [logs]. */
+    /** Returns the [events] that the filter accepts. They are the events of [logs]. */
     fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
 
     /** Returns the [topics] that [logs] contain. The filter stays when another recording is opened, which may lack some. */

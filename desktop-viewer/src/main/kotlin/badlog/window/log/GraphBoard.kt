@@ -71,7 +71,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
             ?: state.graphs.find { graph -> inSight?.let { graph.id in it } == true }
             ?: state.graphs.firstOrNull()
 
-    /** Returns the title of [graph], which no other graph has. */
+    /** Returns the title of [graph], which is unique on the board. */
     fun titleOf(graph: BoardGraph): String = state.titleOf(graph)
 
     /** Returns whether exactly the graphs of [board] that the open log can draw are shown. */

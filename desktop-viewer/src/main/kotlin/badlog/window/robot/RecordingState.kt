@@ -7,7 +7,7 @@ import java.nio.file.Path
  *
  * @property isOn whether the window is recording.
  * @property isPerEnable whether each time that the robot is enabled gets a log of its own.
- * @property isOfAll whether the other servers of a robot of 2027 and of its Driver Station are recorded, too.
+ * @property isOfAll whether the other servers of a 2027 robot and of its Driver Station are also recorded.
  * @property connection the state of the connection to the robot, as a sentence.
  * @property file the log that is being written; null for none.
  * @property amount the amount of data in the log; empty without a log.

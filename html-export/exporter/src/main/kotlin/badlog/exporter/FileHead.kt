@@ -17,7 +17,7 @@ internal class FileHead private constructor(val isGzip: Boolean, private val rec
     /** Whether it is text in lines. */
     val hasLines: Boolean get() = recording.format.hasRows
 
-    /** Returns the title of the match that this beginning of the file [name] identifies; null if it is unknown. */
+    /** Returns the title of the match, according to these bytes or the file's [name]; null if it is unknown. */
     fun titleIn(name: String, signals: SignalVocabulary): String? = signals.matchOf(recording, name).title
 
     /** Returns whether this beginning of the file identifies the match without the file's name. */

@@ -80,7 +80,10 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
         text("<script type=\"application/json\" id=\"about\">$about</script>\n</body>\n</html>\n")
     }
 
-    /** Writes the end of a page with facts about the recording from the file [name], and [second]. A page without it is incomplete. */
+    /**
+     * Writes the end of a page, with facts about the recording. [name] is the name of its file, [second] the second file of a log of two. A
+     * page without this end is incomplete.
+     */
     fun end(name: String, embedded: Embedded, isGzip: Boolean, second: SecondPart? = null) {
         val file = embedded.file
         val cut = if (file.isCut) ",\"cut\":true" else ""

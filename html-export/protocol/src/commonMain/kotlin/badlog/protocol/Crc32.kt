@@ -1,8 +1,9 @@
 package badlog.protocol
 
 /**
- * The CRC-32 of gzip and PNG (reflected, 0xEDB88320) over bytes in pieces. The exporter writes it beside each line of an embedded file, and
- * the page checks it. Pages may have hundreds of megabytes, so it handles eight bytes at a time, with eight tables.
+ * The CRC-32 of gzip and PNG (reflected, 0xEDB88320), calculated from bytes that arrive in pieces. The exporter writes it beside each line
+ * of an embedded file, and the page checks it. Pages may have hundreds of megabytes, so it handles eight bytes at a time, with eight
+ * tables.
  */
 class Crc32 {
     private var state = -1

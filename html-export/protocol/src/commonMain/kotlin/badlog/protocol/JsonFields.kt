@@ -19,7 +19,11 @@ internal fun <T> unlessMalformed(read: () -> T): T? = try {
     null
 }
 
-/** The members of a required object. */
+/**
+ * The members of a JSON object.
+ *
+ * @throws MalformedException if [members] is null because the value is not an object.
+ */
 class JsonFields(members: List<JsonMember>?) {
     private val values = (members ?: malformed()).associate { it.key to it.value }
 
@@ -36,7 +40,7 @@ internal val JsonValue.number: Double get() = json.toDoubleOrNull() ?: malformed
 
 internal val JsonValue.boolean: Boolean get() = json.toBooleanStrictOrNull() ?: malformed()
 
-/** Returns an object of the [members] with JSON that is not null. */
+/** Returns a JSON object of [members]; those with null instead of JSON are left out. */
 fun jsonObject(vararg members: Pair<String, String?>): String =
     members.filter { it.second != null }.joinToString(",", "{", "}") { "\"${it.first}\":${it.second}" }
 

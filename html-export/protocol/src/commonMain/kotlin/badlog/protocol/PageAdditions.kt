@@ -40,7 +40,7 @@ class PageAdditions(
     val video: String? = null,
     val noteChanges: List<NoteChange> = emptyList(),
 ) {
-    /** Returns the same with [notes], without their authors; [problem] is set if notes are missing. */
+    /** Returns a copy with [notes], without their authors; [problem] is the reason why notes are missing, null if none are. */
     fun withNotes(notes: NoteHistory, problem: String?): PageAdditions {
         val changes = notes.changes.map { it.copy(author = "") }
         return PageAdditions(
@@ -48,12 +48,12 @@ class PageAdditions(
         )
     }
 
-    /** Returns the same with [rules]. */
+    /** Returns a copy with [rules]. */
     fun with(rules: RuleSet): PageAdditions = PageAdditions(
         virtualTopics, rules, rulesProblem, findings, hooks, differences, layout, notes, notesProblem, field, video, noteChanges,
     )
 
-    /** Returns the same without rules, because of [problem]; the names of signals' topics stay. */
+    /** Returns a copy without rules, because of [problem]. It keeps the names of the topics for each signal. */
     fun withoutRules(problem: String): PageAdditions {
         val names = RuleSet.NONE.with(rules.signals)
         return PageAdditions(
@@ -64,7 +64,10 @@ class PageAdditions(
     /** Returns the additions that apply to any log: rules and field. A page also shows them for other logs. */
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
-    /** Returns these additions, which are not about one log, with the notes of [page], from which the shown log comes. */
+    /**
+     * Returns these rules and field with the notes of [page], the page that contains the shown log. These additions belong to no particular
+     * log.
+     */
     fun withNotesOf(page: PageAdditions): PageAdditions = PageAdditions(
         rules = rules,
         rulesProblem = rulesProblem,

@@ -164,8 +164,8 @@ internal class LogHandler(
         const val NO_BODY = -1L
 
         /**
-         * The part of a running log's end that may be read while the robot is enabled. It holds half a minute of fifty numbers in each
-         * loop.
+         * The number of bytes at the end of a running log that may be read while the robot is enabled. They hold half a minute of fifty
+         * numbers in each loop.
          */
         const val TAIL_BYTES = 1024 * 1024
 

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * Shows the robot's logs in any browser in the robot's network, even on a phone. `http://10.TE.AM.2:5806/` lists them, newest first, and
- * opens them. It only reads, and only logs.
+ * opens them. It serves only logs, and never changes them.
  *
  * It is slow on purpose, to keep the robot's loop fast: two downloads at a time, and 1 MB/s for all of them together. While the robot is
  * enabled or connected to the field, it answers with a sentence that says so; only the last megabyte of the log that is being written can

@@ -40,8 +40,8 @@ internal class LogHere(
 )
 
 /**
- * The list of logs fetched into [folder], in a hidden file there. Each log has a line of JSON; the last line of a log counts. Only one
- * program can open it at a time. Must be closed.
+ * The list of logs fetched into [folder], in a hidden file there. Each fetched log adds a line of JSON; the last line about a log counts.
+ * Only one program can open it at a time. Must be closed.
  */
 internal class FetchedLogs private constructor(private val folder: Path, private val channel: FileChannel) : AutoCloseable {
     private val logs = HashMap<Pair<String, String>, LogHere>()

@@ -19,7 +19,9 @@ import java.time.format.DateTimeFormatter
  */
 internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {
     companion object {
-        /** Returns the place of a log of [match] with the [name] on the robot. It began at [start], in s since 1970, or null if unknown. */
+        /**
+         * Returns the place of a log of [match], called [name] on the robot. [start] is its start in s since 1970; null if it is unknown.
+         */
         fun of(name: String, match: MatchOfLog, start: Long?): LogPlace {
             val stem = LogName.of(name).stem
             val called = when {

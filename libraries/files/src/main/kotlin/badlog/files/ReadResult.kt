@@ -120,7 +120,7 @@ public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R
     otherwise(ReadResult.NotRead.of(file, e))
 }
 
-/** Returns [message], a sentence about [file], after the file's path unless the sentence contains it. */
+/** Returns [message], a sentence about [file], preceded by the file's path unless it already contains the path. */
 public fun naming(file: Path, message: String): String = if ("$file" in message) message else "$file: $message"
 
 /** Returns the sentence that [what] needs too much memory, with a remedy. */

@@ -105,7 +105,7 @@ internal fun summary(result: ReportResult): String {
     return "${counts.dropLast(1).joinToString()} and ${counts.last()} in $found of ${count(result.logs.count { !it.isNoLog }, "log")}."
 }
 
-/** The worst first. */
+/** All severities, the worst first. */
 internal val ORDER = listOf(Severity.ERROR, Severity.WARNING, Severity.NOTE)
 
 private const val INDENT = "  "

@@ -3,8 +3,8 @@ package badlog.report
 import badlog.catalog.examine.UndefinedTopic
 
 /**
- * Returns the messages about the virtual topics in [undefined], listed per log. Each definition has one, with all details if it failed for
- * every log.
+ * Returns one message for each definition in [undefined], which lists the failed virtual topics of each log. The message has all details if
+ * the definition failed for every log.
  */
 fun undefinedTexts(undefined: List<List<UndefinedTopic>>): List<String> {
     val ofDefinition = undefined.flatten().groupBy { it.definition }

@@ -17,7 +17,9 @@ internal class Messages(private val question: RuleProgram.Question, private val 
     // A question that has other topics, too, cannot be evaluated for a text alone.
     private val hasSingleTopic = question.expression.topics.size == 1
 
-    /** Returns the last text at or before [time], without the stack traces of errors. A single empty text before the first. */
+    /**
+     * Returns the texts logged last at or before [time], without the stack traces of errors. Returns a single empty text if there are none.
+     */
     fun at(time: Double): List<String> {
         var last = if (series.isOrdered) series.firstAfter(time) - 1 else series.x.indexOfLast { it <= time }
         while (last >= 0 && series.y[last].isNaN()) last--

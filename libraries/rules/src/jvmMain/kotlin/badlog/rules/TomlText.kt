@@ -13,7 +13,7 @@ internal fun <T> notTooDeep(read: () -> T): T = try {
     throw RulesException(1, "It is nested too deeply to be read; a list of texts needs one pair of brackets.")
 }
 
-/** A text of TOML that knows where its mistakes are: all functions throw [RulesException] at the first. */
+/** A TOML text. All functions throw [RulesException], which names the place, at the first mistake. */
 internal class TomlText(source: String) {
     private val source = source.removePrefix(BYTE_ORDER_MARK)
     private val lines = this.source.lines()

@@ -280,7 +280,7 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
     private companion object {
         const val MIN_MOTORS = 4
 
-        /** The highest correlation of current and voltage at which the current is most of the battery's. */
+        /** The correlation of total current and battery voltage below which the motors draw most of the battery's current. */
         const val EXPLAINED = -0.5
         const val SWING_PERCENT = 3.0
         const val SWING_SECONDS = 4.0

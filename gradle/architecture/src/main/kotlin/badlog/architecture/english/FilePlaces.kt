@@ -2,7 +2,7 @@ package badlog.architecture.english
 
 import java.io.File
 
-/** A file with its places. Its [path] is relative to the project's folder. */
+/** The phrases found in a file. Its [path] is relative to the project's folder. */
 internal class FilePlaces(val path: String, val places: List<Place>)
 
 /**

@@ -34,7 +34,7 @@ internal enum class Phrase(val instead: String, pattern: String) {
  */
 internal class Place(val line: Int, val text: String, val phrase: Phrase)
 
-/** Returns all places in [text], the content of the file called [name], in their order. */
+/** Returns all phrases found in [text], the content of the file called [name], in their order. */
 internal fun placesIn(name: String, text: String): List<Place> = passagesOf(name, text).flatMap { passage ->
     Phrase.entries.flatMap { it.matchesIn(passage.text) }.sortedBy { (match, _) -> match.range.first }.map { (match, phrase) ->
         val line = passage.line + passage.text.substring(0, match.range.first).count { it == '\n' }

@@ -31,7 +31,7 @@ internal typealias Export = (input: Path, page: Path, additions: PageAdditions, 
  * @param out receives one line for each page: its absolute path.
  * @param err receives all other messages.
  * @param isTerminal whether [err] is a terminal, which can show a progress bar.
- * @param exporterOf returns the function that exports, with these attachments in each page, and these logs compared.
+ * @param exporterOf returns the exporting function for the given attachments and logs to compare; each page contains the attachments.
  * @param open opens a page in the browser; returns false if that failed.
  */
 internal class BadlogHtml(

@@ -11,7 +11,7 @@ import badlog.viewer.state.FindingRequest
 import badlog.viewer.state.Request
 import badlog.viewer.state.TodoRequest
 
-/** Does what actions ask of the page. */
+/** Carries out the requests that actions make to the page. */
 internal class PageRequests(
     private val board: BoardKeys,
     private val values: CursorPanel,

@@ -32,7 +32,7 @@ internal class SearchedParts(
     /** The notice that nothing matches the search. */
     val nothingFound: HTMLElement = element("p", "nothing-found", "Nothing matches. Escape clears the search.").apply { isHidden = true }
 
-    /** Shows the matches of [query] and brings them into sight. */
+    /** Shows the matches of [query], and scrolls to them if necessary. */
     fun show(query: Query): SearchCounts {
         board.filter(query)
         val inFolders = folders.filter(query)

@@ -104,7 +104,10 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     /** The results of all definitions, each after those that it uses. */
     val all: List<Formula> get() = formulas
 
-    /** Returns the mistake in [text] as a definition, which replaces [replaced] unless that is null; null if [text] is valid. */
+    /**
+     * Returns the mistake in the definition [text]; null if it is valid. [replaced] is the definition that it will replace; null if it is
+     * new.
+     */
     fun mistakeIn(text: String, replaced: String? = null): ExpressionError? {
         val known = when (replaced) {
             null -> vocabulary

@@ -134,7 +134,7 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
         repaint()
     }
 
-    /** Draws the parts with colors of their own. */
+    /** Redraws the histogram, if there is one, in the current colors. */
     fun repaint() {
         val found = histogram ?: return
         val canvas = canvas ?: return

@@ -136,7 +136,7 @@ internal class VisibleGraphs(private val scene: Scene) {
     private companion object {
         const val MARGIN = "300px 0px"
 
-        /** The precision with which browsers compare densities. */
+        /** The tolerance for comparing pixel densities, in dppx, because browsers round them. */
         const val ROUNDING = 0.001
     }
 }

@@ -1,6 +1,9 @@
 package badlog.page.linked
 
-/** Returns the foreign file name [name] without characters that could disguise it in a question; at most 100 characters. */
+/**
+ * Returns the file name [name], given by a link or another site, without characters that could disguise it in a prompt. At most 100
+ * characters; `log` if none are left.
+ */
 internal fun fileNameOf(name: String): String = name.filter { it >= ' ' && it !in "“”\u007F" && it !in INVISIBLE && it !in DIRECTIONS }
     .take(MAX_NAME).ifEmpty { "log" }
 

@@ -22,7 +22,10 @@ internal class LinkedFile private constructor(private val address: URL) {
     /** The name of the file. */
     val name: String = fileNameOf(decoded(address.pathname.substringAfterLast('/')))
 
-    /** Downloads the file and passes the fraction that has arrived to [onProgress]; rejected with a sentence. */
+    /**
+     * Downloads the file. [onProgress] receives the fraction that has arrived, 0 to 1, if the size is known. If the download fails, the
+     * promise rejects with a sentence for the user.
+     */
     fun fetch(onProgress: (Double) -> Unit): Promise<File> {
         val options = json("credentials" to "omit", "referrerPolicy" to "no-referrer", "signal" to abort.signal).unsafeCast<RequestInit>()
         return window.fetch(address.href, options).catch<Response> { fail(NOT_SENT) }.then { response ->

@@ -42,7 +42,7 @@ private class KeptPicture(val width: Double) {
     private val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
     private var shown = emptyList<Any?>()
 
-    /** The height only grows, because resizing takes longer than all drawing. */
+    /** The height of the canvas in pixels. It only grows, because resizing takes longer than drawing everything. */
     var height = 0.0
         private set
 

@@ -39,7 +39,10 @@ internal class AnswerText(private val folder: String) {
         return text.visible()
     }
 
-    /** Returns [sentence], the reason for a missing answer, as the assistant may read it: without the folder's path. */
+    /**
+     * Returns [sentence], the reason for a missing answer, without the folder's path, which the assistant must not see. Long sentences are
+     * cut.
+     */
     fun of(sentence: String): String = withoutFolder(sentence).take(MAX_SENTENCE).visible()
 
     private fun cleaned(element: JsonElement): JsonElement = when (element) {

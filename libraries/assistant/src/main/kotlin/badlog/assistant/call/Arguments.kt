@@ -25,13 +25,13 @@ internal class Arguments(private val given: JsonObject, parameters: List<Paramet
         }
     }
 
-    /** Returns the text [name]; null if it is not given. */
+    /** Returns the value of the text argument [name]; null if it is not given. */
     fun text(name: String): String? = find(name)?.let { textOf(name, it) }
 
     /** Returns the text [name], which is required. */
     fun requiredText(name: String): String = text(name) ?: throw ToolException("The argument “$name” is missing.")
 
-    /** Returns the texts [name]; a single one need not be in a list. Empty if none is given. */
+    /** Returns the texts in the argument [name], a list or a single text. Empty if it is not given. */
     fun texts(name: String): List<String> {
         val element = find(name) ?: return emptyList()
         val texts = if (element is JsonArray) element.map { textOf(name, it) } else listOf(textOf(name, element))

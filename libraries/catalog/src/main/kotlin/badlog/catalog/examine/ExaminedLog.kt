@@ -26,9 +26,9 @@ import kotlinx.serialization.Serializable
  * @property numberValues their values, likewise.
  * @property numberDistributions the distributions of some signals, likewise.
  * @property event the event; null if it is unknown.
- * @property matchNumber the number of the match, likewise.
+ * @property matchNumber the number of the match; null if it is unknown.
  * @property began the local time at which it began, according to the log or its file's name, in s since 1970; null if unknown.
- * @property battery its statements about the robot's battery; null if there are none.
+ * @property battery its data about the robot's battery; null if it has none.
  */
 @Serializable
 class ExaminedLog(

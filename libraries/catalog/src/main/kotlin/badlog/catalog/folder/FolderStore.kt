@@ -19,7 +19,8 @@ import kotlin.time.TimeMark
 import kotlin.time.TimeSource
 
 /**
- * The stored summaries of the logs of [folder], and their results of the nearest file of rules. Thread-safe.
+ * The stored summaries of the logs of [folder], and the results of their rules. The rules of a log are in the nearest rules file.
+ * Thread-safe.
  *
  * @param cache the folder for stored results; null for none.
  * @param version the version of the program, because another one may have other results.

@@ -99,8 +99,8 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
     ).also { if (it.waiting == 0) read = 0 }
 
     /**
-     * Returns the known results of the newest files, newest first, up to the first unknown file. If there are files that can only be logs,
-     * only those are included.
+     * Returns the known results of the newest files, newest first, up to the first unknown file. Files with names that not only logs have,
+     * such as `.csv`, are included only if there are no others.
      */
     @Synchronized
     fun newestKnown(): List<LogEntry> {
@@ -125,7 +125,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
  * @property read the number of files read since the queue was last empty.
  * @property waiting the number of files being read, or waiting.
  * @property passedOver the number of files skipped at the person's request.
- * @property changes a different number whenever [entries] or [passedOver] have changed.
+ * @property changes a number that changes whenever [entries] or [passedOver] change.
  */
 class IndexState(
     val entries: List<LogEntry>,

@@ -244,7 +244,10 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
         const val RATIO = 200L
 
-        /** The total size above which logs may not exceed [RATIO]. Small logs may be nearly empty, but many of them fill a disk, too. */
+        /**
+         * The maximum unpacked size, in bytes, of all logs together that grow more than [RATIO] times. Small logs may be nearly empty, but
+         * many of them fill a disk, too.
+         */
         const val RATIO_COUNTS_FROM = 64L shl 20
 
         /** Whether something of [compressed] bytes that has [size] bytes unpacked is smaller than any usual log. */

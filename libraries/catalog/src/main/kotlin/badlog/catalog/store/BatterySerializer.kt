@@ -8,7 +8,10 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** A [BatteryUse] in the form stored in a cache: the page, which has it too, has no serialization library. */
+/**
+ * The serializer of a [BatteryUse] for caches. The class itself is not serializable, because the page uses it without a serialization
+ * library.
+ */
 internal object BatterySerializer : KSerializer<BatteryUse> {
     override val descriptor: SerialDescriptor = StoredBattery.serializer().descriptor
 

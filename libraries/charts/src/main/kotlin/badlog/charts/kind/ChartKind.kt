@@ -5,7 +5,7 @@ import badlog.charts.look.ChartTexts
 import badlog.charts.match.ChartedMatches
 import badlog.charts.match.MIN_MATCHES
 
-/** A kind of chart, which makes a chart of matches. */
+/** A kind of chart; [of] draws one of matches, or says which data is missing. */
 internal fun interface ChartKind {
     fun of(matches: ChartedMatches): ChartResult
 }

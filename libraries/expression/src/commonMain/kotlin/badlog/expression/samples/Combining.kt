@@ -126,7 +126,7 @@ private fun isSame(one: DoubleArray, other: DoubleArray) = one === other || one.
 
 private fun ends(moments: DoubleArray) = DoubleArray(moments.size) { moments[it] + tick(moments[it]) }
 
-/** Returns the duration of a moment at [time] if it must end: negligibly short. */
+/** Returns a negligibly short duration for a moment at [time], for calculations that need its end. */
 internal fun tick(time: Double): Double = maxOf(1.0, abs(time)) * 1e-14
 
 private fun union(one: DoubleArray, other: DoubleArray): DoubleArray {

@@ -176,7 +176,7 @@ class Stretches internal constructor(positions: DoubleArray) {
     }
 
     internal companion object {
-        /** Returns the stretches of [positions]; null if these never go back. */
+        /** Returns the stretches of [positions]; null if they never decrease. */
         fun of(positions: DoubleArray): Stretches? {
             var last = Double.NEGATIVE_INFINITY
             for (position in positions) {

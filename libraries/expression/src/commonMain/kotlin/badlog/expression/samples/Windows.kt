@@ -5,12 +5,13 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns, for each sample, the smallest finite value in the window of [width] that ends at it. If [isLargest], the largest. The result is
- * a gap if the window has no value. An earlier value still holds into the window.
+ * Returns, for each sample, the smallest finite value in the window of [width] that ends at it. Returns the largest values instead if
+ * [isLargest]. A value from before the window counts if it still holds when the window begins. The result is a gap if the window has no
+ * value.
  *
- * Two halves meet at a fixed sample: for the older one, the results up to there are known for every start; the newer one grows.
- * When the start passes the meeting point, that moves to the newest sample. So each sample is visited twice, however wide the
- * window is.
+ * A fixed sample splits the window into an older and a newer part. The extremes of the older part are known for every start; the extreme of
+ * the newer part is updated with each sample. When the start passes the split, the split moves to the newest sample. So each sample is
+ * visited twice, however wide the window is.
  */
 internal fun Column.windowExtreme(width: Double, isLargest: Boolean): Column {
     val older = DoubleArray(size)

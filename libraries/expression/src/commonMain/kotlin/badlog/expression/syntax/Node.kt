@@ -79,8 +79,9 @@ internal enum class Kind(val title: String) {
 }
 
 /**
- * The type of a node's result: its [kind], and whether each moment has one or the whole recording.
+ * The type of a node's result: its [kind], and whether it varies over time.
  *
- * @property isMomentary whether each is over at once, like an event.
+ * @property isOverTime whether there is a result for each moment; otherwise there is one for the whole recording.
+ * @property isMomentary whether each result holds only for an instant, like an event.
  */
 internal data class Type(val kind: Kind, val isOverTime: Boolean, val isMomentary: Boolean = false)

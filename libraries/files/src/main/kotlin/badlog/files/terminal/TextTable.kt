@@ -64,7 +64,10 @@ public class TextTable(
         (if (index == 0) emptyList() else listOf("")) + block.flatten()
     }
 
-    /** Returns one line of a table with lines that are not known yet: each column has its maximum width. */
+    /**
+     * Returns [cells] as one line of a table with other lines that are not known yet. Each column gets its maximum width, or less if the
+     * line would be too wide.
+     */
     public fun line(cells: List<String>): String = cells.map(::printable).let { all ->
         val wanted = columns.mapIndexed { i, column -> if (column.isWhole) maxOf(column.most, displayWidth(all[i])) else column.most }
         lines(all, fitting(wanted, leastWidths(listOf(all), MIN_NAME, MIN_TITLE))).single()

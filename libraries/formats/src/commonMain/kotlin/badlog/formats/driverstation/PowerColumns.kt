@@ -70,7 +70,8 @@ internal class PowerColumns(private val name: String, private val source: Column
         const val WIDE_CHANNELS = 20
 
         /**
-         * The offset of channel 0 from the byte after the number on the CAN bus. It counts all channels as one byte, like the last ones.
+         * The offset of channel 0 from the byte after the CAN ID, if each channel had one byte. Only the last four channels of a PDH have
+         * that.
          */
         const val NARROW = 7
         const val VOLTAGE = 23

@@ -70,7 +70,7 @@ internal class TextPayloadDecoder(source: ColumnSource) : SingleDecoder(source, 
     }
 }
 
-/** Payloads of unknown types: the size of each. */
+/** A decoder for payloads of unknown types: it keeps only their sizes, in bytes. */
 internal class SizeDecoder(source: ColumnSource) : SingleDecoder(source, listOf("")) {
     override val isUndecoded: Boolean get() = true
 
@@ -98,7 +98,7 @@ internal class UnwantedDecoder : PayloadDecoder() {
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) = Unit
 }
 
-/** Payloads with any number of values, each with its own block; elements beyond the maximum are dropped. */
+/** A decoder for payloads that are arrays of any length. Each element index has its own block; elements beyond the maximum are dropped. */
 internal abstract class ArrayDecoder(private val source: ColumnSource, private val leafPaths: List<String>) : PayloadDecoder() {
     protected val elements = ElementBlocks(source.keepsSamples, ::newBlock)
     override val timestamps: Timestamps get() = elements.timestamps

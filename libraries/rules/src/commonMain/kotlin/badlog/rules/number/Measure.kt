@@ -1,9 +1,9 @@
 package badlog.rules.number
 
 /**
- * A way to make one number of a topic's samples over a log, for comparison with other logs.
+ * A way to reduce a topic's samples in a log to one number, for comparison with other logs.
  *
- * @property words the condition, as part of a sentence.
+ * @property words the condition, as part of a sentence; empty if there is none.
  */
 enum class Measure(val words: String) {
     /** The mean over autonomous. */

@@ -2,12 +2,12 @@ package badlog.rules.standing
 
 import kotlin.math.floor
 
-/** Whether a built-in rule may accuse a robot. */
+/** The standing of a built-in rule, which limits the severity of its findings. */
 enum class Standing {
-    /** It may be an error or a warning, and begin an incident. */
+    /** Its findings may be errors or warnings, and begin incidents. */
     PROVEN,
 
-    /** It is a note, begins no incident, and comes after proven rules. */
+    /** Its findings are notes, begin no incident, and come after the findings of proven rules. */
     ON_TRIAL,
 
     /**
@@ -52,7 +52,7 @@ private const val JUDGED_BEFORE = 3
 private const val DIGITS = 1000
 
 /**
- * Returns the evidence that [counts] of one rule lack to prove it, each as a few words. Empty if they prove it.
+ * Returns the evidence that is still needed to prove a rule with these [counts], each as a few words. Empty if it is proven.
  *
  * A rule is proven by real logs over which it was silent or right, and by simulators in which it names the planted fault. A simulated robot shows
  * that a rule finds its fault; only real ones show that it leaves other robots alone.

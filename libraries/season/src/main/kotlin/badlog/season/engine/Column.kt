@@ -76,7 +76,7 @@ internal class MomentColumn(
     }
 }
 
-/** Returns the SQL that converts [micros], microseconds since 1970, to a time with UTC. */
+/** Returns the SQL that converts [micros], microseconds since 1970, to a timestamp in UTC. */
 internal fun momentSql(micros: String): String = "make_timestamp($micros) AT TIME ZONE 'UTC'"
 
 /** Returns the microseconds for [seconds] since 1970; null if that is not a time between the years 1970 and 9999. */

@@ -7,8 +7,8 @@ import java.nio.file.Path
 import java.util.Properties
 
 /**
- * A DuckDB in this process that can only read lent tables, and files. Data that does not fit in its memory goes to a folder for
- * temporary files, which [close] removes.
+ * A DuckDB in this process; its only sources are files and the tables passed to [lend]. Data that does not fit in its memory goes to a
+ * folder for temporary files, which [close] removes.
  *
  * @param memoryMegabytes its maximum memory; null for most of the machine's.
  * @param threads the number of threads for a single query, including the caller's.

@@ -25,13 +25,13 @@ internal enum class FieldType(val given: DuckDBColumnType, val type: String) {
     /** A [Boolean]. */
     FLAG(DuckDBColumnType.BOOLEAN, "BOOLEAN"),
 
-    /** A [Long], the microseconds since 1970, which becomes a time with UTC. */
+    /** A [Long], the microseconds since 1970, which becomes a timestamp in UTC. */
     MOMENT(DuckDBColumnType.BIGINT, "TIMESTAMP WITH TIME ZONE"),
 
     /** The JSON of a list of texts. */
     TEXTS(DuckDBColumnType.VARCHAR, "VARCHAR[]"),
 
-    /** The JSON of an object of texts. */
+    /** A JSON object with text values, which becomes a map from names to texts. */
     TEXT_OF_NAME(DuckDBColumnType.VARCHAR, "MAP(VARCHAR, VARCHAR)"),
 
     /** The JSON of a list of spans. */

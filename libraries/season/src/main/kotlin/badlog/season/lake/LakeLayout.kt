@@ -52,7 +52,10 @@ object LakeLayout {
         return "$kind/${partition.path}/$short$ENDING"
     }
 
-    /** Returns [text] as a file name: everything but ASCII letters and digits, points, signs and underscores is percent-encoded. */
+    /**
+     * Returns [text] as a file name. All but ASCII letters, digits, hyphens, periods and underscores is percent-encoded, and so is a period
+     * or underscore at the beginning.
+     */
     internal fun encoded(text: String): String = buildString {
         for ((i, byte) in text.encodeToByteArray().withIndex()) {
             val char = (byte.toInt() and BYTE).toChar()

@@ -65,9 +65,9 @@ internal fun areCoupled(turned: DoubleArray, moved: DoubleArray, isEnabled: Bool
 }
 
 /**
- * Returns the one of [motors], positions at [times], that [moved] is coupled to. In some stretch of the [KNOWN_SECONDS] after the robot was first
- * enabled in which it moves far, one ratio holds for both, and for no other motor. Null if there is none, and for a sensor that counts from 0 again
- * after each turn.
+ * Returns the only one of [motors] that is coupled to [moved]; null if there is none. All are positions at [times]. A coupled motor keeps
+ * one ratio to [moved], and no other motor does, in some stretch of the first [KNOWN_SECONDS] after the robot was first enabled in which
+ * [moved] moves far. Also null if [moved] counts from 0 again after each turn.
  */
 internal fun coupledMotor(times: DoubleArray, motors: List<DoubleArray>, moved: DoubleArray, isEnabled: BooleanArray): DoubleArray? {
     if (turnsAround(moved)) return null

@@ -5,11 +5,12 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns whether something that moved whenever it was driven now stands still: 1 or 0 at [times]. The direction in which it is driven does
- * not matter. Its [places] stay the same although its motor's [outputs] (1 is full) push it each way, so it does not rest at a stop: it is
- * blocked, or its sensor is dead. Places and outputs of different mechanisms do not belong together, which the time before shows: pushes
- * move the same way. The less there is of that, and near an end of its range, the longer it has to stand. A place that comes back by a jump
- * was not read meanwhile.
+ * Returns 1 at those [times] at which something that moved whenever it was driven stands still, otherwise 0. Its [places] stay the same
+ * although its motor's [outputs] (1 is full) push it each way. So it does not rest at a stop: it is blocked, or its sensor is dead. The
+ * direction in which it is driven does not matter.
+ *
+ * Earlier pushes must have moved it consistently; otherwise places and outputs belong to different mechanisms. If few pushes did, or if it
+ * is near an end of its range, it must stand still for longer. If the place then jumps, it was only not read meanwhile, and does not count.
  */
 fun standstill(times: DoubleArray, places: DoubleArray, outputs: DoubleArray, isEnabled: BooleanArray): Series {
     val used = DoubleArray(times.size) { if (isEnabled[it]) places[it] else Double.NaN }

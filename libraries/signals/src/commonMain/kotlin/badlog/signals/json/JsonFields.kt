@@ -36,5 +36,5 @@ fun jsonObject(vararg members: Pair<String, String?>): String =
 
 fun <T> jsonArray(items: List<T>, json: (T) -> String): String = items.joinToString(",", "[", "]", transform = json)
 
-/** Returns null for an empty list, which needs no member. */
+/** Returns [items] as a JSON array; null if there are none, so that the member is left out. */
 fun <T> jsonList(items: List<T>, json: (T) -> String): String? = if (items.isEmpty()) null else jsonArray(items, json)

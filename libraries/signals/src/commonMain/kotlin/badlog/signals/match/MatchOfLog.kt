@@ -33,7 +33,10 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
     /** The kind of run. */
     val kind: MatchKind get() = type?.let { MatchType.of(it) }?.kind ?: MatchKind.UNKNOWN
 
-    /** Returns the same, where it is unknown as in [named], which the file's name shows. */
+    /**
+     * Returns a copy that takes unknown properties from [named], the match in the file's name. The type is taken only if the numbers do not
+     * differ; the alliance never is.
+     */
     internal fun or(named: MatchOfLog) = MatchOfLog(
         event = event ?: named.event,
         type = type ?: named.type.takeIf { number == null || number == named.number },

@@ -12,7 +12,7 @@ internal enum class LogOrigin(val clockSeconds: Double) {
     /** The naming of the match; for WPILib's logger, a 2026 robot. */
     AS_NAMED(0.0),
 
-    /** The robot of 2027, with a clock that started a day earlier. */
+    /** A 2027 robot, with a clock that started a day before its program. */
     ROBOT_OF_2027(86_400.0),
 
     /** The Driver Station of 2027, on a laptop that has been on for five hours. */

@@ -26,7 +26,8 @@ internal class LogOutcome(
 }
 
 /**
- * A message from the task that reads a log to the one that writes tables. It is a change, its outcome, reported after the change, or both.
+ * A message from the task that reads a log to the one that writes tables. It has a change, an outcome, or both; the outcome is reported
+ * after the change.
  */
 internal class LogPiece(val change: LakeChange?, val outcome: LogOutcome?) : Serializable {
     /** The key that groups pieces by partition; empty for outcomes without a change. */

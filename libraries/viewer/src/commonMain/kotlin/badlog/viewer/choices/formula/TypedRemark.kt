@@ -5,7 +5,7 @@ import badlog.expression.ExpressionError
 /**
  * The remark on a definition while a person types it.
  *
- * @property isError whether typing on does not mend it; otherwise it is a hint.
+ * @property isError whether it is a mistake that more typing cannot fix; otherwise it is a hint.
  */
 class TypedRemark(val text: String, val isError: Boolean)
 

@@ -37,7 +37,7 @@ object PlotMargins {
     /** The right margin. */
     const val RIGHT: Int = 14
 
-    /** The margin above. */
+    /** The margin above the plot, in CSS pixels. */
     const val TOP: Int = 6
 
     /** The margin below, for the numbers of x. */

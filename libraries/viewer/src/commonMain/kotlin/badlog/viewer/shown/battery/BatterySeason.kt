@@ -48,7 +48,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The median voltage at rest after a match, in volts. */
     val restAfter: Double? = medianOf(matches.mapNotNull { it.use.restAfter })
 
-    /** The mean energy that a match takes, in watt-hours; without matches, that another run takes. */
+    /** The mean energy used in a match, in watt-hours; over the other runs if there are no matches. Null if unknown. */
     val energy: Double? = matches.filter {
         it.isMatch
     }.ifEmpty { matches }.mapNotNull { it.use.energy }.let { if (it.isEmpty()) null else it.average() }
