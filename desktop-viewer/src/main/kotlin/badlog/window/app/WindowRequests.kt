@@ -30,6 +30,8 @@ internal class WindowRequests(
     fun perform(request: Request) = when (request) {
         is FindingRequest -> findings.perform(request)
         is TodoRequest -> perform(request)
+        is Request.ChangeNote -> notes.rewrite(request.note)
+        is Request.RemoveNote -> notes.remove(request.note, spoken.placeOf(request.note.x))
         Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
         Request.Modules -> panels.change { toggled(InspectorTab.MODULES) }
         Request.Pin -> board.togglePin()

@@ -16,6 +16,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import badlog.viewer.panel.Buttons
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -26,14 +27,14 @@ import badlog.viewer.panel.Rows
 import badlog.viewer.state.Action
 
 /**
- * Shows a panel that consists of [parts]: heading, paragraphs and fields at its beginning stay above the others, which scroll.
+ * Shows a panel that consists of [parts]: heading, paragraphs, buttons and fields at its beginning stay above the others, which scroll.
  *
  * @param goal the row that a person went to; the panel scrolls to the current row when it changes.
  */
 @Composable
 internal fun PanelView(parts: List<Part>, goal: Any?, send: (Action) -> Unit, modifier: Modifier) {
     val (above, below) = remember(parts) {
-        fun stays(part: Part) = part is Heading || part is Paragraph || part is Field
+        fun stays(part: Part) = part is Heading || part is Paragraph || part is Buttons || part is Field
         parts.takeWhile(::stays) to parts.dropWhile(::stays).flatMap(::flat)
     }
     val state = rememberLazyListState()

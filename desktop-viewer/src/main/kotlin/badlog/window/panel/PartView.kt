@@ -112,6 +112,8 @@ private val PartIcon.vector: ImageVector
         PartIcon.PIN -> Icons.Pin
         PartIcon.ADD -> Icons.Add
         PartIcon.REMOVE -> Icons.Remove
+        PartIcon.NOTE -> Icons.Note
+        PartIcon.CLOSE -> Icons.Close
         PartIcon.DONE -> Icons.Check
         PartIcon.PERSON -> Icons.Flag
         PartIcon.UNDONE -> Icons.Undo

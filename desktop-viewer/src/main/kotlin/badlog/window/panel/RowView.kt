@@ -62,11 +62,12 @@ private fun PlainRow(row: PanelRow, send: (Action) -> Unit) {
             }
         }
         Column(Modifier.weight(1f)) {
-            NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
+            if (row.title.isNotEmpty()) NameText(row.title, fontWeight = FontWeight.Medium, cut = NameCut.MIDDLE)
             for (line in row.lines) Text(line.text)
             if (row.count.isNotEmpty()) Text(row.count, color = LocalPalette.current.muted, fontSize = 12.sp)
             BelowRow(row.below, send)
         }
+        ButtonsView(row.tools, send, areIcons = true)
     }
 }
 

@@ -30,7 +30,13 @@ internal fun TroubleView(trouble: Trouble) {
             Column {
                 Text(trouble.text, maxLines = 8, overflow = TextOverflow.Ellipsis)
                 if (trouble.place.isNotEmpty()) {
-                    Text(trouble.place, color = LocalPalette.current.muted, fontSize = 12.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+                    Text(
+                        trouble.place,
+                        color = LocalPalette.current.muted,
+                        fontSize = 12.sp,
+                        maxLines = 2,
+                        overflow = TextOverflow.Ellipsis,
+                    )
                 }
                 if (trouble.pointer.isNotEmpty()) Pointer(trouble.pointer)
             }

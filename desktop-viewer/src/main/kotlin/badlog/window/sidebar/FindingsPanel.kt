@@ -5,9 +5,9 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import badlog.catalog.folder.LogEntry
 import badlog.viewer.choices.board.evidenceOffers
+import badlog.viewer.panel.ListedTasks
 import badlog.viewer.panel.finding.FindingDetails
 import badlog.viewer.panel.finding.FindingsShown
-import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.state.Action
@@ -51,7 +51,7 @@ internal fun FindingsPanel(
             open.times,
             changes.differences,
             names,
-            todo = list?.let(::ListedFindings),
+            todo = list?.let { ListedTasks(it, open.file.fileName.toString()) },
             details = details,
             isComparing = isComparing,
             unfolded = view.unfolded,

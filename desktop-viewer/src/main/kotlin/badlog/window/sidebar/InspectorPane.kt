@@ -33,6 +33,7 @@ import badlog.core.recording.Severity
 import badlog.viewer.panel.problemsPanel
 import badlog.viewer.state.Action
 import badlog.viewer.state.FindingAction
+import badlog.viewer.state.PlaceAction
 import badlog.window.compare.ComparedRecordings
 import badlog.window.findings.CurrentFindings
 import badlog.window.folder.SinceLastMatch
@@ -95,12 +96,19 @@ internal fun InspectorPane(
         } else {
             // A narrow window shows one part at a time; a person who goes to a place wants to see it.
             val showGraphs = { panels.change { copy(front = FrontPart.GRAPHS) } }
+            val go = { action: Action ->
+                send(action)
+                if (action is FindingAction.GoTo || action is PlaceAction.GoTo) showGraphs()
+            }
             when (tab) {
                 InspectorTab.EVENTS -> EventsPanel(view, events, open, showGraphs, Modifier.fillMaxSize())
 
                 InspectorTab.VALUES -> ValuesPanel(open, Modifier.fillMaxSize())
 
-                InspectorTab.PROBLEMS -> PanelView(remember(open) { problemsPanel(open.view.problems) }, goal = null, send, Modifier.fillMaxSize())
+                InspectorTab.PROBLEMS -> {
+                    val parts = remember(open) { problemsPanel(open.view.problems) }
+                    PanelView(parts, goal = null, send, Modifier.fillMaxSize())
+                }
 
                 InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
 
@@ -114,14 +122,11 @@ internal fun InspectorPane(
                     open,
                     since.state,
                     isComparing = compared.drawn.size > 1,
-                    send = { action ->
-                        send(action)
-                        if (action is FindingAction.GoTo) showGraphs()
-                    },
+                    go,
                     Modifier.fillMaxSize(),
                 )
 
-                InspectorTab.NOTES -> NotesPanel(notes, todo, view, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.NOTES -> NotesPanel(notes, todo, open, go, Modifier.fillMaxSize())
 
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
 

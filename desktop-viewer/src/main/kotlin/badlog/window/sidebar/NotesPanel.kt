@@ -6,8 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.lazy.LazyColumn
-import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
@@ -29,47 +27,31 @@ import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.NoteDraft
+import badlog.viewer.panel.ListedTasks
 import badlog.viewer.panel.LogTimes
-import badlog.viewer.state.PlaceAction
-import badlog.viewer.todo.NoteTask
-import badlog.window.log.AxisView
+import badlog.viewer.panel.notesPanel
+import badlog.viewer.state.Action
 import badlog.window.log.LogNotes
 import badlog.window.log.OpenRecording
-import badlog.window.panel.inspectorLine
+import badlog.window.panel.PanelView
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import badlog.window.theme.fieldFrame
 import badlog.window.todo.FolderTodo
-import badlog.window.todo.TodoButtons
-import badlog.window.todo.TodoMark
 
-/** The notes of [open] and the field for writing one. A click on a note goes to its moment and calls [onGo]. */
+/** The notes of [open], see [notesPanel], and the field for writing one. */
 @Composable
-internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, view: AxisView, open: OpenRecording, onGo: () -> Unit, modifier: Modifier) {
-    val times = open.times
+internal fun NotesPanel(notes: LogNotes, todo: FolderTodo, open: OpenRecording, send: (Action) -> Unit, modifier: Modifier) {
     Column(modifier) {
         val draft = notes.draft
-        if (draft == null) {
-            ToolButton("Write a note at the cursor (M)", text = "Write a note") {
-                notes.write(view.place.ofNote)
-            }
-        } else {
-            NoteField(notes, draft, times)
+        if (draft != null) NoteField(notes, draft, open.times)
+        val list = todo.state.list.takeIf { todo.state.folder != null }
+        val parts = remember(open, notes.all, list, draft == null) {
+            val file = open.file.fileName.toString()
+            notesPanel(notes.all, open.times, file, list?.let { ListedTasks(it, file) }, isWriting = draft != null)
         }
-        if (notes.all.isEmpty()) {
-            PanelHint("Notes are kept beside the log, in ${open.file.fileName}.notes-….jsonl, and exported with its page.")
-        }
-        LazyColumn {
-            items(notes.all) { note ->
-                val task = NoteTask(open.file.fileName.toString(), note.x + 0.0, note.text)
-                NoteLine(notes, note, times, todo, task) {
-                    view.send(PlaceAction.GoTo(note.x))
-                    onGo()
-                }
-            }
-        }
+        PanelView(parts, goal = null, send, Modifier.weight(1f))
     }
 }
 
@@ -111,18 +93,4 @@ private fun handles(event: KeyEvent, notes: LogNotes): Boolean {
         else -> return false
     }
     return true
-}
-
-@Composable
-private fun NoteLine(notes: LogNotes, note: Note, times: LogTimes, todo: FolderTodo, task: NoteTask, onClick: () -> Unit) {
-    Column(Modifier.inspectorLine("Note: ${note.text}", isSelected = false, gap = 4.dp, onClick)) {
-        Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(times.logged(note.x), Modifier.weight(1f), color = LocalPalette.current.muted)
-            ToolButton("Change the note at ${times.logged(note.x)}", text = "Change") { notes.rewrite(note) }
-            ToolButton("Remove the note at ${times.logged(note.x)}", text = "Remove") { notes.remove(note, times.logged(note.x)) }
-        }
-        Text(note.text)
-        TodoMark(todo, task)
-        TodoButtons(todo, task)
-    }
 }

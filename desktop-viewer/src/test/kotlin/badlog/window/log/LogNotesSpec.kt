@@ -58,12 +58,12 @@ class LogNotesSpec : FunSpec({
             viewer.panels.change { copy(front = FrontPart.DETAILS) }
             onNodeWithText("hit by 254").performClick()
             runOnIdle { viewer.panels.state.front shouldBe FrontPart.GRAPHS }
-            onNodeWithText("Change").performClick()
+            onNodeWithContentDescription("Change the note", substring = true).performClick()
             onNodeWithContentDescription("Text of the note").performTextInput("again ")
             onNodeWithContentDescription("Save the note (Enter)").performClick()
             waitFor { viewer.notes.draft == null }
             waitFor { NotesFile.read(log).notes.single().text.length == "again hit by 254".length }
-            onNodeWithText("Remove").performClick()
+            onNodeWithContentDescription("Remove the note", substring = true).performClick()
             waitFor { viewer.notes.all.isEmpty() }
             waitFor { NotesFile.read(log).notes.isEmpty() }
             // Lines are never removed from the file.

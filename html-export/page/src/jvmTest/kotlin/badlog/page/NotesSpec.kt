@@ -32,7 +32,7 @@ internal class NotesSpec : PageSpec({
         val page = pageOf(tempdir().toPath()) { NotesFile.update(it, listOf(Note(3.0, "hit by 254 </script>"), Note(7.0, "second\nline")), read = emptyList()) }
         onPage(page) {
             step("notes beside a log are listed with links to their moments; a key marks the cursor's moment without a dialog, and reports it") {
-                texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "second\nline")
+                texts("#notes .finding-text") shouldBe listOf("hit by 254 </script>", "second\nline")
                 elements("#notes .event-go")[0].click()
                 settle()
                 texts(".cursor-readout").single() shouldStartWith "3.00"
@@ -42,18 +42,18 @@ internal class NotesSpec : PageSpec({
                 keepScreenshot("notes")
                 press("M")
                 press("M")
-                texts("#notes .note-text") shouldBe listOf("hit by 254 </script>", "Mark 1", "Mark 2", "second\nline")
+                texts("#notes .finding-text") shouldBe listOf("hit by 254 </script>", "Mark 1", "Mark 2", "second\nline")
                 texts(".notice p").single() shouldStartWith "Marked at 3.00"
                 element("#note-dialog").isDisplayed shouldBe false
             }
             step("a search finds notes, and hides the others") {
                 press("/")
                 press("HIT")
-                elements(".note-text").filter { it.isDisplayed }.map { it.text } shouldBe listOf("hit by 254 </script>")
+                elements("#notes .finding-text").filter { it.isDisplayed }.map { it.text } shouldBe listOf("hit by 254 </script>")
                 texts("#notes header .unit") shouldBe listOf("1 of 4 notes")
                 texts(".search-count").single() shouldBe "1 note"
                 press(Keys.ESCAPE)
-                elements(".note-text").count { it.isDisplayed } shouldBe 4
+                elements("#notes .finding-text").count { it.isDisplayed } shouldBe 4
             }
         }
     }
@@ -70,7 +70,7 @@ internal class NotesSpec : PageSpec({
         val empty = tempdir().toPath().resolve(EmptyPage.NAME).also { EmptyPage().write(it) }
         onPage(empty, state = "empty") {
             drop("match.html" to Files.readAllBytes(page))
-            await("its note") { texts("#notes .note-text") == listOf("hit by 254") }
+            await("its note") { texts("#notes .finding-text") == listOf("hit by 254") }
         }
     }
 
@@ -81,34 +81,34 @@ internal class NotesSpec : PageSpec({
         fun OpenPage.go(to: Path, vararg notes: String) {
             driver.get(to.toUri().toString())
             awaitState("ready")
-            texts("#notes .note-text") shouldBe notes.toList()
+            texts("#notes .finding-text") shouldBe notes.toList()
         }
 
         fun OpenPage.rewrite(index: Int, end: String) {
-            elements("#notes .note-row")[index].findElements(By.cssSelector(".note-tools button"))[0].click()
+            elements("#notes .note-row")[index].findElements(By.cssSelector(".pin"))[0].click()
             press(end, Keys.ENTER)
             settle()
         }
 
-        fun OpenPage.remove(index: Int) = elements("#notes .note-row")[index].findElements(By.cssSelector(".note-tools button"))[1].click()
+        fun OpenPage.remove(index: Int) = elements("#notes .note-row")[index].findElements(By.cssSelector(".pin"))[1].click()
         onPage(page) {
             step("a note is written at the cursor, changed and removed, and is still there when the page is opened again") {
                 element("#notes").isDisplayed shouldBe false
                 graph("Step 1").click(0.3)
                 write("hit by 254")
                 element("#note-dialog").isDisplayed shouldBe false
-                texts("#notes .note-text") shouldBe listOf("hit by 254")
+                texts("#notes .finding-text") shouldBe listOf("hit by 254")
                 texts("#notes .event-go") shouldBe listOf("3.000")
                 keepScreenshot("note-written")
-                elements("#notes .note-tools button")[0].click()
+                elements("#notes .note-row .pin")[0].click()
                 texts("#note-dialog h2").single() shouldStartWith "Note at 3.0"
                 press(" again", Keys.ENTER)
                 reload()
-                texts("#notes .note-text") shouldBe listOf("hit by 254 again")
+                texts("#notes .finding-text") shouldBe listOf("hit by 254 again")
                 press("m")
                 press("never mind", Keys.ESCAPE)
-                texts("#notes .note-text") shouldBe listOf("hit by 254 again")
-                elements("#notes .note-tools button")[1].click()
+                texts("#notes .finding-text") shouldBe listOf("hit by 254 again")
+                elements("#notes .note-row .pin")[1].click()
                 element("#notes").isDisplayed shouldBe false
                 reload()
                 element("#notes").isDisplayed shouldBe false
@@ -164,14 +164,14 @@ internal class NotesSpec : PageSpec({
                 remember("note-changes", changes.toLines())
                 graph("Step 1").click(0.5)
                 write("of this tab")
-                texts("#notes .note-text") shouldBe listOf("second there", "of this tab", "of the other tab")
+                texts("#notes .finding-text") shouldBe listOf("second there", "of this tab", "of the other tab")
                 // It works although the clock of the other tab is ahead.
-                elements("#notes .note-tools button")[0].click()
+                elements("#notes .note-row .pin")[0].click()
                 press(" and here", Keys.ENTER)
                 settle()
-                texts("#notes .note-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
+                texts("#notes .finding-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
                 reload()
-                texts("#notes .note-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
+                texts("#notes .finding-text") shouldBe listOf("second there and here", "of this tab", "of the other tab")
             }
         }
         step("notes stored by pages of an older badlog are still there, and can be changed and removed") {
@@ -182,13 +182,13 @@ internal class NotesSpec : PageSpec({
                 val kept = listOf(Note(2.0, "changed"), Note(4.0, "hit by 254"), Note(9.0, "added"))
                 remember("notes", given.toJson() + "\u0000" + kept.toJson())
                 reload()
-                texts("#notes .note-text") shouldBe listOf("changed", "hit by 254", "added")
-                elements("#notes .note-tools button")[0].click()
+                texts("#notes .finding-text") shouldBe listOf("changed", "hit by 254", "added")
+                elements("#notes .note-row .pin")[0].click()
                 press(" again", Keys.ENTER)
-                elements("#notes .note-tools button").last().click()
+                elements("#notes .note-row .pin").last().click()
                 settle()
                 reload()
-                texts("#notes .note-text") shouldBe listOf("changed again", "hit by 254")
+                texts("#notes .finding-text") shouldBe listOf("changed again", "hit by 254")
             }
         }
     }
@@ -202,7 +202,7 @@ internal class NotesSpec : PageSpec({
             Files.write(copy, exported("A copy of this page, with your notes and board", "test.html"))
         }
         onPage(copy, script = "localStorage.clear()") {
-            texts("#notes .note-text") shouldBe listOf("hit </script> by 254")
+            texts("#notes .finding-text") shouldBe listOf("hit </script> by 254")
             texts(".board .graph-title") shouldBe listOf("Step 2")
             saved("test.bag") { click("#download") } shouldBe stepBag(graphs = 2)
             // A copy of a copy is the same page.

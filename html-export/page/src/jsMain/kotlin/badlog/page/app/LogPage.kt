@@ -152,7 +152,7 @@ internal class LogPage(
     private val hasRules = this.additions.rules.rules.isNotEmpty()
     private val findings = FindingsSection(scene, signalChoice, embeddedFindings, hasRules, { changes.differences }, store::send)
     private val rules = PageRules(this.additions, embeddedFindings, about.name, findings) { element.isConnected }
-    private val noteList = NoteList(scene, notes, noteDialog::edit)
+    private val noteList = NoteList(scene, notes)
     private val evidence = EvidenceSection(scene, graphs, signals, { store.send(FindingAction.StepWithin(it)) }, ::send)
     private val topicDialog = TopicDialog(scene)
     private val layouts =

@@ -30,6 +30,10 @@ internal class PageRequests(
         // A page cannot write beside the logs, so it has no team's list.
         is TodoRequest -> Unit
 
+        is Request.ChangeNote -> notes.edit(request.note)
+
+        is Request.RemoveNote -> notes.remove(request.note)
+
         Request.Values -> values.toggle()
 
         Request.Modules -> modules.toggle()

@@ -9,7 +9,6 @@ import badlog.page.parts.patch
 import badlog.page.view.Scene
 import badlog.rules.Finding
 import badlog.viewer.draw.mark.FindingPlace
-import badlog.viewer.panel.LogTimes
 import badlog.viewer.panel.finding.FindingsShown
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.panel.finding.isFixed
@@ -37,7 +36,6 @@ internal class FindingsSection(
     private val differences: () -> List<Finding>,
     private val send: (Action) -> Unit,
 ) {
-    private val times = LogTimes(scene.range.full.width, scene.xAxis, scene.enabled)
     private val nodes = PartNodes(send)
     private var drawn: FindingPlace<Finding>? = null
     private var isRunning = hasRules
@@ -116,7 +114,7 @@ internal class FindingsSection(
                 isRunning,
                 state,
                 drawn,
-                times,
+                scene.times,
                 differences(),
                 signals.topics,
                 signals.assigned,
@@ -144,5 +142,4 @@ internal class FindingsSection(
     private fun keepHeight() {
         element.classList.toggle("is-fixed", panelRoom.isFixed(hasRules, scene.enabled.isNotEmpty(), isInside || drawn != null))
     }
-
 }

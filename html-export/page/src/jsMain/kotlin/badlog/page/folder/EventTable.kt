@@ -15,14 +15,11 @@ import badlog.viewer.shown.search.Query
 import badlog.viewer.shown.search.Trait
 import badlog.viewer.text.countOf
 import badlog.viewer.text.countText
-import badlog.viewer.text.decimalsFor
-import badlog.viewer.text.fixedText
 import org.w3c.dom.HTMLElement
 
 /** An event log as a table of times and texts. Selecting an event moves the cursor to its time, and zooms there if requested. */
 internal class EventTable(private val log: EventLog, private val scene: Scene) {
     private val haystacks = log.events.map { "${log.name} ${it.text}".lowercase() }
-    private val decimals = decimalsFor(scene.range.full.width)
     private var found = log.events
     private var listed = 0
     private lateinit var count: HTMLElement
@@ -87,7 +84,7 @@ internal class EventTable(private val log: EventLog, private val scene: Scene) {
     }
 
     private fun row(event: Event): HTMLElement = element("tr", "event") {
-        val time = if (event.x.isFinite()) fixedText(event.x, decimals) else "–"
+        val time = scene.times.logged(event.x)
         setAttribute("data-x", event.x.toString())
         add("td", "event-time").addButton("event-go", time, "Move the cursor here") { scene.goTo(event.x) }
         add("td", "event-text") {

@@ -9,10 +9,10 @@ import badlog.page.parts.patch
 import badlog.page.view.PageStore
 import badlog.viewer.panel.PanelRoom
 import badlog.viewer.panel.Trouble
-import badlog.viewer.panel.problemsPanel
+import badlog.viewer.panel.problemsAbove
 import org.w3c.dom.HTMLElement
 
-/** The [problems] in the file, and those of the page's [additions], see [problemsPanel]; hidden if there are none. */
+/** The [problems] in the file and in the page's [additions], see [problemsAbove]; hidden if there are none. */
 internal class ProblemSection(private val store: PageStore, private val problems: List<Problem>, private val additions: List<Trouble>) {
     private val nodes = PartNodes(store::send)
 
@@ -26,11 +26,11 @@ internal class ProblemSection(private val store: PageStore, private val problems
         show(panelRoom)
     }
 
-    /** Shows what is listed on paper, or again on the screen. */
+    /** Lists the problems for paper, or again for the screen. */
     fun print(isOnPaper: Boolean) = show(if (isOnPaper) PanelRoom.PAPER else panelRoom)
 
     private fun show(room: PanelRoom) {
-        val parts = problemsPanel(problems, additions, store.state.unfolded, room)
+        val parts = problemsAbove(problems, additions, store.state.unfolded, room)
         element.patch(nodes.of(parts))
         element.isHidden = parts.isEmpty()
     }

@@ -10,12 +10,13 @@ import badlog.viewer.choices.note.Note
 import badlog.viewer.choices.note.Notebook
 import badlog.viewer.choices.note.marked
 import badlog.viewer.choices.note.markedText
+import badlog.viewer.choices.note.removedText
 import badlog.viewer.input.KeyAction
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLTextAreaElement
 import org.w3c.dom.events.KeyboardEvent
 
-/** The dialog that writes and changes [notes], and the button that opens it. */
+/** The dialog that writes and changes [notes], and the button that opens it; also adds marks, and removes notes. */
 internal class NoteDialog(private val scene: Scene, private val notes: PageNotes) {
     private lateinit var text: HTMLTextAreaElement
 
@@ -66,6 +67,12 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
 
     /** Begins to change [note]. */
     fun edit(note: Note) = open { changing(note) }
+
+    /** Removes [note], and offers to restore it. */
+    fun remove(note: Note) {
+        notes.change { without(note) }
+        scene.notice.offer(removedText(scene.xText(note.x)), "Undo") { notes.change { restored(note) } }
+    }
 
     private fun open(begin: Notebook.() -> Notebook) {
         if (dialog.isOpen) return

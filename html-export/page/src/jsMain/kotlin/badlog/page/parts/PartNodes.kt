@@ -64,11 +64,10 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     }
 
     private fun trouble(trouble: Trouble): Node {
-        val text = listOf(Node("span", text = trouble.text)) +
-            if (trouble.pointer.isEmpty()) emptyList() else listOf(Node("pre", "pointer", trouble.pointer))
-        val place = if (trouble.place.isEmpty()) emptyList() else listOf(Node("span", "problem-place", trouble.place))
-        val word = trouble.word
-        val parts = listOf(Node("span", "severity is-$word", word), Node("div", "problem-text", children = text + place))
+        val pointer = if (trouble.pointer.isEmpty()) null else Node("pre", "pointer", trouble.pointer)
+        val text = listOfNotNull(Node("span", text = trouble.text), Node("span", "problem-place", trouble.place), pointer)
+        val severity = Node("span", "severity is-${trouble.word}", trouble.word)
+        val parts = listOf(severity, Node("div", "problem-text", children = text))
         return Node("div", "problem", key = trouble.key, children = parts)
     }
 
@@ -136,8 +135,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         return Node("ol", className, key = rows.key, attributes = attributes, children = rows.rows.map(::item))
     }
 
-    private fun item(part: Part): Node =
-        if (part is Row) row(part) else Node("li", key = part.key, children = listOf(of(part)))
+    private fun item(part: Part): Node = if (part is Row) row(part) else Node("li", key = part.key, children = listOf(of(part)))
 
     private fun row(row: Row): Node {
         val severity = row.severity?.word
@@ -201,6 +199,8 @@ private val PartIcon.icon: Icon
         PartIcon.PIN -> Icon.PIN
         PartIcon.ADD -> Icon.PLUS
         PartIcon.REMOVE -> Icon.MINUS
+        PartIcon.NOTE -> Icon.NOTE
+        PartIcon.CLOSE -> Icon.CLOSE
         PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
         PartIcon.UNDONE -> Icon.UNDO
     }

@@ -20,6 +20,7 @@ import badlog.viewer.draw.mark.markNear
 import badlog.viewer.draw.path.Field
 import badlog.viewer.draw.path.LogPaths
 import badlog.viewer.draw.plot.PlotMarks
+import badlog.viewer.panel.LogTimes
 import badlog.viewer.session.link.FindingName
 import badlog.viewer.shown.comparison.ComparedLog
 import badlog.viewer.shown.outline.traits
@@ -94,7 +95,10 @@ internal class Scene(
     val paths: LogPaths by lazy { LogPaths(view, field) { board.lines[it] } }
 
     /** When the robot was enabled. */
-    val enabled: List<EnabledSpan> by lazy { view.enabledSpans() }
+    val enabled: List<EnabledSpan> = view.enabledSpans()
+
+    /** Formats times of the log. */
+    val times: LogTimes = LogTimes(range.full.width, xAxis, enabled)
 
     /** When it was in which mode. */
     val modes: ModeTimeline by lazy { ModeTimeline.of(view) }

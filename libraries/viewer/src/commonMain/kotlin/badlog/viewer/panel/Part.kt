@@ -56,7 +56,7 @@ class Trouble(
 class Button(val label: String, val action: Action, val icon: PartIcon? = null, val hint: String = label, val isEnabled: Boolean = true)
 
 /** The icons of buttons. */
-enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, DONE, PERSON, UNDONE }
+enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE, PERSON, UNDONE }
 
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
@@ -79,13 +79,8 @@ class Code(override val key: String, val name: String, val text: String) : Part
  * @property parts its parts; need not be known while it is not open.
  * @property severity the worst of its content; null if that does not matter.
  */
-class Fold(
-    override val key: String,
-    val title: String,
-    val isOpen: Boolean,
-    val parts: List<Part>,
-    val severity: Severity? = null,
-) : Part {
+class Fold(override val key: String, val title: String, val isOpen: Boolean, val parts: List<Part>, val severity: Severity? = null) :
+    Part {
     /** The effect of a press on [title]. */
     val toggle: Action get() = Action.Unfold(key, !isOpen)
 }

@@ -7,45 +7,46 @@ import badlog.viewer.text.placeTextOf
 import badlog.viewer.text.problemSummary
 import badlog.viewer.text.word
 
+/** Returns the [problems] in a log for a panel of their own, the worst first. */
+fun problemsPanel(problems: List<Problem>): List<Part> =
+    listOf(Heading(TITLE, problemSummary(problems)), list(worstFirst(problems, emptyList())))
+
 /**
- * Returns the [problems] in a log, the worst first; without room, a summary that unfolds to their list, or nothing if there are none.
+ * Returns the [problems] in a log for a place above graphs: a summary that unfolds to their list, or nothing if there are none.
  *
  * @param others warnings about anything but the log, which also open the list; on a phone only if the list is short.
- * @param unfolded what a person has unfolded, see [ViewerState][badlog.viewer.state.ViewerState].
+ * @param unfolded the parts that a person has unfolded, see [ViewerState][badlog.viewer.state.ViewerState].
  */
-fun problemsPanel(
-    problems: List<Problem>,
-    others: List<Trouble> = emptyList(),
-    unfolded: Map<String, Boolean> = emptyMap(),
-    room: PanelRoom = PanelRoom.WHOLE,
-): List<Part> {
-    val summary = problemSummary(problems, others.size)
-    val all = (others + problems.mapIndexed(::trouble)).sortedByDescending { it.severity }
-    if (room == PanelRoom.WHOLE) return listOf(Heading(TITLE, summary), list(all))
+fun problemsAbove(problems: List<Problem>, others: List<Trouble>, unfolded: Map<String, Boolean>, room: PanelRoom): List<Part> {
+    val all = worstFirst(problems, others)
     val worst = all.firstOrNull()?.severity ?: return emptyList()
-    val (hints, serious) = all.partition { it.severity == Severity.NOTE }
-    val isOpen = isListed(serious, others, unfolded[FOLD], room)
+    val hints = all.filter { it.severity == Severity.NOTE }
+    val serious = all.dropLast(hints.size)
+    val hasFewErrors = worst == Severity.ERROR && all.getOrNull(MAX_LISTED)?.severity != Severity.ERROR
+    val needAttention = others.isNotEmpty() || hasFewErrors
+    val chosen = unfolded[FOLD]
+    val isOpen = when (room) {
+        PanelRoom.PAPER -> needAttention || chosen == true
+
+        // A longer list would push all graphs off the first screen.
+        PanelRoom.NARROW -> chosen ?: (others.isNotEmpty() && serious.size <= MAX_LISTED_ON_PHONE)
+
+        else -> chosen ?: needAttention
+    }
     val parts = when {
         !isOpen -> emptyList()
         serious.isEmpty() -> listOf(list(hints))
-        else -> listOfNotNull(list(serious), if (hints.isEmpty()) null else foldOf(hints, unfolded[HINTS] == true))
+        hints.isEmpty() -> listOf(list(serious))
+        else -> listOf(list(serious), foldOf(hints, unfolded[HINTS] == true))
     }
-    return listOf(Fold(FOLD, summary, isOpen, parts, severity = worst))
+    return listOf(Fold(FOLD, problemSummary(problems, others.size), isOpen, parts, worst))
 }
+
+private fun worstFirst(problems: List<Problem>, others: List<Trouble>): List<Trouble> =
+    (others + problems.mapIndexed(::trouble)).sortedByDescending { it.severity }
 
 private fun trouble(index: Int, problem: Problem) =
     Trouble("problem $index", problem.severity, problem.message, place = placeTextOf(problem), word = problem.word)
-
-/** Returns whether the [serious] problems are listed: as a person has [chosen], otherwise if a few need attention. */
-private fun isListed(serious: List<Trouble>, others: List<Trouble>, chosen: Boolean?, room: PanelRoom): Boolean {
-    val isWorthIt = others.isNotEmpty() || serious.count { it.severity == Severity.ERROR } in 1..MAX_LISTED
-    return when (room) {
-        PanelRoom.PAPER -> isWorthIt || chosen == true
-        // A longer list would push all graphs off the first screen.
-        PanelRoom.NARROW -> chosen ?: (others.isNotEmpty() && serious.size <= MAX_LISTED_ON_PHONE)
-        else -> chosen ?: isWorthIt
-    }
-}
 
 private fun foldOf(hints: List<Trouble>, isOpen: Boolean) =
     Fold(HINTS, countText(hints.size, "hint"), isOpen, if (isOpen) listOf(list(hints)) else emptyList())

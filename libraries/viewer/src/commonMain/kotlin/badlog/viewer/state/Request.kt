@@ -1,6 +1,7 @@
 package badlog.viewer.state
 
 import badlog.viewer.choices.board.Board
+import badlog.viewer.choices.note.Note as LogNote
 
 /**
  * A task that only a shell can perform. The shells' `when` has no `else`, so that a new task does not compile until page and window both
@@ -35,6 +36,12 @@ sealed interface Request {
 
     /** Asks for the text of a note at [x]. */
     data class Note(val x: Double) : Request
+
+    /** Asks for another text of [note]. */
+    class ChangeNote(val note: LogNote) : Request
+
+    /** Removes [note], and offers to restore it. */
+    class RemoveNote(val note: LogNote) : Request
 
     /** Adds a mark at [x], a note that needs no text. */
     data class Mark(val x: Double) : Request

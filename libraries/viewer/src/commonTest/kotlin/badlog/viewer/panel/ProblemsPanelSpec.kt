@@ -24,8 +24,7 @@ class ProblemsPanelSpec : FunSpec({
         }
     }
 
-    fun above(problems: List<Problem>, others: List<Trouble> = emptyList(), unfolded: Map<String, Boolean> = emptyMap(), room: PanelRoom = PanelRoom.SHARED) =
-        problemsPanel(problems, others, unfolded, room)
+    fun above(problems: List<Problem>, others: List<Trouble> = emptyList(), unfolded: Map<String, Boolean> = emptyMap(), room: PanelRoom = PanelRoom.SHARED) = problemsAbove(problems, others, unfolded, room)
 
     fun isOpen(problems: List<Problem>, others: List<Trouble> = emptyList(), chosen: Boolean? = null, room: PanelRoom = PanelRoom.SHARED): Boolean {
         val fold = above(problems, others, chosen?.let { mapOf("problems" to it) }.orEmpty(), room).single() as Fold

@@ -13,7 +13,6 @@ import badlog.viewer.bagView
 import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.panel.finding.FindingDetails
 import badlog.viewer.panel.finding.FindingsShown
-import badlog.viewer.panel.finding.ListedFindings
 import badlog.viewer.panel.finding.findingsPanel
 import badlog.viewer.panel.finding.isFixed
 import badlog.viewer.shown.finding.RuleResults
@@ -194,7 +193,7 @@ class FindingsPanelSpec : FunSpec({
 
     test("with a team's list, a finding has the actions for its item in the menu and below it") {
         val list = TodoList.of(emptyList(), emptyList())
-        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedFindings(list), details = FindingDetails(false, emptyList())))
+        val parts = findingsPanel(FindingsShown(some, false, FindingsState(), early.firstPlace, times, todo = ListedTasks(list, "a.bag"), details = FindingDetails(false, emptyList())))
         val row = parts.rows().first()
         row.menu.map { it.label } shouldBe listOf("Mark as done…", "Assign…", "Put on the list")
         row.menu.last().action shouldBe Action.Ask(TodoRequest.Write(taskOf(early), TodoDeed.Open))

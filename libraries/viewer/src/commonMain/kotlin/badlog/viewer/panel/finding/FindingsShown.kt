@@ -5,6 +5,7 @@ import badlog.viewer.choices.board.EvidenceOffer
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.panel.LogTimes
 import badlog.viewer.panel.PanelRoom
+import badlog.viewer.panel.TodoOfLog
 import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.FindingsState
 
@@ -34,7 +35,7 @@ class FindingsShown(
     val differences: List<Finding> = emptyList(),
     val topics: List<String> = emptyList(),
     val assigned: Map<String, String> = emptyMap(),
-    val todo: TodoOfFindings? = null,
+    val todo: TodoOfLog? = null,
     val details: FindingDetails? = null,
     val isComparing: Boolean = false,
     val room: PanelRoom = PanelRoom.WHOLE,

@@ -1,33 +1,44 @@
-package badlog.viewer.panel.finding
+package badlog.viewer.panel
 
 import badlog.rules.Finding
-import badlog.viewer.panel.Button
-import badlog.viewer.panel.Paragraph
-import badlog.viewer.panel.Part
-import badlog.viewer.panel.PartIcon
-import badlog.viewer.panel.Tone
+import badlog.viewer.choices.note.Note
 import badlog.viewer.state.Action
 import badlog.viewer.state.Request
 import badlog.viewer.state.TodoRequest
+import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoList
+import badlog.viewer.todo.TodoTask
 import badlog.viewer.todo.againText
 import badlog.viewer.todo.taskOf
 import badlog.viewer.todo.text
 
-/** The team's list in the panel of findings. Only a shell with a list has [ListedFindings]: the page contains no code of them. */
-interface TodoOfFindings {
+/** The team's list in the panels of a log. Only a shell with a list has [ListedTasks]: the page contains no code of them. */
+interface TodoOfLog {
     /** Returns the state of [finding] in the list, as sentences; empty for a new finding. */
     fun linesOf(finding: Finding): List<Part>
 
     /** Returns the buttons for [finding], with which a team changes its list. */
     fun buttonsOf(finding: Finding): List<Button>
+
+    /** Returns the state of [note] in the list, and the buttons for it. */
+    fun partsOf(note: Note): List<Part>
 }
 
-/** The findings in the team's [list]. */
-class ListedFindings(private val list: TodoList) : TodoOfFindings {
-    override fun linesOf(finding: Finding): List<Part> {
-        val item = list.item(taskOf(finding)) ?: return emptyList()
+/** The findings and notes of the log with the file name [log] in the team's [list]. */
+class ListedTasks(private val list: TodoList, private val log: String) : TodoOfLog {
+    override fun linesOf(finding: Finding): List<Part> = linesOf(taskOf(finding))
+
+    override fun buttonsOf(finding: Finding): List<Button> = buttonsOf(taskOf(finding))
+
+    override fun partsOf(note: Note): List<Part> {
+        // A zero has no sign on the list.
+        val task = NoteTask(log, note.x + 0.0, note.text)
+        return linesOf(task) + Buttons("todo", buttonsOf(task))
+    }
+
+    private fun linesOf(task: TodoTask): List<Part> {
+        val item = list.item(task) ?: return emptyList()
         val done = item.done?.takeIf { !item.isOpen || item.isAgain }
         return listOfNotNull(
             if (item.isAgain) Paragraph("again", item.againText, Tone.ALERT) else null,
@@ -36,8 +47,7 @@ class ListedFindings(private val list: TodoList) : TodoOfFindings {
         )
     }
 
-    override fun buttonsOf(finding: Finding): List<Button> {
-        val task = taskOf(finding)
+    private fun buttonsOf(task: TodoTask): List<Button> {
         val item = list.itemOrNew(task)
         fun button(label: String, icon: PartIcon, request: Request) = Button(label, Action.Ask(request), icon, "$label: ${item.title}")
         val assign = button("Assign…", PartIcon.PERSON, TodoRequest.AskPerson(item))
