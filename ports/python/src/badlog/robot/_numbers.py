@@ -7,7 +7,7 @@ import math
 # Nothing farther than this from a tie between two five-digit numbers can end up on its other side.
 _TIE_DISTANCE = 1.0e-9
 
-# From one size on, the power of ten that gives five digits before the point. Also the decimals that five digits leave.
+# A size; from there on, the power of ten that gives five digits before the point, and the decimals that are left.
 _SCALES = ((1e4, 1.0, 0), (1e3, 1e1, 1), (1e2, 1e2, 2), (1e1, 1e3, 3), (1e0, 1e4, 4), (1e-1, 1e5, 5), (1e-2, 1e6, 6), (1e-3, 1e7, 7), (1e-4, 1e8, 8))
 
 _FEW_BITS = 1 << 20

@@ -118,7 +118,7 @@ internal class FirstLines(private val pending: PendingBytes, private val cellRea
         private const val CLEARLY = 3
         private const val MAX_CELLS = 1 shl 16
 
-        /** Among random bytes, every ninth is a control character. In text with a few damaged places, fewer than one in [MIN_TEXT]. */
+        /** Every ninth random byte is a control character; in text with a few damaged places, fewer than one in [MIN_TEXT] is. */
         private const val MIN_TEXT = 20
         private const val MIN_CONTROLS = 16
 

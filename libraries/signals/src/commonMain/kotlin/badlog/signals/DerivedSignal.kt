@@ -3,8 +3,7 @@ package badlog.signals
 import badlog.core.analysis.Series
 
 /**
- * A signal for rules that is calculated from topics of a log. An example is the distance of a part from its target. `docs/signals.md` lists
- * them.
+ * A signal for rules that is calculated from topics of a log, such as a part's distance from its target. `docs/signals.md` lists them.
  *
  * @property name the name in rules; several parts may have it.
  * @property unit the unit of its samples; empty for none.

@@ -56,7 +56,7 @@ internal class RecordedTopic(val name: String, val typeName: String, val logName
     var latest: ByteArray? = null
     var latestMicros = 0L
 
-    /** The number of its entry in the current file, 0 for none. Also the time of its last record there, null for none. */
+    /** The number of its entry in the current file, 0 for none. Beside it is the time of its last record there, null for none. */
     var entry = 0
     var writtenMicros: Long? = null
 

@@ -54,8 +54,8 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
 }
 
 /**
- * Returns the match that [recording] is of, from its values. Otherwise from its topics, found by this vocabulary, otherwise from the name
- * of its file, [fileName].
+ * Returns the match of [recording], as its values name it. If they do not, its topics do, found by this vocabulary, or else the name of
+ * its file, [fileName].
  */
 fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog {
     val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, topicsWithoutValues(recording.topics))

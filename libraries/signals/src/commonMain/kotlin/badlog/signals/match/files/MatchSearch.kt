@@ -20,7 +20,7 @@ fun matchesOf(files: List<MatchFile>): FoundMatches {
     val (timed, timeless) = sorted.partition { it.log.hasClock }
     val left = ArrayList(timeless.map { it to "${it.name} has no samples over time, so it cannot be placed." })
     val ofRobots = timed.filter { it.role == FileRole.ROBOT }
-    // A log that does not show when the robot was enabled is put beside one that does. An example is a camera's.
+    // A log that does not show when the robot was enabled, such as a camera's, is put beside one that does.
     val leading = ofRobots.filter { it.log.edges.isNotEmpty() || it.seconds != null }.ifEmpty { ofRobots }
     val groups = RobotGroups(leading).groups
     if (groups.isEmpty()) {

@@ -5,7 +5,7 @@ import badlog.viewer.catalog.ListedLog
 import kotlin.math.abs
 
 /**
- * The logs of one run of a match, such as the robot's and the Driver Station's. Otherwise one log without a match.
+ * The logs of one run of a match, such as the robot's and the Driver Station's; or one log without a match.
  *
  * @property logs the logs.
  */
