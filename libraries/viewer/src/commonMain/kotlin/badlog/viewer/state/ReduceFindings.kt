@@ -28,8 +28,8 @@ private fun ViewerState.findings(step: FindingsState.() -> FindingsState) = Outc
 
 private fun ViewerState.selected(shown: Shown): ViewerState {
     val (rule, topic, x) = place.wanted ?: return this
-    fun isMeant(finding: Finding) = finding.rule == rule && finding.topic == topic
-    val found = shown.found?.timeline?.placeAt(x, ::isMeant)?.takeIf { isMeant(it.finding) } ?: return this
+    fun isSelected(finding: Finding) = finding.rule == rule && finding.topic == topic
+    val found = shown.found?.timeline?.placeAt(x, ::isSelected)?.takeIf { isSelected(it.finding) } ?: return this
     return at(place.copy(visited = found, wanted = null))
 }
 
