@@ -34,7 +34,7 @@ public final class ReportBenchmark {
         try {
             for (String run : List.of("read", "from the cache")) {
                 measure("find, " + run, () -> FindTextKt.findText(
-                    new Find(QUESTION, List.of(), cache, null, SignalVocabulary.Companion.getNONE()).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE), WIDTH));
+                    new Find(QUESTION, List.of(), cache, null, SignalVocabulary.Companion.getNONE(), null).over(files, ReportBenchmark::ignore, result -> Unit.INSTANCE), WIDTH));
                 measure("report, " + run, () -> ReportTextKt.reportText(
                         new Report(RulesFile.Companion.getBUILT_IN().getRules(), List.of(), List.of(), cache, null, null, false, null)
                         .over(files, ReportBenchmark::ignore, (log, hooks) -> Unit.INSTANCE), WIDTH));
