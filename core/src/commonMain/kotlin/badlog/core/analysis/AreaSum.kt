@@ -15,7 +15,7 @@ public class AreaSum {
     /** The area so far. */
     public val value: Double get() = sum + compensation
 
-    /** Adds the sample ([x], [y]). The area before it counts if the previous sample has a value and is not later. */
+    /** Adds the sample ([x], [y]), and the area since the previous sample if that has a value and is not later. */
     public fun add(x: Double, y: Double) {
         holdUntil(x)
         lastX = x

@@ -1,9 +1,9 @@
 package badlog.core.analysis
 
 /**
- * Reduces a series of any length to its first, last, smallest and largest value in each pixel column. Drawing then costs only the screen's
- * width (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014). A lone spike always shows. A gap of a
- * column's width or more stays a gap, and so does one between two columns.
+ * Reduces a series of any length to its first, last, smallest and largest value in each pixel column. The cost of drawing then depends only
+ * on the screen's width (M4: Jugel et al., "M4: A Visualization-Oriented Time Series Data Aggregation", 2014). An isolated spike is always
+ * visible. A gap of a column's width or more stays a gap, and so does one between two columns.
  *
  * A min/max pyramid, built on first use, avoids visiting every sample at every zoom. Not thread-safe.
  */

@@ -5,7 +5,7 @@ import badlog.core.recording.Topic
 /**
  * A time during which the robot was enabled.
  *
- * @property span where on the x axis.
+ * @property span its part of the x axis.
  * @property isAutonomous whether the robot was in autonomous mode; false if a driver controlled it, or if the mode is unknown.
  * @property isTest whether the robot was in test mode, which is called utility from 2027 on; no match is played in that mode.
  * @property opMode the name of the op mode that a robot ran, from 2027 on; null if there is none.
@@ -18,8 +18,8 @@ public data class EnabledSpan(
 )
 
 /**
- * Returns when the robot was enabled, in the order of x, according to the [modes][LogView.modes]. The last value of a topic with
- * times of its own holds until the recording's end. Empty if no topic shows it, or if x goes backwards.
+ * Returns the spans in which the robot was enabled, in the order of x, according to the [modes][LogView.modes]. The last value of a topic
+ * with times of its own holds until the recording's end. Empty if no topic shows when it was enabled, or if x goes backwards.
  */
 public fun LogView.enabledSpans(): List<EnabledSpan> {
     val autonomous = modes.autonomous?.let(::spansOf).orEmpty()
@@ -34,7 +34,7 @@ public fun LogView.enabledSpans(): List<EnabledSpan> {
     }
 }
 
-/** Whether the recording shows when the robot was enabled; if it doesn't, [enabledSpans] is empty and means nothing. */
+/** Whether the recording shows when the robot was enabled; if not, [enabledSpans] is empty, whether or not it was. */
 public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it.topic) }?.let { seriesOf(it).data.isOrdered } ?: false
 
 /** Whether the recording shows which [enabledSpans] were autonomous. */
@@ -60,7 +60,7 @@ private fun LogView.spansOf(flag: FlagTopic): List<Span> {
 
 /** The texts of a topic over x. */
 private class Texts(private val series: Series, private val texts: List<String>) {
-    /** Returns the text that holds at [x]; null if it is empty, and before the first. */
+    /** Returns the text that holds at [x]; null if it is empty, or if [x] is before the first text. */
     fun at(x: Double): String? {
         val last = series.firstAfter(x) - 1
         val sample = if (last < 0) Double.NaN else series.y[last]

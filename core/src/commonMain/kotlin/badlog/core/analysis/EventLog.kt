@@ -17,7 +17,7 @@ public class Event(public val x: Double, public val row: Int, public val text: S
  * @property topic the topic that holds the events.
  */
 public class EventLog internal constructor(public val topic: Topic, xAxis: XAxis) {
-    /** The full name, with its folder. */
+    /** The topic's full name, with its folder. */
     public val name: String get() = topic.name
 
     /** The heading above the events: the name without its folder. */

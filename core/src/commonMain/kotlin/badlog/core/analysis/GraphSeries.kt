@@ -11,7 +11,7 @@ import badlog.core.recording.Topic
  * @property isDerived whether its samples were calculated from [topic]'s samples rather than logged.
  * @property states the names of the states, if the numbers only stand for states: number `n` is `states[n]`. Otherwise
  * null.
- * @param range returns where its recording has samples, see [recorded].
+ * @param range returns the part of x in which its recording has samples, see [recorded].
  */
 public class GraphSeries internal constructor(
     public val name: String,
@@ -29,14 +29,14 @@ public class GraphSeries internal constructor(
     public val holds: Boolean get() = topic.times != null && !isDerived
 
     /**
-     * The part of x in which its recording has samples, of this line or of others. Where values hold, the last one holds until the end of
+     * The part of x in which its recording has samples, in this line or in others. Where values hold, the last one holds until the end of
      * this part. Null if there are no samples.
      */
     public val recorded: ClosedFloatingPointRange<Double>? get() = range()
 
     /**
      * Returns this line with [offset] added to each x, and [suffix] to its name and its topic's. The line can then be drawn among the lines
-     * of another log. [offset] is in the unit of x; the times of the topic itself stay.
+     * of another log. [offset] is in the unit of x; the times of the topic itself are unchanged.
      */
     public fun moved(offset: Double, suffix: String): GraphSeries = GraphSeries(
         name + suffix,

@@ -13,7 +13,7 @@ import badlog.core.recording.Value
  * @property title the match, such as `OHCL Qualification 42`, from the event and match values; null if there are
  * none.
  * @property xAxis the common x of its graphs.
- * @property folders the root folder first, if it has anything, then the others, sorted regardless of case.
+ * @property folders the root folder, if it has any content, then the others, sorted regardless of case.
  * @property problems the recording's problems, then the problems of its attributes.
  * @property modes the topics that show when the robot was enabled.
  */
@@ -28,17 +28,17 @@ public class LogView internal constructor(
     /** Returns this view with another match [title] and other [modes], the topics that show when the robot was enabled. */
     public fun identified(title: String?, modes: ModeTopics): LogView = LogView(recording, title, xAxis, folders, problems, modes)
 
-    /** Returns [topic], one of the recording's, as a line by itself, whether or not a graph shows it. */
+    /** Returns [topic], a topic of the recording, as a line of its own, even if no graph shows it. */
     public fun seriesOf(topic: Topic): GraphSeries = seriesOf(topic, xAxis)
 
-    /** Returns the texts of [topic], one of the recording's, as events, whether or not they are shown as a list. */
+    /** Returns the texts of [topic], a topic of the recording, as events, even if they are not shown as a list. */
     public fun eventsOf(topic: Topic): EventLog = EventLog(topic, xAxis)
 
     /** Returns the number of [problems] with [severity]. */
     public fun count(severity: Severity): Int = problems.count { it.severity == severity }
 
     public companion object {
-        /** Applies the attributes of [recording] as [registry] understands them. */
+        /** Returns the view of [recording] after [registry] has applied its attributes. */
         public fun of(recording: Recording, registry: AttributeRegistry = AttributeRegistry.STANDARD): LogView =
             LogViewBuilder(recording, registry).build()
     }

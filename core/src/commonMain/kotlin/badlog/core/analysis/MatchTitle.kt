@@ -18,8 +18,8 @@ public fun matchTitle(event: String?, type: String?, number: String?): String? {
 }
 
 /**
- * Returns the first meaningful text among the values called one of [names], see [isMeaningful]; null if there is none. [names] are in lower
- * case and without folders.
+ * Returns the first meaningful text among the values with one of these [names], see [isMeaningful]; null if there is none. [names] are in
+ * lower case and without folders.
  */
 public fun List<Value>.firstText(vararg names: String): String? =
     firstOrNull { PathName.baseNameOf(it.name).replace('_', ' ').lowercase() in names && isMeaningful(it.text) }?.text?.trim()

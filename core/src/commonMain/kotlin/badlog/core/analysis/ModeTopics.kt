@@ -29,7 +29,7 @@ public class ModeTopics(
  */
 public class FlagTopic(public val topic: String, public val reading: FlagReading)
 
-/** How the samples of a topic are read as true or false. A gap is never true. */
+/** The rule by which the samples of a topic are read as true or false. A gap is never true. */
 public sealed interface FlagReading {
     /** Returns whether [sample] is read as true. If samples stand for texts, [states] has these texts. */
     public fun isSet(sample: Double, states: List<String>): Boolean

@@ -73,13 +73,13 @@ public fun periodicTimes(recording: Recording, period: Double): DoubleArray {
     return periodicTimes(range.start, period, steps.toInt() + 1)
 }
 
-/** Returns [count] times from [from] on, [period] apart, without the stray last digits of sums of binary fractions. */
+/** Returns [count] times from [from] on, [period] apart, without the rounding errors in their last digits. */
 public fun periodicTimes(from: Double, period: Double, count: Int): DoubleArray = DoubleArray(count) {
     val time = from + it * period
     if (period >= MICROSECOND) round(time * ROUNDING_SCALE) / ROUNDING_SCALE else time
 }
 
-/** Returns the times at which [topic], one of [recording]'s, has samples: each once, in ascending order. */
+/** Returns the times at which [topic], a topic of [recording], has samples: each once, in ascending order. */
 public fun timesOf(recording: Recording, topic: Topic): DoubleArray {
     val positions = positionsOf(topic, LogView.of(recording).xAxis).filter { it.isFinite() }.toDoubleArray()
     positions.sort()

@@ -4,9 +4,9 @@ import badlog.core.recording.Topic
 import kotlin.math.abs
 
 /**
- * Returns the average number of samples per second of [topic], one of this view's, gaps included. It counts from the first to the last
- * sample. NaN if it has fewer than two samples, or if the x axis does not have a unit of time. An axis without a unit counts as seconds,
- * the row index does not.
+ * Returns the average number of samples per second of [topic], a topic of this view. Gaps count as samples. The time is measured from the
+ * first to the last sample. NaN if it has fewer than two samples, or if the x axis does not have a unit of time. An axis without a unit is
+ * taken to be in seconds, unless it is the row index.
  */
 public fun LogView.sampleRateOf(topic: Topic): Double {
     val ownTimes = topic.times

@@ -29,7 +29,7 @@ internal fun samplesOf(topic: Topic, xAxis: XAxis): Series {
     return Series(keptX, keptY)
 }
 
-/** Returns the states of a [TopicKind.STATE] topic over [xAxis], as numbers into its dictionary. A cell without text is a gap. */
+/** Returns the states of a [TopicKind.STATE] topic over [xAxis], as indices into its dictionary. A cell without text is a gap. */
 internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
     val positions = positionsOf(topic, xAxis)
     val texts = topic.texts
@@ -43,7 +43,7 @@ internal fun statesOf(topic: Topic, xAxis: XAxis): Series {
     )
 }
 
-/** Returns [topic] as a line by itself: its numbers or its states. */
+/** Returns [topic] as a line of its own: its numbers or its states. */
 internal fun seriesOf(topic: Topic, xAxis: XAxis): GraphSeries {
     val name = PathName.baseNameOf(topic.name)
     return when (topic.kind) {

@@ -64,9 +64,10 @@ private const val MIN_SAMPLED = 600
 private const val MAX_ROUNDS = 8
 
 /**
- * Returns the value below which [share] of the total weight lies. It is the smallest of the first [count] of [values] that weighs, together
- * with all values below it, at least that share; if exactly that share, the result is the midpoint between that value and the next. Equal
- * values may have their weights together or separately, with the same result. NaN if there are no values.
+ * Returns the value below which [share] of the total weight lies. Only the first [count] of [values] are used. The result is the smallest
+ * value that has, together with all values below it, at least that share of the weight; if exactly that share, it is the midpoint between
+ * that value and the next. The weights of equal values may be given together or separately, with the same result. NaN if there are no
+ * values.
  *
  * @param values not NaN.
  * @param weights above 0.
@@ -103,7 +104,7 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
         total = parts.sum()
     }
 
-    /** The percentile of [share], from 0 to 1; NaN if there are no values. */
+    /** Returns the percentile at [share], a fraction from 0 to 1; NaN if there are no values. */
     fun of(share: Double): Double {
         if (count == 0) return Double.NaN
         val rounding = total * ROUNDING
@@ -171,10 +172,10 @@ internal class WeightedPercentiles(private val values: DoubleArray, private val 
     private companion object {
         const val PARTS = 1024
 
-        /** Up to this many values are not divided. */
+        /** From this many values on, their range is divided into parts. */
         const val MAX_UNDIVIDED = 64
 
-        /** The relative difference of sums of the same weights in different orders is smaller than this. */
+        /** The upper limit of the relative difference between sums of the same weights in different orders. */
         const val ROUNDING = 1e-9
     }
 }

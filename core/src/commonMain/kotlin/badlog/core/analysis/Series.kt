@@ -5,8 +5,8 @@ import kotlin.math.abs
 /**
  * Samples over x: `(x[i], y[i])` for every `i`. Several series may share one array of x.
  *
- * @property x the position of each sample; finite. Usually ascending, see [isOrdered]. Not to be changed.
- * @property y the samples, of the same size as [x]; NaN is a gap, and an infinity is drawn as one. Not to be changed.
+ * @property x the position of each sample; finite. Usually ascending, see [isOrdered]. Do not change this array.
+ * @property y the samples, of the same size as [x]; NaN is a gap, and an infinity is drawn as one. Do not change this array.
  * @throws IllegalArgumentException if the sizes differ.
  */
 public class Series(public val x: DoubleArray, public val y: DoubleArray) {

@@ -10,7 +10,7 @@ import kotlin.math.sqrt
  * @property count the number of samples in the range that have a finite value.
  * @property gaps the number of samples in the range that have none.
  * @property min the smallest value, including one that still holds from before the range.
- * @property max the largest value, likewise.
+ * @property max the largest value, including one that still holds from before the range.
  * @property mean the mean, with each value weighted by how long it holds.
  * @property standardDeviation the root mean square of the distances from [mean], weighted likewise.
  * @property percentile5 the value below which the series lies for 5 % of the time; see [weightedPercentile].
@@ -39,7 +39,7 @@ public data class SeriesStatistics(
  * Returns the statistics from [from] to [to], both ends included. The value that still holds at [from] counts, too. In an ordered series
  * only these samples are visited; two arrays are allocated for them.
  *
- * @param end until where the last sample holds, such as the end of its recording; NaN for no farther than its own x.
+ * @param end the x until which the last sample holds, such as the end of its recording; NaN if it ends at its own x.
  */
 public fun Series.statistics(
     from: Double = Double.NEGATIVE_INFINITY,
@@ -48,7 +48,8 @@ public fun Series.statistics(
 ): SeriesStatistics = statistics(listOf(Span(from, to)), end)
 
 /**
- * Returns the statistics of several [parts] together, without anything between them. An example is the time in which a robot was enabled.
+ * Returns the statistics of several [parts] together, leaving out everything between them. An example is the time in which a robot was
+ * enabled.
  *
  * @param parts in the order of x; they do not touch.
  * @param end see the statistics of a single part.

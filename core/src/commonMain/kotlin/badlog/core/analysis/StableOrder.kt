@@ -1,8 +1,8 @@
 package badlog.core.analysis
 
 /**
- * Returns the [indices] in ascending order of their [keys]. Equal keys keep their order, and NaN comes last. A bottom-up merge
- * sort that allocates no object per index.
+ * Returns the [indices] in ascending order of their [keys]. Equal keys keep their order, and NaN comes last. It uses a bottom-up merge
+ * sort, which allocates no object per index.
  */
 public fun stableOrder(keys: DoubleArray, indices: IntArray = IntArray(keys.size) { it }): IntArray {
     var from = indices.copyOf()

@@ -1,8 +1,8 @@
 package badlog.core.analysis
 
 /**
- * The runs of a series of states. Run `i` is in [states]`[i]` from [from]`[i]` to [to]`[i]`, where the next one begins. The last one lasts
- * until [end], because a topic that is logged when it changes keeps its state.
+ * The runs of a series of states. Run `i` has the state [states]`[i]` from [from]`[i]` to [to]`[i]`, where the next run begins. The last
+ * one lasts until [end], because a topic that is logged when it changes keeps its state.
  */
 public class StateRuns(series: Series, end: Double) {
     /** Where each run begins. */

@@ -4,7 +4,7 @@ import badlog.core.recording.Topic
 
 /** Functions that recognize, derive and convert units. */
 public object Units {
-    /** Returns whether [unit] means that there is none: `ul`, or a blank text. */
+    /** Returns whether [unit] stands for no unit: it is `ul` or blank. */
     public fun isNone(unit: String): Boolean = unit.isBlank() || unit == Topic.UNITLESS
 
     /**

@@ -10,9 +10,8 @@ import badlog.core.recording.Topic
  * @property name its name: the base name of the topic with the `xaxis` attribute; `Time` if there are no rows and topics have times of
  *   their own; otherwise `Index`.
  * @property unit its unit, `ul` for none.
- * @property positions the x of each row; may hold gaps, and may go backwards. Empty where there are no rows. Not to be
- *   changed.
- * @property topic the topic that holds it; null for the row index and for topics' own times.
+ * @property positions the x of each row; may have gaps, and may go backwards. Empty if there are no rows. Do not change this array.
+ * @property topic the topic with the values of x; null for the row index and for topics' own times.
  */
 public class XAxis private constructor(
     public val name: String,

@@ -85,7 +85,7 @@ private fun List<JsonMember>.without(vararg known: String): Map<String, String> 
  * A topic's name is written in the form that the line of titles can hold, so that both lines agree: a newline becomes a space; a
  * NUL, and half of a surrogate pair, become U+FFFD.
  *
- * Written without a JSON library, because a robot writes it before its first loop and has 256 MB for everything.
+ * It is written without a JSON library, because a robot writes it before its first loop and has only 256 MB of memory.
  *
  * @param asOriginal true to write the exact bytes that the original badlog wrote: a topic's unit comes before its name, and more
  *   characters are escaped than necessary.

@@ -20,8 +20,7 @@ import badlog.core.text.wallTimeText
  * Besides the recording's columns, it keeps one piece of the file in memory, never the whole file. Compressed files must be inflated first.
  * Not thread-safe.
  *
- * @param expectedBytes the length of the file, if known, so that columns do not grow beyond what its rows need. 0 if it is
- *   not known.
+ * @param expectedBytes the length of the file, which limits the memory of the columns to the need of its rows; 0 if it is not known.
  * @param keepSamples false to find only topics, counts and problems, in memory that does not grow with the file.
  */
 public class BagParser(private val expectedBytes: Long = 0, private val keepSamples: Boolean = true) : LogParser {
@@ -210,7 +209,7 @@ public class BagParser(private val expectedBytes: Long = 0, private val keepSamp
     }
 
     public companion object {
-        /** A thousand rows a second for more than half a day. */
+        /** The default maximum of rows: a thousand a second for more than half a day. */
         public const val MAX_ROWS: Int = 50_000_000
 
         private const val START = "Start Time"

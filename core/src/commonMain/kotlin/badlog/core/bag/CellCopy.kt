@@ -15,8 +15,8 @@ internal class CellCopy(
     private var textLength = 0
 
     /**
-     * Copies the row's first [count] cells, unescaped if [undouble]. Further cells become empty; those that the splitter found beyond the
-     * row's are dropped.
+     * Copies the row's first [count] cells, unescaped if [undouble]. The other cells of the row become empty; cells that the splitter found
+     * beyond the row's width are dropped.
      */
     fun take(bytes: ByteArray, undouble: Boolean, count: Int) {
         textLength = 0

@@ -7,7 +7,7 @@ import badlog.core.text.PLUS
 import badlog.core.text.SPACE
 import badlog.core.text.TAB
 
-/** The content of one cell; plain numbers, because a row has hundreds of cells and none may cost an object. */
+/** The kinds of content of a cell. They are plain numbers, because a row has hundreds of cells and none may need an object. */
 internal object CellKind {
     const val EMPTY = 0
     const val NUMBER = 1

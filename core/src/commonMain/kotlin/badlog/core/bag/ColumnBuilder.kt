@@ -195,11 +195,11 @@ internal class ColumnBuilder(
     /**
      * Adds the rows of another builder.
      *
-     * @param row the first of them, which follows all rows added here.
-     * @param rows their number.
-     * @param more their numbers.
-     * @param details the output of [writeTo] for them.
-     * @param linesBefore the number of lines before the first of them.
+     * @param row the index of the first of these rows, which follows all rows added here.
+     * @param rows the number of these rows.
+     * @param more the numbers in these rows.
+     * @param details the output of [writeTo] for these rows.
+     * @param linesBefore the number of lines before the first of these rows.
      */
     fun append(row: Int, rows: Int, more: DoubleArray, details: BatchReader, linesBefore: Int) {
         if (keepsNumbers) {

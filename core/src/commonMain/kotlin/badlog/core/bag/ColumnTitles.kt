@@ -7,13 +7,13 @@ package badlog.core.bag
  * @property isDoubtful for each column, whether its title may belong to another column.
  */
 internal class ColumnTitles(val titles: List<String>, val isDoubtful: BooleanArray = BooleanArray(titles.size)) {
-    /** Returns the same with [change] applied to each title. */
+    /** Returns these titles with [change] applied to each. */
     fun map(change: (String) -> String) = ColumnTitles(titles.map(change), isDoubtful)
 
     companion object {
         /**
-         * Returns the titles for [names] on line 1, [titles] on line 2, and rows of [width] cells. A [width] of 0 is not known. Line 1 wins
-         * if it has that many names.
+         * Returns the titles for [names] on line 1, [titles] on line 2, and rows of [width] cells. A [width] of 0 means that it is not
+         * known. If line 1 has that many names, it takes precedence.
          */
         fun of(names: List<String>, titles: List<String>, width: Int): ColumnTitles = when {
             width == 0 || (titles.size == width && names.size != width) || names.sorted() == titles.sorted() -> ColumnTitles(titles)

@@ -8,9 +8,9 @@ import badlog.core.text.originOf
  *
  * @property separator the byte between two cells.
  * @property hasComma whether numbers have decimal commas.
- * @property between the mark between thousands, a character; null if there is none.
- * @property clocks the µs in the unit of each column of times of day, by the column's index; [ISO_CLOCK] for times in ISO 8601.
- * @property hasTitles whether the first line is titles.
+ * @property between the character between thousands; null if there is none.
+ * @property clocks for each column of times of day, by its index, the µs in one unit; [ISO_CLOCK] for times in ISO 8601.
+ * @property hasTitles whether the first line has the titles.
  * @property isNamed whether the file's first line names the separator, as Excel's does.
  */
 internal class CsvDialect(
@@ -45,10 +45,10 @@ internal class CsvDialect(
     }
 }
 
-/** The clock of a column with times in ISO 8601, which count nothing. */
+/** The clock of a column with times in ISO 8601, which do not count in a unit. */
 internal const val ISO_CLOCK = 0.0
 
-/** Returns the clock of a column with [number], a time since 1970: the µs in its unit. Null if it is not a time in s, ms, µs or ns. */
+/** Returns the number of µs in the unit of [number], a time since 1970. Null if it is not a time in s, ms, µs or ns. */
 internal fun clockOf(number: Double): Double? = CLOCKS.find { originOf(number * it) > 0 }
 
 private val CLOCKS = listOf(1e6, 1e3, 1.0, 1e-3)

@@ -1,7 +1,7 @@
 package badlog.core.bag
 
 /**
- * A number in the form of a person or a spreadsheet. It has digits with marks between them, such as `1.234,5`, `12 345` or `0,02`.
+ * A number as a person or a spreadsheet writes it. It has digits with marks between them, such as `1.234,5`, `12 345` or `0,02`.
  *
  * @param parts the digits between the marks.
  * @param marks the marks, each a point, a comma, a space or an apostrophe.
@@ -67,7 +67,7 @@ internal class CsvNumber private constructor(
         private const val POINTS = ".,"
         private const val MARKS = "., '"
 
-        /** Longer cells are not numbers. */
+        /** The maximum length of a cell with a number. */
         const val MAX_LENGTH = 48
         private val HARD_SPACES = listOf("\u00c2\u00a0", "\u00e2\u0080\u00af", "\u00a0")
 

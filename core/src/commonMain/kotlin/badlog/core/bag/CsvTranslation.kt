@@ -225,16 +225,16 @@ internal class CsvTranslation(private val dialect: CsvDialect) {
     }
 
     private companion object {
-        /** Longer cells are neither numbers nor times. */
+        /** The maximum length of a cell with a number or a time. */
         const val MAX_CELL = 64
 
-        /** The digits between two marks. */
+        /** The number of digits between two marks. */
         const val GROUP = 3
 
-        /** Longer lines are cut: no log has such a line. */
+        /** The maximum length of a cell in bytes; the rest of a longer one is dropped. */
         const val MAX_LINE = 1 shl 24
 
-        /** A quote that nothing closes must not swallow the file. */
+        /** The length of a cell at which an open quote is ignored, so that it does not swallow the file. */
         const val MAX_TEXT = 1 shl 16
     }
 }

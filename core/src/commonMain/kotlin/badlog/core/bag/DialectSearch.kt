@@ -9,7 +9,7 @@ import badlog.core.text.microsOfIsoTime
 
 /** Finds the [CsvDialect] of a file by counting the cells of its first lines. One line alone may be read in several ways. */
 internal object DialectSearch {
-    /** This many bytes are examined. */
+    /** The number of bytes to examine. */
     const val BYTES = 1 shl 16
     private const val MAX_LINES = 400
     private const val SEMICOLON = ';'.code

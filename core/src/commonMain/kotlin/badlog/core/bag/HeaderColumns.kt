@@ -13,13 +13,13 @@ import badlog.core.text.isLetterOrDigit
  * @property order the columns in display order: first in the order of line 1, then those that line 1 does not name.
  */
 internal class HeaderColumns private constructor(val columnNames: List<String>, val topics: List<BagTopic?>, val order: List<Int>) {
-    /** Returns the same with the topic that [describe] returns for each column by its index. */
+    /** Returns the same columns, each with the topic that [describe] returns for its index. */
     fun describedBy(describe: (index: Int) -> BagTopic) = HeaderColumns(columnNames, columnNames.indices.map(describe), order)
 
     companion object {
         /**
-         * Matches the topics of [header] with the column titles of line [line] by name. Of equal names, the first matches the first. A
-         * plain CSV file has no header.
+         * Matches the topics of [header] with the column titles of line [line] by name. Equal names are matched in their order. A plain CSV
+         * file has no header.
          */
         fun match(header: BagHeader?, titles: List<String>, line: Int, problems: ProblemList): HeaderColumns {
             val described = header?.topics.orEmpty()

@@ -10,8 +10,8 @@ import badlog.core.recording.TopicKind
  * last bit, and each cell of the same kind.
  *
  * Details that the format cannot express are lost. CSV has neither units, attributes nor values. A newline in a topic's name becomes a
- * space, and a CSV title keeps no control characters but tabs. If a topic has both empty cells and cells with `NaN`, all of them are
- * written as the same. A text with lines that look like rows is read as rows, see `docs/bag-format.md`.
+ * space, and a CSV title keeps no control characters but tabs. If a topic has both empty cells and cells with `NaN`, both are written
+ * alike. A text with lines that look like rows is read as rows, see `docs/bag-format.md`.
  *
  * @param recording the recording to write; it must have been read with its samples.
  * @param format the format to write; a recording read from a bag can be written as CSV, and vice versa.
@@ -20,8 +20,8 @@ public class RecordingWriter(private val recording: Recording, private val forma
     /**
      * Writes the header and the rows from [fromRow] until [untilRow].
      *
-     * @param progress called after each piece with the number of these rows written so far, and the number of all. An
-     *   exception from it stops the writing and is passed on.
+     * @param progress called after each piece with the number of rows written so far, and the total to be written. An exception from it
+     *   stops the writing and is passed on.
      * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the
      *   call. An exception from it stops the writing and is passed on.
      * @throws IllegalArgumentException if there are no such rows, the recording was read without its samples, its
@@ -104,7 +104,7 @@ public class RecordingWriter(private val recording: Recording, private val forma
 
 /**
  * Returns line 1 for writing [recording] as a bag. It is the recording's own line if that describes exactly these topics and values,
- * otherwise a new one with the unknown keys of the own line.
+ * otherwise a new one with the unknown keys of that line.
  */
 internal fun headerLineOf(recording: Recording): String {
     val line = recording.headerLine

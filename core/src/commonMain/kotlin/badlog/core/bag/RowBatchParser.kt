@@ -20,7 +20,7 @@ public class RowBatchParser(readsDecimalComma: BooleanArray, private val keepSam
     private val scanner = RowScanner(cells, cellReader)
 
     /**
-     * Reads the rows from [from] until [until] of [bytes], where the first begins and the last ends with its newline.
+     * Reads the rows of [bytes] from [from], where a row begins, until [until], which follows the newline of a row.
      *
      * @return the rows; the next call overwrites their numbers. Null if something is irregular: the rows may then depend on those before or
      *   after, and the [BagParser] must read the bytes itself.

@@ -142,7 +142,7 @@ internal class RowReader(
         const val MAX_ROW_BYTES = 1 shl 24
         const val TOO_LONG = "A line of more than $MAX_ROW_BYTES bytes is not a row of samples; the rest of the file was not read."
 
-        /** The first estimate of the number of rows is made after this many. */
+        /** The number of rows after which the total is first estimated. */
         const val SAMPLE_ROWS = 64
         const val MAX_GROWTH = 16L
 

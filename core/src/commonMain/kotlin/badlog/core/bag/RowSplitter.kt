@@ -5,10 +5,7 @@ import badlog.core.text.QUOTE
 
 /** Finds the cells of a row that is not plain, under several readings of its quotes. */
 internal class RowSplitter {
-    /**
-     * The start and the end of each cell that was last found, without its quotes. Only the first ones are valid, as many as [split]
-     * returned.
-     */
+    /** The start and the end of each cell that was last found, without its quotes. Only as many of them are valid as [split] returned. */
     var starts = IntArray(16)
         private set
     var ends = IntArray(16)
@@ -28,7 +25,7 @@ internal class RowSplitter {
 
     /** The readings of quotes. */
     enum class Quotes {
-        /** RFC 4180: a quote opens at a cell's start, closes at the next single quote; doubled ones stand for one. */
+        /** RFC 4180: a quote opens at a cell's start and closes at the next single quote. A doubled quote stands for one. */
         STRICT,
 
         /** A quote opens at a cell's start and closes only before a comma or the end. The original badlog never doubled quotes. */

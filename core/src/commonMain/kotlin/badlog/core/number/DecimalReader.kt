@@ -160,7 +160,7 @@ internal class DecimalReader {
     private companion object {
         const val LOWER_CASE = 32
 
-        /** Every whole number of so many digits is exact. */
+        /** Every whole number of up to this many digits is exact in a double. */
         const val EXACT_DIGITS = 15
 
         /** 2^53: an odd number above it is not exact, whatever power of two it is multiplied by. */

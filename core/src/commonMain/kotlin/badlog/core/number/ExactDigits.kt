@@ -117,10 +117,10 @@ internal class ExactDigits {
     }
 
     companion object {
-        /** Five digits, `10000..99999`. */
+        /** Returns the five digits, from 10000 to 99999. */
         fun digitsOf(rounded: Int): Int = rounded and DIGITS_MASK
 
-        /** Decimal exponent of the first of the five digits. */
+        /** Returns the decimal exponent of the first of the five digits. */
         fun exponentOf(rounded: Int): Int = rounded shr DIGITS_BITS
 
         private fun pack(digits: Int, exponent: Int): Int = (exponent shl DIGITS_BITS) or digits

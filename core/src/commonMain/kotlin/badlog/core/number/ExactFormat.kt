@@ -11,7 +11,7 @@ import kotlin.math.floor
  * otherwise the platform's digits are used.
  */
 internal object ExactFormat {
-    /** Length in bytes of the longest text [write] produces. */
+    /** The length in bytes of the longest text that [write] produces. */
     const val MAX_LENGTH: Int = 25
 
     // Up to this limit, every whole number is a double.

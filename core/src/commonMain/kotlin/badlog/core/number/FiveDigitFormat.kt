@@ -5,12 +5,12 @@ import badlog.core.text.PLUS
 import badlog.core.text.ZERO
 
 /**
- * Writes any [Double] as text with five significant digits. Each byte is as from `String.format(Locale.ROOT, "%.5g", value)` on Java 17.
+ * Writes any [Double] as text with five significant digits, the same as `String.format(Locale.ROOT, "%.5g", value)` on Java 17.
  *
  * | value                                     | texts                                      |
  * |-------------------------------------------|--------------------------------------------|
- * | size, once rounded, in `[1e-4, 1e5)`      | `0.00010000`, `12.346`, `-100.00`, `99999` |
- * | any other finite size above zero          | `1.0000e-05`, `-1.2346e+05`, `1.7977e+308` |
+ * | magnitude after rounding in `[1e-4, 1e5)` | `0.00010000`, `12.346`, `-100.00`, `99999` |
+ * | any other finite magnitude above zero     | `1.0000e-05`, `-1.2346e+05`, `1.7977e+308` |
  * | zero                                      | `0.0000`, `-0.0000`                        |
  * | not finite                                | `NaN`, `Infinity`, `-Infinity`             |
  *
@@ -25,7 +25,7 @@ import badlog.core.text.ZERO
  * several threads are safe if their buffers are not shared.
  */
 public object FiveDigitFormat {
-    /** Length in bytes of the longest text that [write] produces: `-1.7977e+308`. */
+    /** The length in bytes of the longest text that [write] produces: `-1.7977e+308`. */
     public const val MAX_LENGTH: Int = 12
 
     private val exactDigits = ExactDigits()

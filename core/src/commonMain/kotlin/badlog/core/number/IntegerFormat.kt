@@ -5,7 +5,7 @@ import badlog.core.text.ZERO
 
 /** Writes whole numbers as text, with all of their digits. Calls allocate nothing. */
 internal object IntegerFormat {
-    /** Length in bytes of the longest text that [write] produces: [Long.MIN_VALUE]. */
+    /** The length in bytes of the longest text that [write] produces: [Long.MIN_VALUE]. */
     const val MAX_LENGTH: Int = 20
 
     /** Writes [value] into [into] from index [at] on; returns the index after its last digit. */

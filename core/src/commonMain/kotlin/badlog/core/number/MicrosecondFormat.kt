@@ -9,7 +9,7 @@ import badlog.core.text.ZERO
  * number that is not finite, is written by [FiveDigitFormat]. Calls allocate nothing.
  */
 internal object MicrosecondFormat {
-    /** Length in bytes of the longest text [write] produces. */
+    /** The length in bytes of the longest text that [write] produces. */
     const val MAX_LENGTH: Int = 27
 
     private const val FRACTION_DIGITS = 6

@@ -21,13 +21,13 @@ internal class PowersOfTen96(private val min: Int, max: Int) {
         fillDownwards()
     }
 
-    /** Lowest 32 bits. */
+    /** Returns the lowest 32 bits of 10^[power]. */
     fun low(power: Int): Long = words[(power - min) * WORDS].toLong() and WORD_MASK
 
-    /** Bits 32 to 63. */
+    /** Returns bits 32 to 63 of 10^[power]. */
     fun middle(power: Int): Long = words[(power - min) * WORDS + 1].toLong() and WORD_MASK
 
-    /** Highest 32 bits; the first bit is set. */
+    /** Returns the highest 32 bits of 10^[power]; the first of them is set. */
     fun high(power: Int): Long = words[(power - min) * WORDS + 2].toLong() and WORD_MASK
 
     /** Powers of five times 2^96, which leaves room for three words below the shortest of them. */
@@ -84,7 +84,7 @@ internal class PowersOfTen96(private val min: Int, max: Int) {
         /** Five has 2.33 bits; one spare word does no harm. */
         private fun wordsOfFive(power: Int): Int = power * 233 / 100 / 32 + 1
 
-        /** Largest `n` with `2^n` not above 10^[power], for powers from -1000 to 1000. */
+        /** Returns the largest `n` with `2^n` not above 10^[power], for powers from -1000 to 1000. */
         fun log2Floor(power: Int): Int = (power * 1_741_647) shr 19
     }
 }

@@ -8,8 +8,8 @@ public interface LogFormat : RecordingFormat {
     public val signatureSize: Int
 
     /**
-     * Returns whether a file that begins with the first [size] of [bytes] has this format. Fewer than [signatureSize] bytes are the whole
-     * file.
+     * Returns whether a file that begins with the first [size] of [bytes] has this format. If [size] is less than [signatureSize], they are
+     * the whole file.
      */
     public fun matches(bytes: ByteArray, size: Int): Boolean
 
@@ -26,7 +26,7 @@ public interface LogFormat : RecordingFormat {
  * them becomes a problem of the recording. Compressed files must be inflated first. Not thread-safe.
  */
 public interface LogParser {
-    /** The number of rows read so far; of records, if the format has no rows. */
+    /** The number of rows read so far, or of records if the format has no rows. */
     public val rowCount: Int
 
     /**
@@ -41,7 +41,7 @@ public interface LogParser {
      */
     public val isFull: Boolean
 
-    /** Reads the next bytes of the file, [bytes] from [from] up to but without [until]. Keeps no reference to the array. */
+    /** Reads the next bytes of the file, from [from] until [until] of [bytes]. Keeps no reference to the array. */
     public fun accept(bytes: ByteArray, from: Int = 0, until: Int = bytes.size)
 
     /** Ends the file, and returns the recording. Call it once, last. */

@@ -16,7 +16,7 @@ public fun interface NumberSink {
 
 /** Chooses the sink for the numbers of each topic. Called once for each topic, before its first row. */
 public fun interface NumberSinks {
-    /** Returns the sink for the numbers of the topic [name] with [attributes]; null for the recording. */
+    /** Returns the sink for the numbers of the topic [name] with [attributes]; null to keep them in the recording. */
     public fun of(name: String, attributes: List<String>): NumberSink?
 
     public companion object {

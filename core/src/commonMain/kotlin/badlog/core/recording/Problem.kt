@@ -8,7 +8,7 @@ package badlog.core.recording
  * @property message one sentence that a student understands.
  * @property line the physical line of the file, from 1, or null if the problem has no line.
  * @property topic the name of the topic concerned, or null.
- * @property count how often it occurred; [line] and [message] describe the first occurrence.
+ * @property count the number of occurrences; [line] and [message] describe the first occurrence.
  * @property loss the loss over all occurrences.
  */
 public data class Problem(

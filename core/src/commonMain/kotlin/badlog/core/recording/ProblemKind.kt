@@ -18,7 +18,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** The JSON of line 1 is cut or broken, so units, attributes and values are lost. */
     HEADER_UNREADABLE(Severity.ERROR),
 
-    /** The line of titles does not have one for each column; the names of the line of JSON were used. */
+    /** The line of titles does not have a title for each column; the names of the line of JSON were used. */
     TITLES_DAMAGED(Severity.ERROR),
 
     /** The header is damaged, and a column's name may belong to another column. */
@@ -30,7 +30,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A row was cut off, by a loss of power or by damage, and dropped. */
     ROW_CUT(Severity.ERROR),
 
-    /** The last row lacks its newline, so its last cell may be cut: read as a gap. */
+    /** The last row lacks its newline, so its last cell may be cut; that cell was read as a gap. */
     LAST_CELL_CUT(Severity.ERROR),
 
     /** A run of NUL bytes, as file systems leave them after a loss of power. */
@@ -69,16 +69,16 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Numbers with a decimal comma were read as if it were a point. */
     DECIMAL_COMMA(Severity.WARNING),
 
-    /** A numeric topic that is not sparse has cells without a value: gaps. */
+    /** A numeric topic that is not sparse has cells without a value, which are gaps. */
     EMPTY_CELLS(Severity.NOTE),
 
-    /** A numeric topic has cells with text: gaps. */
+    /** A numeric topic has cells with text, which are gaps. */
     TEXT_IN_NUMBERS(Severity.WARNING),
 
     /** `true` and `false` were read as 1 and 0. */
     TRUTH_VALUES(Severity.NOTE),
 
-    /** `NaN` or an infinity: kept as that value, and drawn as a gap. */
+    /** A sample is `NaN` or an infinity; it was kept as such, and is drawn as a gap. */
     NOT_FINITE(Severity.NOTE),
 
     /** The header names a topic that has no column. */
@@ -93,7 +93,7 @@ public enum class ProblemKind(public val severity: Severity) {
     /** A name has a character other than letters, digits, space, `_` and `/`. */
     UNUSUAL_NAME(Severity.NOTE),
 
-    /** An attribute that is not registered; kept in the data, without effect. */
+    /** An attribute is not registered; it was kept in the data, but has no effect. */
     UNKNOWN_ATTRIBUTE(Severity.NOTE),
 
     /** A topic has the same attribute twice. */
@@ -159,6 +159,6 @@ public enum class ProblemKind(public val severity: Severity) {
     /** Whole numbers beyond 2^53 lost their last digits. */
     NUMBERS_ROUNDED(Severity.NOTE),
 
-    /** A log of a match is missing, cannot be read, or has no sure place in the match. It was left out. */
+    /** A log of a match is missing, cannot be read, or has no certain place in the match. It was left out. */
     LOG_LEFT_OUT(Severity.ERROR),
 }

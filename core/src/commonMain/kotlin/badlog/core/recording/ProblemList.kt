@@ -23,7 +23,10 @@ public class ProblemList {
         }
     }
 
-    /** Returns the problems in the order in which they were added, then one for each kind that occurred more often. */
+    /**
+     * Returns the problems in the order in which they were added, then one for the rest of each kind and topic that occurred more than ten
+     * times.
+     */
     public fun toList(): List<Problem> = problems + overflow.values
 
     private companion object {

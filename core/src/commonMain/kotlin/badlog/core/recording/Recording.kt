@@ -7,8 +7,8 @@ package badlog.core.recording
  * @property headerLine the JSON of the file's first line exactly as in the file, or null if it has none.
  * @property values the values, in the order of the file.
  * @property topics the topics, in the order of the file's header.
- * @property rowCount the number of samples of each topic that shares rows with the others; 0 if all topics have
- *   [times of their own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts both.
+ * @property rowCount the number of samples of each topic that shares rows with the others; 0 if all topics have [times of their
+ *   own][Topic.times], as in a WPILOG, which has no rows. [sampleCount] counts the samples of all topics.
  * @property problems the problems, in the order in which they were found.
  */
 public class Recording(

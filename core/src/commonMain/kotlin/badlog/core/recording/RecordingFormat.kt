@@ -8,7 +8,7 @@ public interface RecordingFormat {
     /** The name that people use for one log of this format, such as `WPILOG`; its plural ends in `s`. */
     public val title: String
 
-    /** The endings of such files' names: in lower case, each with its dot. Only the content of a file decides its format. */
+    /** The endings of file names in this format, in lower case, each with its dot. Only the content of a file decides its format. */
     public val endings: List<String>
 
     /** Whether all topics share rows; otherwise each has times of its own. */

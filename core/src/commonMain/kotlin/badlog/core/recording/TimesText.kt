@@ -1,4 +1,4 @@
 package badlog.core.recording
 
-/** Returns ` (3×)` to add to a sentence about something that happened [count] times; nothing for once. */
+/** Returns a suffix for a sentence about an event that occurred [count] times, such as ` (3×)`; empty for 1. */
 public fun timesText(count: Int): String = if (count == 1) "" else " ($count×)"

@@ -6,13 +6,12 @@ package badlog.core.recording
  * @property name the full name, unique in its recording; `/` makes folders, see [PathName].
  * @property unit the unit as the file gives it; `ul` and the empty text mean none.
  * @property attributes the attributes as the file gives them, in its order.
- * @property samples one number for each row or time, NaN where there is none; of size 0 if no cell has a number. Not to be
- *   changed.
+ * @property samples one number for each row or time, NaN if there is none; of size 0 if no cell has a number. Do not change this array.
  * @property texts the cells that hold a text.
  * @property counts the number of cells of each kind.
- * @property times when each sample was taken, finite and ascending, perhaps repeating; in the unit of the recording's x axis,
- *   which is s where there are no rows. Null where sample `i` belongs to row `i` of the recording. Topics that were logged
- *   together share one array. Of size 0 if samples were not kept. Not to be changed.
+ * @property times the time of each sample, finite and ascending, possibly repeated; in the unit of the recording's x axis, which is s if
+ *   there are no rows. Null if sample `i` belongs to row `i` of the recording. Topics that were logged together share one array. Of size 0
+ *   if samples were not kept. Do not change this array.
  * @property type the type of the samples as named in the file, such as `double` or `struct:Pose2d`; empty if it names none.
  * @property metadata further text about the topic in the file, often JSON; may be empty.
  * @property wasXAxis whether the topic was the x axis of the rows from which this log was made.
@@ -36,22 +35,22 @@ public class Topic(
 
     /**
      * The kind of the topic, determined by its cells. A topic of mostly texts with times of its own is a [state][TopicKind.STATE] if there
-     * are few different texts or each occurs twice on average, otherwise [events][TopicKind.EVENT]; if the samples were not kept, it is a
-     * state.
+     * are few different texts or each occurs at least twice on average, otherwise [events][TopicKind.EVENT]; if the samples were not kept,
+     * it is a state.
      */
     public val kind: TopicKind = kindOf(counts).let {
         if (it == TopicKind.STATE && times != null && holdsEvents(texts)) TopicKind.EVENT else it
     }
 
     /**
-     * Whether its samples are only record sizes in bytes, because its [type] is not decoded. They never are values of the quantity in its
+     * Whether its samples are only record sizes in bytes, because its [type] is not decoded. They are never values of the quantity in its
      * name.
      */
     public val isSizes: Boolean get() = times != null && unit == "B" && type.isNotEmpty() && type.removeSuffix("[]") !in NUMBERS
 
     /**
-     * Whether fewer than half of the rows have a number, mostly isolated ones. Such a topic is sampled at times of its own, as in a CSV
-     * file made from a log of changes: its empty cells are not gaps, but rows without a sample.
+     * Whether fewer than half of the rows have a number, and on average fewer than two numbers lie between gaps. Such a topic is sampled at
+     * times of its own, as in a CSV file made from a log of changes: its empty cells are not gaps, but rows without a sample.
      */
     public val isSparse: Boolean
         get() {

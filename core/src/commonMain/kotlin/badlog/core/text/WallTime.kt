@@ -22,14 +22,14 @@ public fun wallTimeText(micros: Double): String? {
 }
 
 /**
- * Returns time 0 of a log with the earliest time [firstMicros], both in µs. It is that time if it counts from 1970, as the clock of a laptop does,
- * otherwise 0. A robot that counts from its start would have to run for 31 years.
+ * Returns time 0 of a log with the earliest time [firstMicros], both in µs. It is that time if it counts from 1970, as the clock of a
+ * laptop does, otherwise 0. A clock that counts from the robot's start would need 31 years to reach such a time.
  */
 public fun originOf(firstMicros: Double): Double = if (firstMicros in FIRST..LAST) firstMicros else 0.0
 
 /**
- * Returns the time that [text] gives in ISO 8601, in whole µs since 1970. Null if it is not such a time. [text] needs at least date, hour
- * and minute. With an offset, the result is in UTC, otherwise on the clock that wrote it.
+ * Returns the ISO 8601 time in [text], in whole µs since 1970. Null if [text] is not such a time. It needs at least date, hour and minute.
+ * With an offset, the result is in UTC, otherwise in the local time of the writer.
  */
 internal fun microsOfIsoTime(text: String): Double? {
     // Most cells of a file are not times, and are excluded quickly.
