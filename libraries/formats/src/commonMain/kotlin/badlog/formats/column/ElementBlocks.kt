@@ -1,7 +1,7 @@
 package badlog.formats.column
 
 /**
- * The blocks of an array's elements. Elements in every record share their timestamps; one that appears later or disappears
+ * The blocks of an array's elements. Elements that are in every record share their timestamps; an element that appears later or disappears
  * has its own, so that an array that was once long costs nothing afterwards.
  *
  * @param newBlock creates the block of the element with this index, or returns null if there are too many.

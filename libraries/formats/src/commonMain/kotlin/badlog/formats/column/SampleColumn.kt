@@ -174,7 +174,7 @@ internal class ColumnSource(val keepsSamples: Boolean) {
     }
 
     private companion object {
-        /** No program shows more topics, and a damaged file could produce millions. */
+        /** The maximum number of columns: no program shows more topics, and a damaged file could produce millions. */
         const val MAX_COLUMNS = 1 shl 16
     }
 }

@@ -8,7 +8,7 @@ public object DriverStationFormat : LogFormat {
     /** The ending of a log's first file, which holds the measured values. */
     public const val FIRST_ENDING: String = ".dslog"
 
-    /** The ending of a log's second file, which holds messages and has the first one's name. */
+    /** The ending of a log's second file, which holds messages. Without the ending, both files have the same name. */
     public const val SECOND_ENDING: String = ".dsevents"
 
     override val id: String get() = "driver_station"
@@ -37,10 +37,10 @@ public object DriverStationFormat : LogFormat {
 /** The seconds from the start of 1904, from which Driver Stations count, to the start of 1970. */
 internal const val SECONDS_TO_1970 = 2082844800.0
 
-/** Version, the seconds since 1904 and their fraction. */
+/** The size of a header in bytes: a version, the seconds since 1904 and their fraction. */
 internal const val HEADER_SIZE = 20
 
-/** A version and the highest byte of a time from 2006 until 2040. */
+/** The number of bytes that [isHeader] needs: a version and the highest byte of a time from 2006 until 2040. */
 internal const val SIGNATURE_SIZE = 9
 
 /** Returns whether a file begins at [at] of [bytes]; [SIGNATURE_SIZE] bytes must follow. No record begins like that. */

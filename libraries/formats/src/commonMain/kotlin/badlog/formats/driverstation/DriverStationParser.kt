@@ -127,7 +127,7 @@ public class DriverStationParser(keepSamples: Boolean = true) : LogParser {
 
         const val SAMPLES = 12
 
-        /** After this many bytes, it checks whether there are too many records. */
+        /** The number of bytes after which the number of records is checked. */
         const val PIECE = 1 shl 16
         const val MICROS = 1e6
         val NO_CELLS = CellCounts(0, 0, 0, 0, 0, 0)

@@ -5,8 +5,8 @@ import badlog.formats.driverstation.Frames.Companion.NONE
 import kotlin.math.abs
 
 /**
- * Finds the headers and the frames after them in bytes that are pushed to it. If frames do not continue, it searches for the next place from which
- * several do. The result depends only on the bytes, never on the pieces in which they arrive.
+ * Finds the headers and the frames after them in bytes that are pushed to it. If no frame follows, it searches for the next place at which
+ * several follow each other. The result depends only on the bytes, never on the pieces in which they arrive.
  *
  * @param begin receives the bytes at a header, and their end; returns the frames after the header, or null if they cannot be read.
  * @param skipped receives the range without frames, and the number of frames that it may have held.
@@ -144,10 +144,10 @@ internal class FrameSplitter(
     private companion object {
         const val FIRST_SIZE = 1 shl 10
 
-        /** The headers of the two files of a pair have the same time, to this many seconds. */
+        /** The maximum difference between the times in the headers of a pair of files, in s. */
         const val SAME = 2.0
 
-        /** This many frames in a row are not a coincidence. */
+        /** The number of frames in a row that are not a coincidence. */
         const val ROW = 3
     }
 }

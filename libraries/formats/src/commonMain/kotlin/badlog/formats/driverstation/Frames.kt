@@ -8,13 +8,13 @@ internal interface Frames {
      */
     fun sizeAt(bytes: ByteArray, at: Int, until: Int, isEnd: Boolean): Int
 
-    /** Returns whether the frame at [at], which is complete, is certainly one, and not damage that looks like it. */
+    /** Returns whether the complete frame at [at] is certainly a frame, not damage that looks like one. */
     fun isSure(bytes: ByteArray, at: Int): Boolean
 
     /** Reads the frame at [at]. */
     fun take(bytes: ByteArray, at: Int, size: Int)
 
-    /** Records that [bytes] bytes were lost. Returns the number of frames that they were. */
+    /** Records that [bytes] bytes were lost. Returns the number of frames in them. */
     fun skip(bytes: Int): Int
 
     companion object {

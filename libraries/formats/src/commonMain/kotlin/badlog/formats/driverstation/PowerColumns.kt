@@ -71,7 +71,7 @@ internal class PowerColumns(private val name: String, private val source: Column
 
         /**
          * The offset of channel 0 from the byte after the CAN ID, if each channel had one byte. Only the last four channels of a PDH have
-         * that.
+         * one byte each.
          */
         const val NARROW = 7
         const val VOLTAGE = 23

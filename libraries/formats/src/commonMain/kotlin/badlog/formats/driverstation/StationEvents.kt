@@ -10,7 +10,7 @@ import kotlin.math.abs
 /**
  * The entries of a `.dsevents`, each with its time of day and often several messages.
  *
- * @param headerSeconds the whole seconds in the file's header, near which the entries are.
+ * @param headerSeconds the whole seconds of the time in the file's header, which is near the times of the entries.
  * @param originSeconds the whole seconds at which x is 0, and [originFraction] their fraction.
  */
 internal class StationEvents(

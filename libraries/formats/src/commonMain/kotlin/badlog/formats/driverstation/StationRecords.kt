@@ -133,7 +133,7 @@ internal class StationRecords(private val version: Int, source: ColumnSource) : 
         const val MAX_POWER = 4096
         const val NO_TRIP = 255
 
-        /** 20 V: no robot has a battery of more. Without the robot's answer, the Driver Station writes 255.996 V or another large one. */
+        /** 20 V: no robot's battery has more. If the robot does not answer, the Driver Station writes 255.996 V or another large value. */
         const val MAX_VOLTS = 20 * 256
 
         // The bits of the status, which are inverted.

@@ -5,7 +5,7 @@ import badlog.core.recording.LogParser
 
 /**
  * A list of samples, one in each line of a CSV file. A line has its time in s, the name of its topic, and its value. DataLogTool of WPILib
- * and AdvantageScope export such lists; the titles `Timestamp`, `Name` or `Key`, and `Value` show them.
+ * and AdvantageScope export such lists, which are recognized by the titles `Timestamp`, `Name` or `Key`, and `Value`.
  */
 internal object ListFormat : LogFormat {
     override val id: String get() = "csv_list"

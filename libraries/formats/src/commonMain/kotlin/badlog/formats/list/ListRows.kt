@@ -114,7 +114,7 @@ internal class ListRows(private val separator: Int, private val take: (ListRow) 
         }
     }
 
-    /** Ends the file. */
+    /** Marks the end of the file. */
     fun finish() {
         if (isTooLong) return
         if (size > 0 || isQuoted || cells.isNotEmpty()) endLine()
@@ -149,7 +149,7 @@ internal class ListRows(private val separator: Int, private val take: (ListRow) 
     }
 
     companion object {
-        /** The most bytes of a line, as in a bag. */
+        /** The maximum length of a line in bytes, as in a bag. */
         const val MAX_LINE = 1 shl 24
         private const val QUOTE = '"'.code
         private const val LF = '\n'.code

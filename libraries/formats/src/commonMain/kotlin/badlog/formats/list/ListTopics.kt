@@ -24,7 +24,7 @@ internal class ListTopics(private val source: ColumnSource, private val problems
     private enum class Kind { NUMBERS, TEXTS, ARRAYS }
 
     private inner class ListedTopic {
-        /** Null while all values are empty. */
+        /** The kind of its values; null while all of them are empty. */
         var kind: Kind? = null
         val elements = ElementBlocks(source.keepsSamples) { index, timestamps -> newBlock(kind, index, timestamps) }
 

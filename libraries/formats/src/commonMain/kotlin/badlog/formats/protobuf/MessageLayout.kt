@@ -1,7 +1,7 @@
 package badlog.formats.protobuf
 
 /**
- * The values and lists of one message type that are shown. The values of nested messages are in their places.
+ * The values and lists of one message type that are shown. A nested message is replaced by its values.
  *
  * @property values the single values.
  * @property lists the repeated ones.
@@ -13,7 +13,7 @@ internal class MessageLayout private constructor(
     val partCount: Int,
     val outermost: MessagePart,
 ) {
-    /** The number of values and messages, counting lists with one element. */
+    /** The number of values and messages, with one element for each list. */
     val size: Int = values.size + partCount + lists.sumOf { it.element.size }
 
     /** Returns whether the bytes from [from] until [until] of [bytes] are such a message; only then may they be read. */
@@ -103,7 +103,7 @@ internal class MessageLayout private constructor(
 internal sealed interface MessageMember
 
 /**
- * A message, or one nested in it.
+ * The outermost message, or one nested in it.
  *
  * @property index its index in the layout, from 0.
  * @property members the members by their field numbers.
@@ -129,7 +129,7 @@ internal class MessageValue(
 ) : MessageMember
 
 /**
- * Any number of values or messages.
+ * A repeated field: any number of values or messages.
  *
  * @property index its index in the layout, from 0.
  * @property type the type of its elements; null if they are messages.
@@ -138,7 +138,9 @@ internal class MessageList(val index: Int, val path: String, val element: Messag
     /** The encoding of an element. */
     val wire: Int get() = type?.wire ?: WireReader.SIZED
 
-    /** Returns whether the field that [reader] has read is packed. Its numbers follow each other without the field's number before each. */
+    /**
+     * Returns whether the field that [reader] has read is packed: its numbers follow each other, without the field's number before each.
+     */
     fun isPacked(reader: WireReader): Boolean = reader.wire != wire
 
     /** Returns whether the field that [reader] has read may belong to this list. */

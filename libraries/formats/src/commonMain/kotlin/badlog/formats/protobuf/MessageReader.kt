@@ -14,7 +14,7 @@ internal class MessageReader(private val layout: MessageLayout) {
     /** The elements of each of the layout's lists. */
     val lists: List<MessageElements> = layout.lists.map { MessageElements() }
 
-    /** Reads the message from [from] until [until] of [bytes], which [MessageLayout.fits]. */
+    /** Reads the message in [bytes] from [from] until [until]. Check it with [MessageLayout.fits] first. */
     fun read(bytes: ByteArray, from: Int, until: Int) {
         bits.fill(0)
         froms.fill(0)

@@ -3,7 +3,7 @@ package badlog.formats.protobuf
 /**
  * One field of a message type.
  *
- * @property type null if it is a message.
+ * @property type the type of its values; null if they are messages.
  * @property typeName the full name of its message or enumeration.
  * @property hasPresence whether it may be missing; otherwise a missing field has its default: 0, false or an empty
  * text.
@@ -22,7 +22,7 @@ internal class MessageTypes {
     private val messages = HashMap<String, List<MessageField>>()
     private val enumerations = HashMap<String, Map<Long, ByteArray>>()
 
-    /** Grows with every descriptor, to show when a type is worth requesting again. */
+    /** A number that grows with every descriptor, and so shows when a type is worth requesting again. */
     var version = 0
         private set
 

@@ -4,7 +4,7 @@ package badlog.formats.protobuf
  * A type of single values.
  *
  * @property id its number in a descriptor, `FieldDescriptorProto.Type`.
- * @property wire how it is encoded, see [WireReader.wire].
+ * @property wire its encoding, see [WireReader.wire].
  */
 internal enum class ScalarType(val id: Int, val wire: Int) {
     DOUBLE(1, WireReader.FIXED_64),

@@ -5,7 +5,7 @@ package badlog.formats.revlog
  *
  * @property start its first bit, counted from the lowest of the first byte on.
  * @property length its length in bits.
- * @property unit its unit; empty for none, and if the robot's program defines it.
+ * @property unit its unit; empty if there is none, or if the robot's program defines it.
  * @property scale the factor for its number.
  */
 internal class RevSignal(
@@ -29,7 +29,7 @@ internal class RevSignal(
 }
 
 /**
- * A kind of REV's devices.
+ * A kind of REV device.
  *
  * @property name its name in topics.
  * @property frames the content of each status frame, by the frame's number.
@@ -112,8 +112,8 @@ private fun flags(start: Int, vararg names: String) = names.mapIndexed { i, name
 private fun floats(vararg names: String) = names.mapIndexed { i, name -> RevSignal(name, i * 32, 32, isFloat = true) }
 
 /**
- * REV's devices by their types on the CAN bus. The places of their values follow REV's public descriptions of the frames (`spark`, `servo_hub` and
- * `encoder`, of its converter from `.revlog` to WPILOG, 2026).
+ * REV's devices by their types on the CAN bus. The bit positions of their values follow REV's public descriptions of the frames (`spark`,
+ * `servo_hub` and `encoder`, of its converter from `.revlog` to WPILOG, 2026).
  */
 internal val REV_DEVICES: Map<Int, RevDevice> = mapOf(
     2 to RevDevice("Spark", sparkFrames()) { bytes, at ->

@@ -6,12 +6,14 @@ import badlog.core.recording.ProblemKind
 import badlog.formats.wpilog.RecordBuffer
 
 /**
- * Converts the `.revlog` that is pushed to it to a WPILOG. It has the status frames that REV's devices have sent on the CAN bus, and their firmware
- * versions. Its topics have the same names as from REV's own converter, such as `REV/Spark-3/MOTOR_TEMPERATURE`.
+ * Converts a `.revlog` that is pushed to it to a WPILOG. A `.revlog` has the status frames that REV's devices have sent on the CAN bus, and
+ * their firmware versions. The topics of the WPILOG have the same names as from REV's own converter, such as
+ * `REV/Spark-3/MOTOR_TEMPERATURE`.
  *
- * The file is a sequence of records. Each begins with a byte that has the widths of the next two numbers in its lowest four bits. These are a number
- * for its kind, and the size of its content: firmware (10 bytes per device), or status frames (16 bytes each: ms since the robot's program began, the
- * frame's identifier, eight bytes). It never throws because of the bytes: if no record follows, it searches for the next place at which one does.
+ * The file is a sequence of records. Each begins with a byte that has the widths of the next two numbers in its lowest four bits. These are
+ * a number for its kind, and the size of its content: firmware (10 bytes per device), or status frames (16 bytes each: ms since the robot's
+ * program began, the frame's identifier, eight bytes). The conversion never throws because of the bytes: if no record follows, it searches
+ * for the next place at which one does.
  *
  * @param sink receives the WPILOG in pieces, each `[0, size)` of the array, which is reused after the call.
  */
@@ -48,7 +50,7 @@ public class RevlogConversion(private val sink: (bytes: ByteArray, size: Int) ->
         flush()
     }
 
-    /** Ends the bytes. Returns their problems. */
+    /** Marks the end of the bytes. Returns their problems. */
     public fun finish(): List<Problem> {
         // A record with a damaged size may seem to extend beyond the end, with complete ones inside.
         val left = base + at
@@ -179,7 +181,7 @@ internal class RevlogHead private constructor(val headSize: Int, val size: Int, 
         /** The result if more bytes are needed to decide. */
         val MORE = RevlogHead(0, 0, false)
 
-        /** Returns the head at [at] in [bytes], which end at [until]. Null for none, [MORE] if that is not clear yet. */
+        /** Returns the head at [at] in [bytes], which end at [until]. Null if there is none; [MORE] if that is not clear yet. */
         fun at(bytes: ByteArray, at: Int, until: Int): RevlogHead? {
             if (at >= until) return MORE
             val widths = bytes[at].toInt()

@@ -21,7 +21,7 @@ internal class Entry(val name: String, val type: String, val isValue: Boolean, v
     /** Its last metadata in the file. */
     var metadata = ""
 
-    /** Also receives each payload if the entry concerns the whole recording; otherwise null. */
+    /** The listener that also receives each payload, if the entry concerns the whole recording; otherwise null. */
     var listener: EntryListener? = null
 
     /** The unit of its samples. */

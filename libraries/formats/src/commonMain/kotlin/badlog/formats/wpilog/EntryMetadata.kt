@@ -11,13 +11,13 @@ import badlog.core.recording.TopicKind
 /** The metadata that marks an entry as a value. */
 internal const val VALUE_METADATA: String = "{\"badlog\":\"value\"}"
 
-/** The role of a topic that was the x axis of a bag, as entries' metadata name it. */
+/** The role of a topic that was the x axis of a bag, as named in an entry's metadata. */
 internal const val X_AXIS: String = "xaxis"
 
 /** The role of a topic that had few samples in a bag. */
 internal const val SPARSE: String = "sparse"
 
-/** Returns the topic's role in a bag according to [metadata]; mostly null. A program's property of the same name has no effect. */
+/** Returns the topic's role in a bag according to [metadata]; usually null. A program's property of the same name has no effect. */
 internal fun formerRoleIn(metadata: String): String? = JsonReader.readObject(metadata).orEmpty().last(BADLOG)?.text
 
 /** Returns the former type of a topic if [role] names it; otherwise null. */
@@ -37,8 +37,8 @@ internal fun unitIn(metadata: String): String {
 }
 
 /**
- * Returns the attributes of the entry [name]. They come from its [metadata], if badlog wrote them, or from the properties of a NetworkTables
- * topic, which a robot's program sets; entries that WPILib itself writes have known ones.
+ * Returns the attributes of the entry [name]. They come from its [metadata], if badlog wrote them, or from the properties of a
+ * NetworkTables topic, which a robot's program sets; entries that WPILib itself writes have known attributes.
  */
 internal fun attributesIn(metadata: String, name: String): List<String> {
     val members = JsonReader.readObject(metadata).orEmpty()

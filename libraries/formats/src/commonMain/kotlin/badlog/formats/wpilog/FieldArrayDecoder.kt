@@ -6,8 +6,9 @@ import badlog.formats.column.Timestamps
 import kotlin.math.PI
 
 /**
- * Arrays of numbers that may be the path of a `Field2d`, WPILib's picture of the field. They have x and y in m and the heading in degrees
- * of each pose, one after another. The first array that is not empty decides; one of three numbers may be anything, so it is not a path.
+ * A decoder for arrays of numbers that may be the path of a `Field2d`, WPILib's picture of the field. A path has x and y in m and the
+ * heading in degrees of each pose, one after another. The first array that is not empty decides. An array of three numbers may be anything,
+ * so it does not count as a path.
  *
  * @param isOfField returns whether the entry belongs to a `Field2d`.
  */
@@ -45,7 +46,7 @@ internal class FieldArrayDecoder(private val source: ColumnSource, private val i
     }
 
     private companion object {
-        /** The numbers of a pose. */
+        /** The number of values in a pose. */
         const val POSE = 3
         const val MAX_HELD = 1 shl 12
         val NOTHING = ByteArray(0)

@@ -7,7 +7,7 @@ internal fun intAt(bytes: ByteArray, at: Int): Int = (bytes[at].toInt() and 0xFF
 /** Returns the 64 bits at [at]. */
 internal fun longAt(bytes: ByteArray, at: Int): Long = (intAt(bytes, at).toLong() and 0xFFFFFFFFL) or (intAt(bytes, at + 4).toLong() shl 32)
 
-/** Returns the [width] bytes at [at], from 1 to 4, as an unsigned number. For 4 bytes, the highest bit becomes the sign. */
+/** Returns the [width] bytes (1 to 4) at [at] as an unsigned number. For 4 bytes, the highest bit becomes the sign. */
 internal fun unsignedAt(bytes: ByteArray, at: Int, width: Int): Int {
     val first = bytes[at].toInt() and 0xFF
     if (width == 1) return first
@@ -18,7 +18,7 @@ internal fun unsignedAt(bytes: ByteArray, at: Int, width: Int): Int {
 }
 
 /**
- * Returns the [width] bytes at [at], from 1 to 8, as a number, signed for 8 bytes. It is exact up to 2^53, rounded beyond. Does not use a
+ * Returns the [width] bytes (1 to 8) at [at] as a number, signed for 8 bytes. It is exact up to 2^53, and rounded beyond. Does not use a
  * 64-bit integer, which in JavaScript is an object.
  */
 internal fun wideAt(bytes: ByteArray, at: Int, width: Int): Double {

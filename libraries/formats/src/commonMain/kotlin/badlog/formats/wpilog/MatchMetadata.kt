@@ -51,7 +51,10 @@ internal class MatchMetadata {
         }
     }
 
-    /** Returns the time of day at [micros], in µs since 1970; null if it is unknown. Records of a laptop may have it as their time. */
+    /**
+     * Returns the time of day at [micros], in µs since 1970; null if it is unknown. The records of a laptop may have the time of day as
+     * their time.
+     */
     fun startMicros(micros: Double): Double? = (wallOffset ?: if (originOf(micros) > 0) 0.0 else null)?.plus(micros)
 
     /** Returns the facts that were found, for a recording that begins at [firstMicros]. */

@@ -16,7 +16,7 @@ internal abstract class PayloadDecoder {
     /** The number of poses in the longest path, if it has more than can be shown; otherwise 0. */
     var longestPath = 0
 
-    /** The number of payloads dropped for lack of room before the description of their type. */
+    /** The number of payloads that were dropped for lack of room before the description of their type arrived. */
     open val skippedCount: Int get() = 0
 
     /** Whether only the sizes of the payloads are shown. */
@@ -38,14 +38,14 @@ internal abstract class PayloadDecoder {
     open fun finish() = Unit
 }
 
-/** Payloads with one value, which goes to the [columns]. */
+/** A decoder for payloads with one value, which goes to the [columns]. */
 internal abstract class SingleDecoder(source: ColumnSource, paths: List<String>) : PayloadDecoder() {
     protected val columns = source.columns(paths)
     override val timestamps = Timestamps(source.keepsSamples)
     override val blocks = listOf(SampleBlock(columns, timestamps))
 }
 
-/** Payloads of a fixed [layout]: a number, or a struct. */
+/** A decoder for payloads of a fixed [layout]: a number, or a struct. */
 internal class LayoutDecoder(source: ColumnSource, private val layout: ValueLayout) :
     SingleDecoder(source, layout.leaves.map { it.path }) {
     private val leaves = layout.leaves.toTypedArray()
@@ -62,7 +62,7 @@ internal class LayoutDecoder(source: ColumnSource, private val layout: ValueLayo
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = until - from == layout.width
 }
 
-/** Payloads that are texts. */
+/** A decoder for payloads that are texts. */
 internal class TextPayloadDecoder(source: ColumnSource) : SingleDecoder(source, listOf("")) {
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
         columns[0].addText(bytes, from, until)
@@ -80,7 +80,7 @@ internal class SizeDecoder(source: ColumnSource) : SingleDecoder(source, listOf(
     }
 }
 
-/** Payloads without a column, because none is left; they are only counted. */
+/** A decoder for payloads without a column, because none is left; it only counts them. */
 internal class NoDecoder : PayloadDecoder() {
     override val timestamps = Timestamps(false)
     override val blocks get() = emptyList<SampleBlock>()
@@ -90,7 +90,7 @@ internal class NoDecoder : PayloadDecoder() {
     }
 }
 
-/** Payloads that the caller does not want. */
+/** A decoder for payloads that the caller does not want. */
 internal class UnwantedDecoder : PayloadDecoder() {
     override val timestamps = Timestamps(false)
     override val blocks get() = emptyList<SampleBlock>()
@@ -110,7 +110,7 @@ internal abstract class ArrayDecoder(private val source: ColumnSource, private v
     }
 }
 
-/** Arrays of values of a fixed [layout]. */
+/** A decoder for arrays of values of a fixed [layout]. */
 internal class LayoutArrayDecoder(source: ColumnSource, private val layout: ValueLayout) :
     ArrayDecoder(source, layout.leaves.map { it.path }) {
     private val leaves = layout.leaves.toTypedArray()
@@ -136,7 +136,7 @@ internal class LayoutArrayDecoder(source: ColumnSource, private val layout: Valu
     override fun fits(bytes: ByteArray, from: Int, until: Int): Boolean = layout.width > 0 && (until - from) % layout.width == 0
 }
 
-/** Arrays of texts: their number, then each preceded by its length. */
+/** A decoder for arrays of texts: their number, then each text after its length. */
 internal class TextArrayDecoder(source: ColumnSource) : ArrayDecoder(source, listOf("")) {
     override fun accept(time: Double, bytes: ByteArray, from: Int, until: Int) {
         val count = countOf(bytes, from, until)

@@ -11,7 +11,7 @@ import badlog.formats.protobuf.MessageReader
 import badlog.formats.protobuf.MessageValue
 import badlog.formats.protobuf.ScalarType
 
-/** Payloads that are Protocol Buffers messages with this [layout]. */
+/** A decoder for payloads that are Protocol Buffers messages with this [layout]. */
 internal class ProtoDecoder(source: ColumnSource, private val layout: MessageLayout) :
     SingleDecoder(source, layout.values.map { it.path }) {
     private val reader = MessageReader(layout)

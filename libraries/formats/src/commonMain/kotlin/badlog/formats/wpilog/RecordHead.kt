@@ -58,12 +58,12 @@ internal class RecordHead {
     }
 
     companion object {
-        /** No logger writes a larger payload; a larger size is damage. */
+        /** The maximum size of a payload: no logger writes a larger one, so a larger size is damage. */
         const val MAX_PAYLOAD_BYTES = 1 shl 24
     }
 }
 
-/** The head of a control record's payload: its kind, and the entry that it is about. */
+/** The size of the head of a control record's payload: its kind, and the entry that it is about. */
 internal const val CONTROL_HEAD = 5
 
 /** The kinds of control records. */

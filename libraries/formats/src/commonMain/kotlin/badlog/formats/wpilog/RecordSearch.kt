@@ -3,15 +3,15 @@ package badlog.formats.wpilog
 import kotlin.math.abs
 
 /**
- * Distinguishes records from bytes that only look like them. A WPILOG has neither checksums nor marks between its records, but each of them names a
- * started entry, has a size that fits its type, and a time near the previous one's.
+ * Distinguishes records from bytes that only look like them. A WPILOG has neither checksums nor marks between its records, but each record
+ * names a started entry, has a size that fits its type, and a time near the previous one's.
  *
  * Every result depends only on the bytes, never on how many of them have arrived: if they are not enough, it is [RecordLook.MORE].
  */
 internal class RecordSearch(private val sink: RecordSink) {
     private val head = RecordHead()
 
-    /** Judges the bytes at [at] as the record after one at [near] µs, NaN if there was none. Reads them into [head]. */
+    /** Judges whether the bytes at [at] are a record after one at [near] µs; NaN if there was none before. Reads them into [head]. */
     fun look(head: RecordHead, bytes: ByteArray, at: Int, until: Int, near: Double): RecordLook {
         val possible = head.read(bytes, at, until)
         if (possible != RecordLook.FITTING) return possible
@@ -43,7 +43,7 @@ internal class RecordSearch(private val sink: RecordSink) {
      * Returns the first place after damage, from [from] and before [end], at which several fitting records follow each other.
      *
      * @param isInside whether the place is inside bytes that may themselves be a record; the first records there must be of types with a fixed size.
-     * @return also [NOWHERE]; or [waiting] of the place where the search must continue when more bytes have arrived.
+     * @return the place; [NOWHERE] if there is none; [waiting] of the place where the search must continue when more bytes have arrived.
      */
     fun find(bytes: ByteArray, from: Int, end: Int, until: Int, isEnd: Boolean, near: Double, isInside: Boolean): Int {
         for (at in from until minOf(end, until)) {
@@ -118,7 +118,7 @@ internal class RecordSearch(private val sink: RecordSink) {
         return RecordLook.FITTING
     }
 
-    /** Returns whether records continue at [from], even if some are odd. Then the odd record before them has its correct size. */
+    /** Returns whether records continue at [from], even if some are odd. If they do, the odd record before them has its correct size. */
     fun goesOn(bytes: ByteArray, from: Int, until: Int, isEnd: Boolean): RecordLook {
         var at = from
         var fitting = 0

@@ -8,7 +8,7 @@ internal interface RecordSink {
     /** Returns the entry that currently has the id [id], or null. */
     fun entryOf(id: Int): Entry?
 
-    /** Returns whether [id], which is not an entry's, had so many records that more are to be expected. */
+    /** Returns whether [id], which belongs to no entry, had so many records that more are likely. */
     fun isStranger(id: Int): Boolean
 
     /** Receives the record from [from] until [until] of [bytes], which begins at [position] in the file. */
@@ -55,7 +55,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
     var total = 0L
         private set
 
-    /** The byte from which on nothing can be read; -1 if everything could be. Valid after [finish], like the following properties. */
+    /** The position from which nothing can be read; -1 if everything could be read. Valid after [finish], like the following properties. */
     val readableEnd: Long get() = gapFrom
 
     /** The number of bytes of an incomplete record. */
@@ -276,7 +276,7 @@ internal class RecordSplitter(private val sink: RecordSink) {
         /** The start of every WPILOG. */
         const val MAGIC = "WPILOG"
 
-        /** The header without its text. */
+        /** The size in bytes of the header without its text. */
         const val HEADER = 12
         private const val WAIT = -1
 

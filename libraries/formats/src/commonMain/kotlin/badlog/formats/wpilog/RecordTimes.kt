@@ -6,7 +6,7 @@ import badlog.core.recording.Topic
 import kotlin.math.abs
 import kotlin.math.round
 
-/** Converts places on [xAxis] to the times of records: whole µs, from 0 on. */
+/** Converts positions on [xAxis] to the times of records: whole µs, from 0 on. */
 internal class RecordTimes(private val xAxis: XAxis) {
     private val scale = Units.microsIn(xAxis.unit)
     private val isTime = !xAxis.isIndex && (Units.secondsIn(xAxis.unit) != null || Units.isNone(xAxis.unit))
@@ -20,10 +20,10 @@ internal class RecordTimes(private val xAxis: XAxis) {
     /** The time of the first sample, in µs. */
     val first: Double get() = xAxis.range?.let { micros(it.start) } ?: 0.0
 
-    /** Returns the place of each sample of [topic] on the x axis. */
+    /** Returns the position of each sample of [topic] on the x axis. */
     fun positionsOf(topic: Topic): DoubleArray = topic.times ?: xAxis.positions
 
-    /** Returns the time, in µs, for the place [x]. NaN if it is not a place, or later than a record can be. */
+    /** Returns the time for the position [x], in µs. NaN if [x] is NaN, or if the time is before 0 or later than a record can be. */
     fun micros(x: Double): Double {
         val exact = (x + shift) * scale
         if (!(exact >= 0 && exact < MAX_MICROS)) return Double.NaN
@@ -42,7 +42,7 @@ internal class RecordTimes(private val xAxis: XAxis) {
     private companion object {
         const val TOLERANCE = 1e-3
 
-        /** 2^53. */
+        /** The limit of record times: 2^53 µs. */
         const val MAX_MICROS = 9007199254740992.0
     }
 }

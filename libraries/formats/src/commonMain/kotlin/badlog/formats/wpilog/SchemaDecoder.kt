@@ -5,9 +5,10 @@ import badlog.formats.column.SampleBlock
 import badlog.formats.column.Timestamps
 
 /**
- * Payloads of a type that the file itself describes. Payloads before their schema wait for it; if there are too many, only the latest ones.
+ * A decoder for payloads of a type that the file itself describes. Payloads that come before their schema are held until it arrives; if
+ * there are too many, only the latest ones.
  *
- * @param version grows with every schema.
+ * @param version returns a number that grows with every schema.
  * @param decoderNow returns the decoder for the type; null while a schema is missing, and if too few columns are left.
  */
 internal class SchemaDecoder(
@@ -91,7 +92,7 @@ internal class SchemaDecoder(
     private companion object {
         const val MAX_HELD = 1 shl 20
 
-        /** The memory for holding a payload besides its bytes. */
+        /** The estimated memory overhead of each held payload, in bytes, besides its content. */
         const val OVERHEAD = 64
     }
 }

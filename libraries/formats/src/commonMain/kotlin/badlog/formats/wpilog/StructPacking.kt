@@ -1,10 +1,10 @@
 package badlog.formats.wpilog
 
 /**
- * Assigns offsets to the fields of a struct: one after another without padding. Consecutive bit-fields of the same width
- * share their bytes, lowest bits first; a boolean one shares the bytes of any preceding bit-field.
+ * Assigns offsets to the fields of a struct: one after another without padding. Consecutive bit-fields of the same width share their bytes,
+ * lowest bits first; a boolean bit-field shares the bytes of any preceding one.
  *
- * The functions that add return false for an impossible field, or if the struct becomes too large.
+ * The functions that add a field return false for an impossible field, or if the struct becomes too large.
  */
 internal class StructPacking {
     private val leaves = ArrayList<Leaf>()
@@ -70,7 +70,7 @@ internal class StructPacking {
     private companion object {
         const val BITS = 8
 
-        /** Each is a topic and a graph. */
+        /** The maximum number of values: each is a topic and a graph. */
         const val MAX_LEAVES = 1024
         const val MAX_WIDTH = 1 shl 16
     }

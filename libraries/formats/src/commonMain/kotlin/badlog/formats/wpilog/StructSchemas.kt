@@ -7,7 +7,7 @@ internal class StructSchemas {
     private val fields = HashMap<String, List<StructField>>()
     private val layouts = HashMap<String, ValueLayout?>()
 
-    /** Grows with every schema, to show when a layout is worth requesting again. */
+    /** A number that grows with every schema, and so shows when a layout is worth requesting again. */
     var version = 0
         private set
 

@@ -8,7 +8,7 @@ import badlog.formats.protobuf.MessageLayout
 import badlog.formats.protobuf.MessageTypes
 
 /**
- * The entries of a file: which were started, and the samples of their records.
+ * The entries that were started in a file, and the samples of their records.
  *
  * @param isWanted whether the samples of an entry with this name are wanted.
  */
@@ -40,7 +40,7 @@ internal class WpilogEntries(
     var extraHeader = ""
         private set
 
-    /** Why this is not a readable WPILOG; null if it is. */
+    /** The reason why this is not a readable WPILOG; null if it is one. */
     var refusal: String? = null
         private set
 

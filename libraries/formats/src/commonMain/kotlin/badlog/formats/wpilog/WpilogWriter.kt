@@ -11,14 +11,14 @@ import badlog.core.recording.Topic
  *
  * Parts of arrays, structs and messages are separate entries with the names that they have as topics.
  *
- * @param recording what to write; it must have been read with its samples.
+ * @param recording the recording to write; it must have been read with its samples.
  * @param changesOnly true to skip a sample that equals the previous one of its topic.
  */
 public class WpilogWriter(private val recording: Recording, private val changesOnly: Boolean = false) {
     /**
      * Writes the whole recording, in the order of time.
      *
-     * @param progress called after each piece with the number of samples done so far, and the number of all. An exception from it stops the writing
+     * @param progress called after each piece with the number of samples done so far, and the total. An exception from it stops the writing
      *   and is passed on.
      * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the call. An exception from it
      *   stops the writing and is passed on.
@@ -100,7 +100,7 @@ public class WpilogWriter(private val recording: Recording, private val changesO
  */
 public data class Omission(public val topic: String?, public val what: String, public val count: Int = 1)
 
-/** Whether it only has the sizes of records, which could not be decoded. */
+/** Whether the topic only has the sizes of records that could not be decoded. */
 public val Topic.isOfBytes: Boolean get() = unit == BYTE && (type == "raw" || type.startsWith("proto:"))
 
 /** The unit of a topic that only has the sizes of its records. */

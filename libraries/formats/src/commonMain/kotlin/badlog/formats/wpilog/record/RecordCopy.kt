@@ -14,8 +14,8 @@ import kotlin.math.round
 /**
  * Copies the records of [log], or some of them, unchanged.
  *
- * @param progress called after each piece with the number of records done so far, and the number of all. An exception from it
- *   stops the writing and is passed on.
+ * @param progress called after each piece with the number of records done so far, and the total. An exception from it stops the writing and
+ *   is passed on.
  * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the call. An
  *   exception from it stops the writing and is passed on.
  */
@@ -30,14 +30,14 @@ public class RecordCopy(
     private val store = log.store
     private val out = RecordBuffer()
 
-    /** Writes all of them. */
+    /** Writes all records. */
     public fun all() {
         write(BooleanArray(store.size) { true })
         flush()
     }
 
     /**
-     * Writes those that differ from the previous one of their entry.
+     * Writes the records that differ from the previous one of their entry.
      *
      * @param isEvent whether the records of an entry are events, rather than values that hold until the next.
      * @return the number of skipped records.
@@ -60,9 +60,9 @@ public class RecordCopy(
     }
 
     /**
-     * Writes those within [spans], which ascend and do not touch, in s. At the start of each span, the last previous record of
-     * each entry is repeated, since it holds there. All control records are kept. Facts about the run, such as the match, are
-     * written as values if the part would lack them, and so are [values], replacing those with the same names.
+     * Writes the records within [spans], which are in s, ascend, and do not touch. At the start of each span, the last previous record of
+     * each entry is repeated, since it holds there. All control records are kept. Facts about the run, such as the match, are written as
+     * values if the part would lack them, and so are [values], replacing those with the same names.
      *
      * @param isEvent whether the records of an entry are events rather than values that hold, so that none is repeated.
      * @param described returns a topic with a new unit and attributes for an entry, or null.

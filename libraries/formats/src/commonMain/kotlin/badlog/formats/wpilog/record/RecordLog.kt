@@ -30,13 +30,13 @@ public class RecordLog internal constructor(
     private val match: MatchMetadata,
     private val firstMicros: Double,
 ) {
-    /** Time 0 of its recording, in µs in its file. It is more than 0 if its records have times since 1970. */
+    /** Time 0 of its recording, in µs on the file's clock. It is more than 0 if its records have times since 1970. */
     internal val origin: Double = originOf(firstMicros)
 
-    /** Returns the time from which record [index] holds, in µs in its file. One before 0 holds from the start of the log. */
+    /** Returns the time from which record [index] holds, in µs on the file's clock. A record before 0 holds from the start of the log. */
     internal fun micros(index: Int): Double = store.micros(index).let { if (it < 0) firstMicros else it }
 
-    /** Returns the facts about its run, as if it began at [micros] in its file. */
+    /** Returns the facts about its run, as if it began at [micros] on the file's clock. */
     internal fun valuesAt(micros: Double): List<Value> = match.values(micros)
 
     /** Reads the inflated bytes of a WPILOG, and keeps its records. Not thread-safe. */

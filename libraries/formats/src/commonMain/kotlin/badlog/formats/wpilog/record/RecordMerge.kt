@@ -44,10 +44,10 @@ public class RecordMerge(private val entries: List<MergedEntry>) {
     public val repeated: List<Int> get() = repeats.asList()
 
     /**
-     * Writes it. Call it once.
+     * Writes the merged log. Call it once.
      *
-     * @param progress called after each piece with the number of records done so far, and the number of all. An exception from it
-     *   stops the writing and is passed on.
+     * @param progress called after each piece with the number of records done so far, and the total. An exception from it stops the writing
+     *   and is passed on.
      * @param sink receives the file in pieces of about 64 KiB, each `[0, size)` of the array, which is reused after the call. An
      *   exception from it stops the writing and is passed on.
      */

@@ -20,7 +20,7 @@ internal class RecordStore {
     /** The number of records, including control records. */
     val size: Int get() = head.size
 
-    /** Starts a session in which [id] belongs to [entry]. Returns the session to add its records with. */
+    /** Starts a session in which [id] belongs to [entry]. Returns the session, with which its records are added. */
     fun begin(id: Int, entry: Int): Int {
         sessionId.add(id)
         sessionEntry.add(entry)
@@ -72,7 +72,7 @@ internal class RecordStore {
     /** Returns the id of record [index]'s entry in its session. */
     fun id(index: Int): Int = sessionId[sessionOf(index)]
 
-    /** Returns the record from which that id no longer belongs to the entry. */
+    /** Returns the index of the record from which the id of record [index] no longer belongs to its entry. */
     fun sessionEnd(index: Int): Int = sessionEnd[sessionOf(index)]
 
     /** Marks record [index] as dropped. */
@@ -83,7 +83,7 @@ internal class RecordStore {
     /** Returns whether record [index] is dropped. */
     fun isDropped(index: Int): Boolean = until[index] < 0
 
-    /** Returns whether the payload of record [index] is one that [decoder] can read. */
+    /** Returns whether [decoder] can read the payload of record [index]. */
     fun fits(index: Int, decoder: PayloadDecoder): Boolean = decoder.fits(bytes(index), payload[index], until[index])
 
     /** Returns the payload of record [index]. */
