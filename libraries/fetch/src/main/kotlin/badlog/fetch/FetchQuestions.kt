@@ -10,7 +10,7 @@ package badlog.fetch
  */
 class HostKeyQuestion internal constructor(val address: RobotAddress, val fingerprint: String, val isChanged: Boolean)
 
-/** Questions to a person before logs can be fetched. Called on the fetching thread, which waits. */
+/** The questions that a person answers before logs can be fetched. Called on the fetching thread, which waits. */
 interface FetchQuestions {
     /** Returns whether to trust the robot of [question], now and in the future. */
     fun trusts(question: HostKeyQuestion): Boolean
@@ -19,7 +19,7 @@ interface FetchQuestions {
     fun password(user: String, address: RobotAddress): String?
 
     companion object {
-        /** For use without a person: no key is trusted, and no password is known. */
+        /** The answers without a person: no key is trusted, and no password is known. */
         val NOBODY: FetchQuestions = object : FetchQuestions {
             override fun trusts(question: HostKeyQuestion): Boolean = false
 

@@ -45,7 +45,7 @@ internal class LogCopy(
      * @param former an older copy of it, which may be its beginning; or null.
      * @param progress called with the number of bytes copied.
      * @throws IOException if the connection is lost; the copied part is kept.
-     * @throws NoRoomException if there is not enough room, also if the disk becomes full meanwhile; the copied part is kept.
+     * @throws NoRoomException if there is not enough room, or the disk becomes full meanwhile; the copied part is kept.
      * @throws ShrunkLogException if the log no longer has that many bytes.
      */
     fun copy(connection: RobotConnection, log: RemoteLog, former: Path?, progress: (Long) -> Unit): Whole {
@@ -129,7 +129,7 @@ internal class LogCopy(
 
     /**
      * Returns the parts that will never be complete. They belong to logs of [robot] that are not among [logs], and have not grown for a
-     * day. A robot's USB stick may be removed for a while.
+     * day. They are kept for a day because a robot's USB stick may be removed for a while.
      */
     fun leftParts(robot: String, logs: List<RemoteLog>): List<Path> {
         val wanted = logs.mapTo(HashSet()) { partOf(robot, it) }

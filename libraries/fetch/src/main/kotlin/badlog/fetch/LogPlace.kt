@@ -13,8 +13,8 @@ import java.time.format.DateTimeFormatter
  * The place of a log in the folder of fetched logs.
  *
  * @property folder the event's folder, or null if the event is unknown.
- * @property name the file's name: its name on the robot, followed by the match if it does not contain that. Without a match and a date in it,
- * the start of the log follows if it is known.
+ * @property name the file's name: its name on the robot, followed by the match if it does not contain that. If the match is unknown and the
+ * name has no date, the start of the log follows if it is known.
  * @property title the title of the match, or null.
  */
 internal class LogPlace private constructor(val folder: String?, val name: String, val title: String?) {

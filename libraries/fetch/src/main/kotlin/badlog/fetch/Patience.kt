@@ -5,12 +5,12 @@ import java.time.Duration
 /**
  * The times that a fetch waits.
  *
- * @property connect for a robot to answer.
- * @property answer for a robot to accept a login.
- * @property silence for an answer after login; a silent robot counts as gone.
- * @property growth between two listings of a folder, which show the growing files. Loggers write four times a second.
- * @property retry before the next attempt after a connection was lost.
- * @property state for the robot to report whether it is enabled.
+ * @property connect the maximum wait for a robot to answer.
+ * @property answer the maximum wait for a robot to accept a login.
+ * @property silence the maximum wait for an answer after login; a silent robot counts as gone.
+ * @property growth the wait between two listings of a folder, which show the growing files. Loggers write four times a second.
+ * @property retry the wait before the next attempt after a connection was lost.
+ * @property state the maximum wait for the robot to report whether it is enabled.
  */
 class Patience(
     val connect: Duration = Duration.ofSeconds(3),

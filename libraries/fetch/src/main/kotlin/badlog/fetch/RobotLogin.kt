@@ -114,7 +114,7 @@ internal class RobotLogin(
     override fun close() = client.close(true).let { }
 
     private companion object {
-        /** The number of questions for a password, as in other programs. */
+        /** The maximum number of questions for a password, as in other programs. */
         const val TRIES = 3
 
         /** The library's message when there is no password left to try. */

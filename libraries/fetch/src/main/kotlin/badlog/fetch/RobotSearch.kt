@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Returns the [addresses] at which a program answers, in order. Each comes as soon as no earlier one can answer any more. All are tried at
- * the same time, because most do not exist on the computer's network and never answer.
+ * Returns the [addresses] at which a program answers, in order. Each is returned as soon as no earlier one can still answer. All are tried
+ * at the same time, because most do not exist on the computer's network and never answer.
  */
 fun answering(addresses: List<RobotAddress>, patience: Duration): Sequence<RobotAddress> = sequence {
     val end = System.nanoTime() + patience.toNanos()

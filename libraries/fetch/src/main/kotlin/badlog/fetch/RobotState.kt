@@ -159,7 +159,7 @@ internal class RobotState(private val address: RobotAddress, private val patienc
             "/DriverStation/ControlWord" to (1L shl 58),
         )
 
-        /** The topic's id, a time, a type and a value. */
+        /** The number of elements of a message: the topic's id, a time, a type and a value. */
         const val ELEMENTS = 4
 
         /** The maximum length of a message; messages about one topic are much shorter. */

@@ -9,8 +9,8 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 
 /**
- * Appends [lines] to [file] in one piece. The file is created if it does not exist. If the last line there was cut off, for example because a stick
- * was pulled out, they begin below it. Several programs may append to one file at the same time.
+ * Appends [lines] to [file] in one piece. The file is created if it does not exist. If its last line was cut off, for example because a USB
+ * stick was pulled out, [lines] begin on a new line. Several programs may append to one file at the same time.
  *
  * @throws UnwritableFileException if it cannot be written.
  */

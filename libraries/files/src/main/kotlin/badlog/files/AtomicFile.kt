@@ -29,8 +29,8 @@ public fun <T> writeAtomically(target: Path, write: (OutputStream) -> T): T = wr
 }
 
 /**
- * A file that is written atomically: under another name beside [target], which it replaces in [commit]. If it is closed or interrupted before that,
- * even by the end of the program, nothing is left of it.
+ * A file that is written atomically. It has another name beside [target] until [commit] replaces [target] with it. If it is closed before
+ * that, or the program ends, it is deleted.
  *
  * @throws IOException if the folder cannot be written to.
  */

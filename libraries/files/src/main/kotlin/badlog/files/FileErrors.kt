@@ -34,7 +34,7 @@ public class UnwritableFileException(public val file: Path, override val message
 /**
  * Runs [work], which reads [file], a file or a folder.
  *
- * @throws UnreadableFileException for an [IOException] of [work], also one while a folder is being listed.
+ * @throws UnreadableFileException if [work] throws an [IOException], also while a folder is listed.
  * @throws InterruptedException if the thread was interrupted while reading.
  */
 public fun <T> reading(file: Path, work: () -> T): T = try {
@@ -63,7 +63,7 @@ public fun unreadable(file: Path, e: Throwable): UnreadableFileException {
     return UnreadableFileException(file, message, e)
 }
 
-/** Returns the sentence that nothing exists at [path]. */
+/** Returns the message, a sentence, that nothing exists at [path]. */
 public fun missingSentence(path: String): String = "There is no file or folder $path; check the spelling."
 
 /** The sentence for users who named a place without logs. */
@@ -93,11 +93,11 @@ public fun requireRegularFile(file: Path) {
 }
 
 /**
- * Checks, before any work, that [target] can be written. It must not be a folder, or among the files that are read.
+ * Checks, before any work, that [target] can be written. It must not be a folder, nor one of the files that are read.
  *
  * @param advice the remedy to name if it cannot be written; null for the usual one, for users who choose the file itself.
- * @param isRead returns whether an existing file is read.
- * @throws UnwritableFileException if it is a folder, or is read.
+ * @param isRead returns whether an existing file is one of the files that are read.
+ * @throws UnwritableFileException if it is a folder, or one of the files that are read.
  */
 public fun requireTarget(target: Path, advice: String? = null, isRead: (Path) -> Boolean = { false }) {
     if (Files.isDirectory(target)) {
@@ -111,7 +111,7 @@ public fun requireTarget(target: Path, advice: String? = null, isRead: (Path) ->
 /**
  * Runs [work], which writes [file].
  *
- * @throws UnwritableFileException for an [IOException] of [work].
+ * @throws UnwritableFileException if [work] throws an [IOException].
  * @throws InterruptedException if the thread was interrupted while writing.
  */
 public fun <T> writing(file: Path, work: () -> T): T = try {

@@ -16,8 +16,8 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
     fun <T> beginning(size: Int, look: (bytes: ByteArray, size: Int) -> T): T = look(bytes, readAt(0, size))
 
     /**
-     * Returns the probable inflated size of a gzip file in bytes; 0 if its end does not show it. The trailer of its last member, if there is one, has
-     * the size of that member.
+     * Returns the probable inflated size of a gzip file in bytes; 0 if its end does not show it. The trailer of its last member, if there
+     * is one, states the inflated size of that member.
      */
     fun inflatedSize(): Long {
         if (readAt(maxOf(0, total - Int.SIZE_BYTES), Int.SIZE_BYTES) < Int.SIZE_BYTES) return 0
@@ -69,7 +69,7 @@ internal class FilePieces(val file: Path, private val channel: FileChannel, val 
         const val SIZE = 1 shl 18
         const val STEP = 1L shl 20
 
-        /** A log that is smaller by more than this has lost its trailer. */
+        /** The maximum ratio of inflated to compressed size. A log with a larger ratio has lost its trailer. */
         const val MAX_INFLATION = 40
         const val LINE_FEED = '\n'.code.toByte()
         const val CARRIAGE_RETURN = '\r'.code.toByte()

@@ -10,14 +10,14 @@ import java.nio.file.attribute.BasicFileAttributes
 /**
  * Returns the files around [file] with names that are [wanted][isWanted].
  *
- * They are in its folder, in the folders in that, or in the folders beside that and the folders in these. Never looks through the folders
- * of the user's home folder. Follows no links, and skips hidden and build folders. Looks at no more than 5,000 files and
- * folders, the nearest first; what cannot be read is skipped.
+ * Searches the file's folder and its direct subfolders, then the sibling folders and their direct subfolders. Never looks through the
+ * folders of the user's home folder. Follows no links, and skips hidden and build folders. Looks at no more than 5,000 files and folders,
+ * the nearest first; unreadable ones are skipped.
  */
 public fun filesAround(file: Path, isWanted: (String) -> Boolean): List<Path> =
     filesAround(file, Path.of(System.getProperty("user.home")).toAbsolutePath().normalize(), isWanted)
 
-/** Returns the same for a user with the home folder [home]. */
+/** Returns the files around [file] with wanted names, for a user with the home folder [home]. */
 internal fun filesAround(file: Path, home: Path, isWanted: (String) -> Boolean): List<Path> {
     val folder = file.toAbsolutePath().normalize().parent
     val look = Around(isWanted)

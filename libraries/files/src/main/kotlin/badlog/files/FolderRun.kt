@@ -20,10 +20,10 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
     private val room = Semaphore(ROOM, true)
 
     /**
-     * Runs [work] on each of [files], with a number of cores. Passes each result to [each] on this thread. An exception from [work], [waiting] or
-     * [each] stops everything and is passed on.
+     * Runs [work] on each of [files], and passes it the number of cores to use. Passes each result to [each] on this thread. An exception
+     * from [work], [waiting] or [each] stops everything and is passed on.
      *
-     * @param waiting called on this thread several times a second while the next result is not there.
+     * @param waiting called on this thread several times a second until the next result is available.
      */
     public fun <R> forEach(
         files: List<LogFile>,
@@ -79,7 +79,7 @@ public class FolderRun(private val threads: Int = Runtime.getRuntime().available
         const val AHEAD = 4
         const val ROOM = 1000
 
-        /** Milliseconds. */
+        /** The time between calls of `waiting`, in ms. */
         const val PATIENCE = 200L
 
         /** The estimated part of the heap that logs in progress may fill. */

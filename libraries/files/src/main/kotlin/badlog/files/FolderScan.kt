@@ -12,8 +12,7 @@ import java.util.EnumSet
 /**
  * The result of scanning a folder.
  *
- * @property files the possible logs, in no particular order. A log of two files is included
- * once, as the first.
+ * @property files the possible logs, in no particular order. A log of two files is included once, by its first file.
  * @property unreadable the folders that could not be read.
  */
 public class FolderScan private constructor(public val files: List<LogFile>, public val unreadable: List<Path>) {
@@ -82,7 +81,7 @@ private fun isNamedLikeLog(name: String): Boolean {
 /** The end of the name of a folder with a pack of rules. */
 private const val PACK = ".badlog-rules"
 
-/** Returns whether [folder] is passed over: it is hidden, made by a build, or a pack of rules. */
+/** Returns whether [folder] is skipped, because it is hidden, made by a build, or a pack of rules. */
 internal fun isPassedOver(folder: Path): Boolean {
     val name = folder.fileName.toString()
     return name.startsWith(".") || name == "node_modules" || name == "\$RECYCLE.BIN" || name.endsWith(PACK, ignoreCase = true) ||

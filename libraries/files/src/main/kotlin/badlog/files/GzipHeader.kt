@@ -48,7 +48,7 @@ internal class GzipHeader {
         const val CHECK = 4
         val FLAG_OF = intArrayOf(0, 4, 8, 16, 2)
 
-        /** The signature, and deflate, the only method. */
+        /** The first bytes: the signature, then deflate, the only compression method. */
         val MAGIC = intArrayOf(0x1F, 0x8B, 8)
         const val FLAGS_AT = 3
         const val FIXED_SIZE = 10

@@ -32,8 +32,8 @@ public class GzipReader(private val sink: (bytes: ByteArray, size: Int) -> Unit)
         private set
 
     /**
-     * After the last piece: whether data is missing, because the stream ends early or cannot be inflated further. A
-     * stream that was flushed but never closed, as by the original badlog, is complete.
+     * Whether data is missing, because the stream ends early or cannot be inflated further. Read it after the last piece. A stream that was
+     * flushed but never closed, as by the original badlog, is complete.
      */
     public val isCut: Boolean
         get() = isDamaged || !sawBody || (stage == Stage.BODY && tail != FLUSH_MARK)

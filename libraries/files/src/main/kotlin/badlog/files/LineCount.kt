@@ -7,8 +7,8 @@ import java.nio.channels.FileChannel
 import java.util.stream.LongStream
 
 /**
- * Returns the number of line feeds in the first [end] bytes of [channel], counted on [cores] cores. It takes a twentieth of the
- * time for reading, and avoids copying columns as they grow.
+ * Returns the number of line feeds in the first [end] bytes of [channel], counted on [cores] cores. Counting takes a twentieth of the
+ * reading time, and avoids copying columns as they grow.
  */
 internal fun countLines(channel: FileChannel, end: Long, cores: Int): Long {
     val parts = cores.toLong()

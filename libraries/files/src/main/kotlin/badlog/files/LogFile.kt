@@ -5,7 +5,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * A log as found in its folder, without reading it. While this stays equal, so does its content.
+ * A log as found in its folder, before it is read. As long as this stays equal, the content is unchanged.
  *
  * @property path its path; the first of its [parts][partsOfLog].
  * @property size its size in bytes, of all parts.
@@ -15,7 +15,7 @@ public data class LogFile(public val path: Path, public val size: Long, public v
     /** Its name without the folders. */
     public val name: String get() = path.fileName.toString()
 
-    /** Returns the same log with the file [other], which is a part of it. */
+    /** Returns this log together with [other], another file of the same log. */
     internal fun with(other: LogFile) = copy(size = size + other.size, modified = maxOf(modified, other.modified))
 
     public companion object {

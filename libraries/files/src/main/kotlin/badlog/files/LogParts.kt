@@ -12,8 +12,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Returns the files that make up the log [file], in the order in which their bytes are read. Usually only that file. A `.dslog` of the
- * Driver Station usually has a `.dsevents` with the same name beside it.
+ * Returns the files that make up the log [file], in the order in which their bytes are read. Usually there is only [file]. A `.dslog` of
+ * the Driver Station usually has a `.dsevents` with the same name beside it.
  */
 public fun partsOfLog(file: Path): List<Path> =
     listOfNotNull(file, sibling(file, FIRST_ENDING, SECOND_ENDING)?.takeIf(Files::isRegularFile))
@@ -32,7 +32,8 @@ public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFil
     }
 
 /**
- * Whether it is a log of the Driver Station. Until 2026 it has a format of its own; from 2027 on it is a WPILOG with nothing else in it.
+ * Whether this is a log of the Driver Station. Until 2026 such a log has a format of its own; from 2027 on it is a WPILOG with nothing else
+ * in it.
  */
 public val Recording.isOfDriverStation: Boolean
     get() = format == DriverStationFormat ||
@@ -53,9 +54,10 @@ public fun readStationLog(log: LogFile, formats: List<LogFormat>): Recording? = 
 }
 
 /**
- * Returns when [log], one of [stationLogsIn], began, in s since 1970; null if its first bytes do not show it.
+ * Returns the time when [log], one of [stationLogsIn], began, in s since 1970; null if its first bytes do not show it.
  *
- * @param headSize the number of its first bytes from which [startIn] returns the time, in s since 1970.
+ * @param headSize the number of its first bytes that [startIn] needs.
+ * @param startIn returns the time that these bytes show, in s since 1970.
  */
 public fun startOfStationLog(log: LogFile, headSize: Int, startIn: (ByteArray) -> Double?): Double? = try {
     startIn(Files.newInputStream(log.path).use { it.readNBytes(headSize) })
@@ -86,7 +88,7 @@ public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
     return files.filter { file -> firstPartOf(pathOf(file))?.let { it in paths } != true }
 }
 
-/** Returns the log that [file] is the second file of, by its name; null for any other name. It need not exist. */
+/** Returns the first file of a log with the second file [file], according to its name; null for any other name. It need not exist. */
 public fun firstPartOf(file: Path): Path? = sibling(file, SECOND_ENDING, FIRST_ENDING)
 
 private fun sibling(file: Path, from: String, to: String): Path? {

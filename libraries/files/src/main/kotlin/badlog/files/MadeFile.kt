@@ -22,7 +22,7 @@ internal fun newMadeFile(ending: String, folder: Path = Path.of(System.getProper
     return writing(folder) { Files.createTempFile(folder, "badlog-${ProcessHandle.current().pid()}-", ending) }
 }
 
-/** Removes what [newMadeFile] and [inMadeFolder] made in [folder] for programs that are no longer running. */
+/** Removes the files and folders in [folder] that [newMadeFile] and [inMadeFolder] made for programs no longer running. */
 internal fun removeLeftFiles(folder: Path) {
     try {
         val left = Files.newDirectoryStream(folder, "badlog-*").use { files -> files.filter(::isLeft) }
@@ -35,7 +35,7 @@ internal fun removeLeftFiles(folder: Path) {
 /**
  * Returns the result of [work] in a new temporary folder, which is removed afterwards.
  *
- * @throws UnwritableFileException if it cannot be made.
+ * @throws UnwritableFileException if the folder cannot be created.
  */
 public fun <T> inMadeFolder(work: (Path) -> T): T {
     val parent = Path.of(System.getProperty("java.io.tmpdir"))

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit
 internal object Owlet {
     private val search by lazy { OwletSearch() }
 
-    /** Whether a log of this format can be read here. */
+    /** Whether the program is found on this computer, so that a `.hoot` can be read. */
     val isInstalled: Boolean by lazy { search.any != null }
 
     /** Converts [hoot] to the WPILOG [made] with the program found for it. */

@@ -8,8 +8,9 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * Finds CTRE's program that converts a `.hoot` where teams have it. It may be named by the environment variable [SETTING], a file or a folder; be in
- * the folder into which AdvantageScope downloads one for each version of the format, or beside AdvantageScope; or on the PATH.
+ * Finds CTRE's program that converts a `.hoot`, in the places where teams have it. The environment variable [SETTING] may name its file or
+ * folder. It may be in the folder into which AdvantageScope downloads one for each version of the format, beside AdvantageScope, or on the
+ * PATH.
  *
  * @param system the name of the operating system.
  * @param user the user's home.
@@ -30,7 +31,7 @@ public class OwletSearch(
     /** A program that converts some logs; null if there is none. */
     public val any: Path? get() = named?.takeIf(Files::isRegularFile) ?: onPath ?: converters.maxByOrNull { it.compliancy }?.file
 
-    /** Returns the program for logs of [compliancy], a number in their header. It is the newest of several, null if there is none. */
+    /** Returns the program for logs of [compliancy], a number in their header; the newest if there are several, null if there is none. */
     internal fun programFor(compliancy: Int?): Path? = named?.takeIf(Files::isRegularFile)
         ?: converters.filter { it.compliancy == compliancy }.maxWithOrNull(BY_VERSION)?.file
         ?: onPath

@@ -10,9 +10,9 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Reads [file]: a bag, a CSV file or a log of one of [formats]. It may be compressed with gzip, or [contain a WPILOG][unpacked]. Its
- * content decides, hardly ever its name. The other [parts][partsOfLog] of the log are read with it. Whatever is wrong in it becomes a
- * problem of the recording.
+ * Reads [file]: a bag, a CSV file or a log of one of [formats]. It may be compressed with gzip, or [contain a WPILOG][unpacked]. The
+ * content determines the format, the name hardly ever. The other [parts][partsOfLog] of the log are read with it. Anything wrong in it
+ * becomes a problem of the recording.
  *
  * Besides the recording, it holds pieces of the file in memory, never the whole file: less than 1 MB on the calling thread, which always
  * reads small files and logs of records; otherwise 5 pieces of 256 kB and one more per [core][ReadOptions.cores], and the numbers read

@@ -10,7 +10,7 @@ public sealed interface ReadResult {
     /**
      * Returns the recording.
      *
-     * @throws NotReadException if there is none; a bug is thrown as it was.
+     * @throws NotReadException if there is none. The exception of a bug is thrown unchanged.
      */
     public fun orThrow(): Recording
 
@@ -61,7 +61,7 @@ public sealed interface ReadResult {
         }
     }
 
-    /** Why a log was not read. */
+    /** The kind of reason why a log was not read. */
     public enum class Cause {
         /** The file is something other than a log. */
         NO_LOG,
@@ -72,10 +72,10 @@ public sealed interface ReadResult {
         /** A file needed for reading cannot be written: usually the disk of the folder for temporary files is full. */
         NO_ROOM,
 
-        /** It does not fit into memory. */
+        /** The file does not fit into memory. */
         TOO_LARGE,
 
-        /** badlog failed. */
+        /** badlog has a bug. */
         BUG,
     }
 }
@@ -103,8 +103,8 @@ public fun readLog(
 }
 
 /**
- * Returns the result of [work] on the log in [file]; if that fails, the result of [otherwise]. Even lack of memory or a bug is a result: a failure of
- * one log must not affect others. Passes on that the thread was interrupted, or the work cancelled.
+ * Returns the result of [work] on the log in [file]; if that fails, the result of [otherwise]. Even lack of memory or a bug is a result: a
+ * failure of one log must not affect others. An interruption of the thread and a cancellation of the work are passed on.
  */
 public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R, work: () -> R): R = try {
     work()
@@ -123,7 +123,7 @@ public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R
 /** Returns [message], a sentence about [file], preceded by the file's path unless it already contains the path. */
 public fun naming(file: Path, message: String): String = if ("$file" in message) message else "$file: $message"
 
-/** Returns the sentence that [what] needs too much memory, with a remedy. */
+/** Returns the message, a sentence, that [what] needs too much memory, with a remedy. */
 public fun tooLargeSentence(what: String): String {
     val megabytes = Runtime.getRuntime().maxMemory() shr 20
     return "$what does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS, to -Xmx8g for example."

@@ -1,8 +1,8 @@
 package badlog.files
 
 /**
- * Returns [name] as a name for a file or folder on any system. It may come from a robot or a log and contain anything; the result has no folders,
- * forbidden or invisible characters, is not hidden, and not too long.
+ * Returns [name] as a name for a file or folder on any system. [name] may come from a robot or a log and contain anything. The result has
+ * no folders, and no forbidden or invisible characters. It is neither hidden nor too long.
  */
 public fun safeName(name: String): String {
     val signs = buildString {

@@ -15,7 +15,7 @@ import java.nio.file.Path
  *
  * @property path the log itself, or a WPILOG made from it.
  * @property name its name: for a converted WPILOG, the name of the log with the ending of a WPILOG.
- * @property format the format from which the WPILOG was made; null for the log itself, and for a format that badlog cannot read alone.
+ * @property format the format from which the WPILOG was made; null for the log itself, and for a format that badlog cannot read by itself.
  * @property problems the problems of the log that the converted WPILOG does not show.
  */
 public class Unpacked internal constructor(
@@ -26,12 +26,12 @@ public class Unpacked internal constructor(
 )
 
 /**
- * Runs [work] with the log [file], or with a temporary WPILOG made from it. A `.wpilogxz` is one compressed with xz, a `.revlog` of
- * REV's devices can be converted to one, and CTRE's own program converts a `.hoot` of CTRE's devices. All but the last are
- * recognized by their content.
+ * Runs [work] with the log [file], or with a temporary WPILOG made from it. A `.wpilogxz` is a WPILOG compressed with xz, a `.revlog` of
+ * REV's devices is converted to one, and CTRE's own program converts a `.hoot` of CTRE's devices. All but the last are recognized by their
+ * content.
  *
  * @param name the name of the log, if the file temporarily has another one.
- * @param maker makes a WPILOG of a file with several logs in it; null if no such file is to be read.
+ * @param maker makes a WPILOG from a file that contains several logs; null to read no such file.
  * @param checkpoint called from time to time while a WPILOG is made; may throw to cancel.
  * @throws UnreadableFileException if the file cannot be read, or not converted to a WPILOG.
  * @throws UnwritableFileException if the WPILOG cannot be written, such as on a full disk.

@@ -14,7 +14,7 @@ import kotlinx.serialization.Serializable
 /**
  * The stored results of rules for one log.
  *
- * @property title the match; null if it is unknown, or the file cannot be read.
+ * @property title the title of the match; null if it is unknown, or the file cannot be read.
  * @property findings the findings, in the order of the rules.
  * @property asked the outcome of each rule.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null if it could be read.

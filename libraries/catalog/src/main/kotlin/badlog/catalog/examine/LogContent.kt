@@ -33,9 +33,9 @@ sealed interface LogContent {
 
     companion object {
         /**
-         * Returns the result of [work] for [file], read with [options] and the topics of [definitions], which may name [signals]. [withX]
-         * sets an x axis that the log may lack, and [beside] adds another log to its view. A failure affects only this file: [work] then
-         * receives a [None] that describes it.
+         * Reads [file] with [options] and returns the result of [work] on its content. [definitions] defines virtual topics, and may name
+         * [signals]. [withX] sets an x axis that the log may lack, and [beside] adds another log to its view. A failure affects only this
+         * file: [work] then receives a [None] that describes it.
          *
          * @throws InterruptedException if the thread was interrupted.
          */

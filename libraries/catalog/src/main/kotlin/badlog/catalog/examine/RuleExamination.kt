@@ -20,8 +20,8 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Runs [rules] over one log after another. The window's folder and the report share it, so that each can read the other's stored results.
- * Thread-safe.
+ * Runs [rules] over one log after another. The folder view in the window and the report both use it, so each can reuse results that the
+ * other stored. Thread-safe.
  *
  * @param with everything else that affects the results, as a text: virtual topics and the x axis; empty for nothing.
  * @param measures whether the numbers of each log are calculated, as comparisons and charts need.
@@ -39,7 +39,7 @@ class RuleExamination(
         ResultCache(folder, "$version\nreport $measures\n$with\n${rules.toJson()}", ExaminedLog.serializer())
 
     /**
-     * Returns the results of the rules for [content], the file called [name].
+     * Returns the results of the rules for [content], the content of the file called [name].
      *
      * @param checkpoint called repeatedly; an exception from it stops the work and is passed on.
      */

@@ -46,7 +46,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
     @Synchronized
     fun take(): LogFile? = waiting.pollFirst()?.also { busy.add(it.path) }
 
-    /** Adds the result of reading a file, at [now] and in [took]. */
+    /** Adds the result of reading a file, which ended at [now] and took [took]. */
     @Synchronized
     fun finished(entry: LogEntry, now: Duration, took: Duration) {
         busy.remove(entry.file)
@@ -58,7 +58,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
         changes++
     }
 
-    /** Adds the result [found] of the rules in the file of [entry], unless the file has changed in the meantime. */
+    /** Adds [found], the findings of the rules in the file of [entry], unless the file has changed in the meantime. */
     @Synchronized
     fun searched(entry: LogEntry, found: FindingSummary) {
         val now = known[entry.file] ?: return
@@ -99,8 +99,8 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
     ).also { if (it.waiting == 0) read = 0 }
 
     /**
-     * Returns the known results of the newest files, newest first, up to the first unknown file. Files with names that not only logs have,
-     * such as `.csv`, are included only if there are no others.
+     * Returns the known results of the newest files, newest first, up to the first unknown file. Files with names that other files may have
+     * too, such as `.csv`, are included only if there are no others.
      */
     @Synchronized
     fun newestKnown(): List<LogEntry> {
@@ -120,7 +120,7 @@ class IndexQueue(private val stored: (LogFile) -> LogEntry? = { null }) {
 /**
  * The state of a folder's index.
  *
- * @property entries everything known, in no particular order.
+ * @property entries all known results, in no particular order.
  * @property files the files in the folder, read or not.
  * @property read the number of files read since the queue was last empty.
  * @property waiting the number of files being read, or waiting.

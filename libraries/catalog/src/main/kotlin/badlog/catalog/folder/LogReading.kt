@@ -60,7 +60,7 @@ class LogReading(private val store: FolderStore) {
         }
     }
 
-    /** Returns the findings of the rules in [file]: stored ones, otherwise by reading it again. */
+    /** Returns the findings of the rules in [file]: the stored ones; if there are none, the file is read again. */
     fun found(file: LogFile, checkpoint: () -> Unit = {}): FindingSummary {
         val rules = store.rulesFor(file.path)
         rules.found(file)?.let { return it }

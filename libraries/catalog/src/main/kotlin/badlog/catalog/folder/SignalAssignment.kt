@@ -21,7 +21,7 @@ class SignalAssignment(log: Path, library: Path?) {
     val file: Path = nearestTo(log, library).file ?: log.resolveSibling(SignalsFile.NAME)
 
     /**
-     * Makes [topic] of [view] the signal [signal] in all logs to which the file applies.
+     * Assigns [topic] of [view] to the signal [signal] in all logs to which the file applies.
      *
      * @return the reason for a failure, as a sentence; null on success.
      */

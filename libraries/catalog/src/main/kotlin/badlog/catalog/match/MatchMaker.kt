@@ -38,9 +38,9 @@ import java.nio.file.Path
 import kotlin.io.path.name
 
 /**
- * Makes one log of the logs of a match. They are in a ZIP, or beside a `match.json` that names them.
+ * Makes one log from the logs of a match. They are in a ZIP, or beside a `match.json` that names them.
  *
- * The logs of the folder are read by the signals that are beside the ZIP or the `match.json`.
+ * The signal names for the folder of the ZIP or the `match.json` apply to all of its logs.
  */
 object MatchMaker : LogMaker {
     override fun isSource(file: Path, head: ByteArray): Boolean {

@@ -21,11 +21,11 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 
 /**
- * The logs in the ZIP [file], which may have come from anywhere. A name from the ZIP leads nowhere but into a folder of badlog, links are
- * files like others, and entries that grow without end are refused. It passes over anything but a `match.json`, the files that this names,
- * and files that are named like logs.
+ * The logs in the ZIP [file], which may come from anywhere. No name in the ZIP leads out of badlog's folder, links are unpacked as ordinary
+ * files, and entries that grow without end are refused. Only a `match.json`, the files that it names, and files with names of logs are
+ * used.
  *
- * @throws NotReadException if it is not a ZIP, or not one that people make of logs.
+ * @throws NotReadException if it is not a ZIP, or not a plausible ZIP of logs.
  */
 internal class MatchZip(private val file: Path) : AutoCloseable {
     /** A file called [name], with slashes. */
@@ -151,7 +151,7 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
             checkpoint()
         }
 
-        /** Returns the size of the whole log, which counts for the next ones. */
+        /** Returns the size of the whole log. If it grew far, its size also counts for the limit of the next ones. */
         fun end(): Long {
             if (growsFar(size, compressed)) grown += size
             return size
@@ -241,7 +241,10 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
         const val MAX_SHOWN = 100
         const val PIECE = 1 shl 16
 
-        /** As in packs of rules: numbers become ten times smaller, and only zeros a thousand times. */
+        /**
+         * The maximum ratio of unpacked to packed size, as in packs of rules. Numbers become ten times smaller, and only zeros a thousand
+         * times.
+         */
         const val RATIO = 200L
 
         /**
@@ -250,13 +253,16 @@ internal class MatchZip(private val file: Path) : AutoCloseable {
          */
         const val RATIO_COUNTS_FROM = 64L shl 20
 
-        /** Whether something of [compressed] bytes that has [size] bytes unpacked is smaller than any usual log. */
+        /** Returns whether [size] bytes, packed into [compressed] bytes, are compressed more than any usual log. */
         fun growsFar(size: Long, compressed: Long) = size / RATIO > compressed
 
-        /** How a file begins that is compressed with gzip. */
+        /** The first bytes of a file that is compressed with gzip. */
         val GZIP = byteArrayOf(0x1f, 0x8b.toByte())
 
-        /** Windows writes names in its own character set if they fit. Java may lack that; then any that accepts all bytes will do. */
+        /**
+         * The character sets to try for names. Windows writes names in its own one if they fit. Java may lack that; the last one accepts
+         * all bytes.
+         */
         val CHARSETS = listOfNotNull(Charsets.UTF_8, "IBM437".takeIf(Charset::isSupported)?.let(Charset::forName), Charsets.ISO_8859_1)
     }
 }

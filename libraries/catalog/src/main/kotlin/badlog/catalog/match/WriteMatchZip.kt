@@ -20,8 +20,8 @@ import java.util.zip.ZipOutputStream
 /**
  * A log for a ZIP of a match.
  *
- * @property role what wrote it; null if its content says so.
- * @property seconds what to add to its times for the clock of the match, in s; null if that is not known.
+ * @property role the program or device that wrote it; null if its content says so.
+ * @property seconds the offset to add to its times to get the match's clock, in s; null if unknown.
  * @property error the possible error of [seconds], in s; null if unknown.
  */
 class FileForZip(val path: Path, val role: FileRole?, val seconds: Double?, val error: Double?)
@@ -29,7 +29,7 @@ class FileForZip(val path: Path, val role: FileRole?, val seconds: Double?, val 
 /**
  * Writes a ZIP of [files], unchanged and with all their [parts][partsOfLog], to [out], with a `match.json` that states their clocks.
  *
- * @throws NotReadException if one is compressed in a way that is not read in a ZIP.
+ * @throws NotReadException if one is compressed with xz, which is not read in a ZIP.
  */
 fun writeMatchZip(files: List<FileForZip>, out: OutputStream) {
     files.flatMap { partsOfLog(it.path) }.find(::isXz)?.let { part ->
@@ -73,7 +73,7 @@ private fun ZipOutputStream.put(name: String, write: (OutputStream) -> Unit) {
     closeEntry()
 }
 
-/** How a file begins that is compressed with xz. */
+/** The first bytes of a file that is compressed with xz. */
 internal val XZ: ByteArray = byteArrayOf(0xfd.toByte(), '7'.code.toByte(), 'z'.code.toByte(), 'X'.code.toByte(), 'Z'.code.toByte(), 0)
 
 /** Ten less than in [safeName]. */

@@ -7,7 +7,7 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** A text in most logs of a team, such as the name of a topic. It is in memory only once for any number of logs. */
+/** Serializes a text that many logs share, such as the name of a topic. It is in memory only once for any number of logs. */
 internal object RepeatedText : KSerializer<String> {
     override val descriptor: SerialDescriptor = PrimitiveSerialDescriptor("badlog.RepeatedText", PrimitiveKind.STRING)
 

@@ -145,7 +145,7 @@ class ResultCache<R : Any>(
     }
 
     private companion object {
-        /** Increase it if the same file and question may have a different result than before. */
+        /** The version of the stored results. Increase it when the same file and question may now give a different result. */
         const val VERSION = 22
         val DEFAULT_PAUSE = 10.seconds
         const val PREFIX = "report-"

@@ -11,7 +11,10 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** [Span], [Quantity] and [Finding] in the form stored in a cache. Their own modules do not depend on a serialization library. */
+/**
+ * Serializes a [Span] for a cache; the objects below do so for [Quantity] and [Finding]. Their own modules do not depend on a serialization
+ * library.
+ */
 object SpanSerializer : KSerializer<Span> {
     @Serializable
     private class StoredSpan(val from: Double, val to: Double)

@@ -17,7 +17,7 @@ import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 
-/** A [LogSummary] in the form stored in a cache: the page, which has it too, has no serialization library. */
+/** Serializes a [LogSummary] for a cache. It is separate because the page also uses [LogSummary], but has no serialization library. */
 internal object SummarySerializer : KSerializer<LogSummary> {
     override val descriptor: SerialDescriptor = StoredSummary.serializer().descriptor
 

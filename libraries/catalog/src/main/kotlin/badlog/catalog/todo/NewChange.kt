@@ -13,7 +13,7 @@ import java.util.UUID
 /**
  * Returns a change by [author] to [subject] at the current time.
  *
- * @param last the latest log of the folder; null if none is known. A log of days ago does not determine the next match.
+ * @param last the latest log of the folder; null if none is known. A log from days ago does not determine the next match.
  * @param known the known changes. The new one is later than all others of the same subject, whatever the clocks of the laptops show.
  * @param now the local time of this computer, in s.
  */

@@ -78,7 +78,10 @@ class TodoFolder(private val folder: Path, computer: String? = null) {
     }
 
     private companion object {
-        /** Followed by the computer's name, and possibly by an addition of a synced folder: `badlog-todo-pit (conflicted copy).jsonl`. */
+        /**
+         * The beginning of the files' names. The computer's name follows, then possibly an addition of a sync program, such as
+         * `badlog-todo-pit (conflicted copy).jsonl`.
+         */
         const val BEGIN = "badlog-todo"
         const val ENDING = ".jsonl"
     }

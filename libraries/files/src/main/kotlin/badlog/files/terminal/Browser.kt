@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit
 /** Opens [page] in the default browser. Returns false if the system's program for that is missing or fails at once. */
 public fun openInBrowser(page: Path): Boolean = startProgram(browserCommand() + page.toAbsolutePath().toUri().toString())
 
-/** Returns the system's own command that shows an address in the default browser; the address follows it. */
+/** Returns the system's own command that shows an address in the default browser. Append the address to it. */
 public fun browserCommand(system: String = System.getProperty("os.name")): List<String> = when {
     system.startsWith("Windows") -> listOf("rundll32", "url.dll,FileProtocolHandler")
     system.startsWith("Mac") || system.startsWith("Darwin") -> listOf("open")

@@ -1,6 +1,6 @@
 package badlog.files.terminal
 
-/** Returns the number of a terminal's columns that [text] takes. Wide characters, such as Chinese ones, take two, and combining marks none. */
+/** Returns the number of terminal columns that [text] takes. Wide characters, such as Chinese ones, take two, and combining marks none. */
 public fun displayWidth(text: String): Int {
     var width = 0
     var at = 0

@@ -17,7 +17,7 @@ public fun interface Progress {
  * Shows on a terminal the progress of a piece of work and the remaining time, after a delay. Closing it removes it from the terminal.
  *
  * @param label names the work.
- * @param delay nanoseconds before the bar appears.
+ * @param delay the time before the bar appears, in ns.
  * @param clock returns nanoseconds since an arbitrary moment.
  */
 public class ProgressBar(
@@ -54,14 +54,14 @@ public class ProgressBar(
         const val LABEL = 34
         const val BAR = 20
 
-        /** Nanoseconds. */
+        /** A second, in ns. */
         const val SECOND = 1_000_000_000L
     }
 }
 
 /**
- * Returns [seconds] with the precision of an estimate. For example, `12 s left`, from a minute and a half on `3 min left`, from an hour and
- * a half on `2 h left`.
+ * Returns [seconds] with the precision of an estimate, such as `12 s left`. It is in minutes from a minute and a half on, and in hours from
+ * an hour and a half on.
  */
 internal fun timeLeft(seconds: Double): String = when {
     seconds < MIN_MINUTES -> "${ceil(seconds).toInt()} s left"

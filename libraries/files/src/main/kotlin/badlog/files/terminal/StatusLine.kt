@@ -6,7 +6,7 @@ import java.io.PrintStream
 public class StatusLine(private val err: PrintStream) : AutoCloseable {
     private var width = 0
 
-    /** Replaces the line by [text], which must have no line break. */
+    /** Replaces the line with [text], which must have no line break. */
     public fun show(text: String) {
         err.print("\r" + text.padEnd(width))
         err.flush()

@@ -42,8 +42,8 @@ public class TextTable(
     }
 
     /**
-     * Returns the lines of [rows] in one block. In several if the columns do not fit beside each other with readable headings. Each block
-     * has some of the columns, and the same lines as [lines].
+     * Returns the lines of [rows] in one block, or in several if the columns do not fit beside each other with readable headings. Each
+     * block has some of the columns, and the same lines as [lines].
      */
     public fun blocks(rows: List<List<String>>): List<List<List<String>>> {
         val least = leastWidths(rows.map { row -> row.map(::printable) }, (width / NAMES).coerceIn(MIN_NAME, READABLE), READABLE)

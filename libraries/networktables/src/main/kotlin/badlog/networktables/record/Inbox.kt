@@ -13,7 +13,11 @@ internal sealed interface Incoming {
 
     class Text(override val link: Link, val text: String) : Incoming
 
-    /** @property localMicros the arrival time. */
+    /**
+     * The values in the binary frame [frame].
+     *
+     * @property localMicros the arrival time of the frame.
+     */
     class Values(override val link: Link, val frame: ByteArray, val localMicros: Long) : Incoming
 
     /**

@@ -126,7 +126,7 @@ internal class Link(val source: Source, val address: ServerAddress, private val 
     private companion object {
         const val CONNECT_SECONDS = 2L
 
-        /** In bytes or characters. */
+        /** The maximum length of a message, in bytes or characters. */
         const val MAX_MESSAGE = 16 shl 20
         const val MAX_REASON = 100
     }

@@ -48,7 +48,7 @@ internal class LiveMatch {
         /** The topic that says whether the robot is enabled, in its lowest bit. */
         const val CONTROL = "FMSControlData"
 
-        /** The same from 2027 on: a struct of 64 bits, the lower 58 of them the op mode. */
+        /** The same topic from 2027 on: a struct of 64 bits. The lower 58 are the op mode. */
         const val CONTROL_2027 = "ControlWord"
         private const val ENABLED = 1L
         private const val ENABLED_2027 = 1L shl 58

@@ -15,11 +15,11 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A log that is being written. It is named as WPILib's `DataLogManager` would: `FRC_yyyyMMdd_HHmmss.wpilog`, in UTC, with event and match
- * if known. [Flushed][flush] data is on the disk a tenth of a second later. Use it on one thread.
+ * A log that is being written. Its name follows the scheme of WPILib's `DataLogManager`: `FRC_yyyyMMdd_HHmmss.wpilog`, in UTC, with event
+ * and match if known. [Flushed][flush] data is on the disk a tenth of a second later. Use it on one thread.
  *
  * @param path its first name; the file exists and is empty.
- * @property startMicros the robot's time at its start.
+ * @property startMicros the robot's time when the log started, in µs.
  */
 internal class LogFile private constructor(path: Path, private val channel: FileChannel, val startMicros: Long) : AutoCloseable {
     /** Its current name. */

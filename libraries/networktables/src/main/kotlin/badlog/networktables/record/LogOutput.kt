@@ -9,8 +9,8 @@ import java.time.temporal.ChronoUnit
  * Writes topics and the recorder's own entries into one log after another in the folder of [options]. Times are the robot's, in µs. Without
  * an open file, nothing is written.
  *
- * Its own entries: `messages` and `systemTime`, as in WPILib's `DataLogManager`; in `Recorder/`, the servers' connections and the number of
- * dropped values.
+ * Its own entries are `messages` and `systemTime`, as in WPILib's `DataLogManager`; in `Recorder/`, the servers' connections and the number
+ * of dropped values.
  */
 internal class LogOutput(private val options: RecordOptions) {
     private class Open(val file: LogFile, val messages: Int, val systemTime: Int, val dropped: Int, val droppedBefore: Long) {
@@ -101,8 +101,8 @@ internal class LogOutput(private val options: RecordOptions) {
     }
 
     /**
-     * Writes the latest value of [topic], set at [micros]; an older value is written at the file's start. Returns false for the file's
-     * first value that is earlier than the previous one of its topic.
+     * Writes the latest value of [topic], set at [micros]. A value from before the file's start is written at its start. Returns false only
+     * for the first value in the file that is earlier than the previous one of its topic.
      */
     fun value(topic: RecordedTopic, micros: Long): Boolean {
         val open = open ?: return true

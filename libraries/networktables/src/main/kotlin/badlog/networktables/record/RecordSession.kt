@@ -264,13 +264,13 @@ internal class RecordSession(
     private companion object {
         const val SCHEMAS = "/.schema/"
 
-        /** The period with which the server sends values. */
+        /** The period at which the server sends values. */
         const val PERIOD_SECONDS = 0.05
 
-        /** With that period, and a sync each 100 ms, a cut costs less than 0.25 s. */
+        /** The time between flushes. With it, the server's period, and a sync each 100 ms, a power cut costs less than 0.25 s of data. */
         const val FLUSH_MICROS = 50_000L
 
-        /** Between autonomous and teleop a robot is disabled for a few seconds, and so is its log. */
+        /** The time after which the file of a disabled robot ends. Between autonomous and teleop, a robot is disabled for a few seconds. */
         const val PAUSE_MICROS = 15_000_000L
     }
 }

@@ -28,7 +28,7 @@ internal class Source(val server: RecordedServer, val isRobot: Boolean) {
     val connectedName: String get() = if (isRobot) "Recorder/Connected" else "Recorder/Connected ${server.prefix.trimEnd(':')}"
 
     companion object {
-        /** The maximum that readers of logs accept. */
+        /** The maximum number of topics that readers of logs accept. */
         const val MAX_TOPICS = 65_536
     }
 }

@@ -52,10 +52,10 @@ internal class TimeSync {
 
         const val JITTER_MICROS = 2_000L
 
-        /** A restarting robot is away for longer. */
+        /** The tolerated deviation of an answer, in µs. A restarting robot is away for longer. */
         const val SLACK = 250_000L
 
-        /** Clocks of computers differ by less than 1 in 5,000. */
+        /** The inverse of the tolerated drift. Clocks of computers differ by less than 1 in 5,000. */
         const val DRIFT = 5_000
     }
 }

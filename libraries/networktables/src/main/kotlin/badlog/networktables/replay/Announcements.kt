@@ -11,7 +11,7 @@ internal fun propertiesOf(signal: ReplayedTopic): JsonObject = buildJsonObject {
     put("retained", true)
 }
 
-/** Announces that the topic [name] has the id [id]; in an answer to a publisher, with the publisher's id. */
+/** Returns the message that the topic [name] has the id [id]; in an answer to a publisher, with the publisher's id. */
 internal fun announce(name: String, id: Int, type: String, properties: JsonObject, publisher: Long? = null): JsonObject =
     message("announce") {
         put("name", name)
@@ -21,13 +21,13 @@ internal fun announce(name: String, id: Int, type: String, properties: JsonObjec
         put("properties", properties)
     }
 
-/** Announces that the topic [name] no longer exists. */
+/** Returns the message that the topic [name] no longer exists. */
 internal fun unannounce(name: String, id: Int): JsonObject = message("unannounce") {
     put("name", name)
     put("id", id)
 }
 
-/** Confirms to the client that the properties of its topic are changed. */
+/** Returns the message to a client that the properties of its topic have changed. */
 internal fun acknowledge(name: String, update: JsonObject): JsonObject = message("properties") {
     put("name", name)
     put("ack", true)

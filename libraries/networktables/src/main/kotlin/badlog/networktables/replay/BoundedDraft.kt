@@ -21,7 +21,7 @@ import java.nio.ByteBuffer
  * WebSockets of NT4, for programs on this computer. Handshakes and messages are limited in length, and no web page from the internet may
  * connect.
  *
- * @param ownHost the address at which the server listens, as pages on it would name it.
+ * @param ownHost the address at which the server listens; pages from it may connect.
  * @param refuse called for each refused message or handshake, with the client and a description as part of a sentence.
  */
 internal class BoundedDraft(private val ownHost: String, private val refuse: (client: String, what: String) -> Unit) :

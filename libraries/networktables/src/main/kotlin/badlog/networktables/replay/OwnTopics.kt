@@ -27,7 +27,10 @@ internal class OwnTopics(firstId: Int) {
         return announce(topic.name, topic.id, topic.type, topic.properties, request.id)
     }
 
-    /** Returns null while the topic has another publisher, and for an unknown publisher. */
+    /**
+     * Removes a publisher, and returns the message that its topic is gone. Null if the topic has another publisher, or the publisher is
+     * unknown.
+     */
     fun unpublish(request: Request.Unpublish): JsonObject? {
         val topic = byPublisher.remove(request.id) ?: return null
         topic.publishers -= request.id
@@ -36,7 +39,7 @@ internal class OwnTopics(firstId: Int) {
         return unannounce(topic.name, topic.id)
     }
 
-    /** Returns null for a topic that is not one of these. */
+    /** Returns the message that confirms new properties of a topic; null if the topic is not one of these. */
     fun setProperties(request: Request.SetProperties): JsonObject? =
         if (request.name in byName) acknowledge(request.name, request.update) else null
 }

@@ -48,7 +48,9 @@ internal class Player(val signals: List<ReplayedTopic>, val playhead: Playhead) 
     private companion object {
         const val NANOS_PER_MICRO = 1000
 
-        /** The maximum number reported at once, for example when a laptop wakes up after an hour: the earliest are skipped. */
+        /**
+         * The maximum number of a signal's samples sent at once, such as when a laptop wakes up after an hour. The earliest are skipped.
+         */
         const val MAX_OF_A_SIGNAL = 10_000
     }
 }

@@ -114,7 +114,7 @@ internal fun requireSpeed(speed: Double): Double {
 }
 
 /**
- * A part of a recording that was played without a jump: samples after [from] and not after [to].
+ * A part of a recording that was played without a jump: samples after [from], up to and including [to].
  *
  * @property isFresh whether the playhead jumped to [from], so that the values there are new.
  */

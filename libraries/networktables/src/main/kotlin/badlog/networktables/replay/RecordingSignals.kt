@@ -89,7 +89,7 @@ private fun eventsOf(topic: Topic, view: LogView, name: String): ReplayedTopic {
     return ReplayedTopic(name, TopicType.STRING, topic.unit, samples.ordered(), texts)
 }
 
-/** Returns the range from the first of all samples to the last; 0 to 0 if there are none. */
+/** Returns the range from the earliest sample to the latest; 0 to 0 if there are none. */
 internal fun rangeOf(signals: List<ReplayedTopic>): ClosedFloatingPointRange<Double> {
     val ranges = signals.mapNotNull { it.samples.range }.filter { it.start.isFinite() }
     return if (ranges.isEmpty()) 0.0..0.0 else ranges.minOf { it.start }..ranges.maxOf { it.endInclusive }

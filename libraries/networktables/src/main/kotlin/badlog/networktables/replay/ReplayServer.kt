@@ -71,7 +71,7 @@ class ReplayServer internal constructor(
     /** Whether it is playing; at the end, it still counts as playing until [pause]. */
     val isPlaying: Boolean get() = synchronized(lock) { playhead.isPlaying }
 
-    /** Whether there is nothing left to play. Dashboards still see the last values. Never while looping. */
+    /** Whether there is nothing left to play; always false while looping. Dashboards still see the last values. */
     val isAtEnd: Boolean get() = synchronized(lock) { playhead.isAtEnd(serverNanos()) }
 
     /** The port at which dashboards connect. */
@@ -95,7 +95,7 @@ class ReplayServer internal constructor(
         set(value) = change { playhead.changeSpeed(value, it) }
 
     /**
-     * Lets dashboards connect. They see the first values until [start], which also opens it.
+     * Lets dashboards connect. They see the first values until [start], which also calls this function.
      *
      * @throws UnavailablePortException if the port is in use or unavailable.
      * @throws IllegalStateException after [close].

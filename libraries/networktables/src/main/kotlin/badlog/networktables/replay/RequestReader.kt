@@ -84,6 +84,8 @@ internal class RequestReader(private val ignore: (String) -> Unit) {
 /** A request of a client. */
 internal sealed interface Request {
     /**
+     * A request for the values of topics.
+     *
      * @property names full names, or prefixes of names if [isPrefix].
      * @property periodMicros the minimum time between values.
      * @property isAll whether every sample is wanted, not only the latest of each period.

@@ -20,7 +20,7 @@ import java.util.concurrent.TimeoutException
 /**
  * Manages the connections, and answers requests for the time immediately on the thread that reads them.
  *
- * @param micros the server's time.
+ * @param micros returns the server's time in µs.
  */
 internal class SocketServer(
     address: InetSocketAddress,
@@ -95,7 +95,7 @@ internal class SocketServer(
         connectionOf(socket)?.let { endIfFlooded(socket, it) }
     }
 
-    /** The library leaves a connection with a refused handshake open, waiting for it to read data that was never sent. */
+    /** Closes a connection with a refused handshake. The library would leave it open, waiting for it to read data that was never sent. */
     override fun onClosing(socket: WebSocket, code: Int, reason: String?, isRemote: Boolean) {
         val refused = socket as WebSocketImpl
         if (refused.draft != null) return
@@ -138,7 +138,7 @@ internal class SocketServer(
         const val BINDING_SECONDS = 60L
         const val MAX_FRAMES = 4_000
 
-        /** Usually one or two dashboards are connected. */
+        /** The maximum number of connections. Usually one or two dashboards are connected. */
         const val MAX_CONNECTIONS = 64
     }
 }

@@ -8,7 +8,7 @@ internal class Subscriptions(private val signals: List<ReplayedTopic>) {
     private val subscriptions = HashMap<Long, Subscription>()
     private val wantsAll = BooleanArray(signals.size)
 
-    /** For each signal, the period with which its latest value is sent; [NEVER] if its values are not wanted. */
+    /** For each signal, the period at which its latest value is sent; [NEVER] if its values are not wanted. */
     val periodMicros = LongArray(signals.size) { NEVER }
 
     /** The number of names in all subscriptions. */

@@ -91,9 +91,9 @@ internal class ValueFrames(private val signals: List<ReplayedTopic>) {
 /**
  * Answers the requests for the time in a client's binary [frame]; other values in it are ignored.
  *
- * @param micros the server's time.
+ * @param micros the server's time in µs.
  * @return the answer, or null if there was no request.
- * @throws RuntimeException that is a `MessagePackException` when the frame is not one of NT4's.
+ * @throws RuntimeException if the frame is not one of NT4's; the exception is a `MessagePackException`.
  */
 internal fun answerTime(frame: ByteBuffer, micros: Long): ByteBuffer? {
     val questions = MessagePack.newDefaultUnpacker(frame)

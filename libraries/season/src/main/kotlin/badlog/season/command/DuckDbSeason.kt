@@ -24,7 +24,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 import kotlinx.serialization.json.JsonElement
 import java.nio.file.Path
 
-/** Provides lakes by DuckDB to the program. */
+/** Provides the program with lakes, through DuckDB. */
 public class DuckDbSeason : SeasonService {
     override val layoutVersion: Int get() = Lake.LAYOUT_VERSION
 

@@ -7,7 +7,7 @@ import badlog.report.LogReport
 import badlog.report.page.PageChart
 import badlog.report.page.PageCharts
 
-/** Provides charts by lets-plot to the program. */
+/** Provides the program with charts, through lets-plot. */
 public class LetsPlotCharts : ChartService {
     override fun chartsOf(logs: List<LogReport>, progress: (done: Int, total: Int) -> Unit): PageCharts {
         // Charts are drawn without a screen.

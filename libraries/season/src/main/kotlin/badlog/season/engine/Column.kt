@@ -11,14 +11,14 @@ internal sealed interface Column {
     /** The type of the data passed to DuckDB. */
     val type: DuckDBColumnType
 
-    /** Returns the SQL that converts that data, which is called [quoted]. */
+    /** Returns the SQL that converts this data from the column [quoted]. */
     fun sql(quoted: String): String
 
     /** Writes [size] cells, starting at row [from], to the start of [vector]. */
     fun write(vector: DuckDBWritableVector, from: Int, size: Int)
 }
 
-/** Numbers; NaN is a gap. */
+/** A column of numbers; NaN is a gap. */
 internal class NumberColumn(override val name: String, private val numbers: DoubleArray) : Column {
     override val type: DuckDBColumnType get() = DuckDBColumnType.DOUBLE
 
@@ -32,7 +32,7 @@ internal class NumberColumn(override val name: String, private val numbers: Doub
     }
 }
 
-/** True and false, as 1 and 0 in [numbers]; NaN is a gap. */
+/** A column of true and false, as 1 and 0 in [numbers]; NaN is a gap. */
 internal class FlagColumn(override val name: String, private val numbers: DoubleArray) : Column {
     override val type: DuckDBColumnType get() = DuckDBColumnType.BOOLEAN
 
@@ -46,7 +46,7 @@ internal class FlagColumn(override val name: String, private val numbers: Double
     }
 }
 
-/** Texts: for each row, the result of [textOf], null for none. Called in ascending order. */
+/** A column of texts: for each row, the result of [textOf], null for none. [textOf] is called in ascending order. */
 internal class TextColumn(override val name: String, private val textOf: (Int) -> String?) : Column {
     override val type: DuckDBColumnType get() = DuckDBColumnType.VARCHAR
 
@@ -57,7 +57,7 @@ internal class TextColumn(override val name: String, private val textOf: (Int) -
     }
 }
 
-/** Moments in UTC: [seconds] times [unit] seconds after [start], in s since 1970. */
+/** A column of moments in UTC: [seconds] times [unit] seconds after [start], in s since 1970. */
 internal class MomentColumn(
     override val name: String,
     private val start: Double,

@@ -2,7 +2,7 @@ package badlog.season.engine
 
 import org.duckdb.DuckDBDriver
 
-/** Thrown if DuckDB has no library for this system. The message says what works. */
+/** Thrown if DuckDB has no library for this system. The message includes advice. */
 class NoEngineException(override val message: String) : Exception(message)
 
 /**

@@ -54,7 +54,7 @@ internal enum class FieldType(val given: DuckDBColumnType, val type: String) {
     }
 }
 
-/** The values of one field of records, of a [FieldType]; [valueOf] returns a record's value. */
+/** The column of one field of records, with values of a [FieldType]; [valueOf] returns the value for a row. */
 internal class RecordColumn(override val name: String, private val kind: FieldType, private val valueOf: (Int) -> Any?) : Column {
     override val type: DuckDBColumnType get() = kind.given
 

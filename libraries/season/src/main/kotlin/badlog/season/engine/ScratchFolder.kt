@@ -38,7 +38,7 @@ internal class ScratchFolder : AutoCloseable {
         }
     }
 
-    /** Finishes the work and deletes the folder, as at the end of the program. */
+    /** Ends all work that is still running, and deletes the folder. Called when the program ends. */
     fun end() {
         val unfinished = synchronized(finishes) {
             isEnding = true

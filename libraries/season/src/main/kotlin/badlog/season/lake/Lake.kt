@@ -23,7 +23,7 @@ import kotlin.concurrent.write
 class LakeException(override val message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
- * A log for a lake.
+ * A log to be added to a lake.
  *
  * @property file its file.
  * @property name its name in the lake, with slashes, usually its path below the folder of logs; if another file has that name in the
@@ -36,7 +36,7 @@ class LakeLog(val file: LogFile, val name: String) {
 /**
  * The outcome for a file that was to be added to a lake.
  *
- * @property message why it was not added, as a sentence; null if it was.
+ * @property message the reason why it was not added, as a sentence; null if it was.
  * @property isNoLog whether it is something other than a log.
  * @property isSalvaged whether data of the log is lost.
  * @property isWritten whether it was written; otherwise it was already in the lake.
@@ -77,13 +77,13 @@ class Lake(val folder: Path) {
      * most 256 MB.
      *
      * @param rules the rules for findings, and the names of topics.
-     * @param matches makes one log of the logs of a match; null if no such file is read.
+     * @param matches makes one log from the logs of a match; null to read no such file.
      * @param isBusy called from time to time while another badlog writes to the lake; returns whether to wait until it has finished. An
      *   exception from it is passed on.
-     * @param batch the number of logs after which the tables of a small lake are written at the latest.
+     * @param batch the maximum number of logs collected before the tables of a small lake are written.
      * @param progress called on this thread with the number of changed logs that are done. An exception from it stops the work and is
      *   passed on; completed work stays in the lake.
-     * @throws LakeException if [folder] is something else, is being written to, or cannot be written to.
+     * @throws LakeException if [folder] has other files in it, is being written to, or cannot be written to.
      * @throws InterruptedException if the thread was interrupted.
      */
     fun refresh(

@@ -20,7 +20,7 @@ import java.util.zip.CRC32
 
 /** The result of examining a file for a lake. */
 sealed interface ExaminedLog {
-    /** A log with written files; [entry] is for the tables. */
+    /** A log with its files written to the folder; [entry] is for the tables. */
     class Written internal constructor(val entry: LakeEntry) : ExaminedLog
 
     /** Something other than a log, or a log that cannot be read; [message] says why. */
@@ -30,7 +30,7 @@ sealed interface ExaminedLog {
 /**
  * Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe.
  *
- * @param matches makes one log of the logs of a match; null if no such file is read.
+ * @param matches makes one log from the logs of a match; null to read no such file.
  */
 internal class LakeExamination(
     private val rules: RuleSet,
@@ -40,7 +40,7 @@ internal class LakeExamination(
 ) {
     private val programs = ShapeCache(MAX_PROGRAMS) { RuleProgram(rules, it) }
 
-    /** Identifies everything besides its file that affects the records of a log. */
+    /** Identifies everything that affects the records of a log, besides its file. */
     val maker: String = "${LakeLayout.VERSION}-${CRC32().apply { update(rules.toJson().encodeToByteArray()) }.value.toString(HEX)}" +
         if (hasSamples) "" else WITHOUT_SAMPLES
 

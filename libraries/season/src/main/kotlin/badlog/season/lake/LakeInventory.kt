@@ -20,7 +20,7 @@ class PlannedLog internal constructor(val source: LogSource, val log: String, va
  *
  * @property changed the logs to write, in their given order.
  * @property gone the logs to remove because their files are gone.
- * @property ignored the files that are known not to be logs, and why.
+ * @property ignored the files that are known not to be logs, with the reasons.
  */
 class LakePlan internal constructor(val changed: List<PlannedLog>, val gone: List<RegisteredLog>, val ignored: Map<LogSource, String>)
 
@@ -57,7 +57,8 @@ class LakeInventory internal constructor(private val mark: LakeMark, registered:
     }
 
     /**
-     * Returns the text of the lake's [mark][LakeLayout.MARK] after a run over [logs]. [ignored] are the files that are not logs, and why.
+     * Returns the text of the lake's [mark][LakeLayout.MARK] after a run over [logs]. [ignored] holds the files that are not logs, with the
+     * reasons.
      */
     fun markAfter(logs: List<LogSource>, ignored: Map<LogSource, String>): String = mark.after(logs, ignored).text
 

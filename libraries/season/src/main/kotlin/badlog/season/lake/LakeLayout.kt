@@ -6,13 +6,13 @@ import java.util.zip.CRC32
 
 /** The layout of a lake; `docs/season.md` specifies it. */
 object LakeLayout {
-    /** Increase it if a reader of the previous layout would misunderstand the new one. */
+    /** The version of the layout. Increase it if a reader of the previous layout would misunderstand the new one. */
     internal const val VERSION = 1
 
     /** The file that marks a folder as a lake, with its version. */
     const val MARK: String = "lake.json"
 
-    /** The file that only one program can have open. */
+    /** The lock file, which only one program can have open. */
     internal const val LOCK = ".lock"
 
     /** The folder of the files with a row for each row of a log. */
@@ -53,8 +53,8 @@ object LakeLayout {
     }
 
     /**
-     * Returns [text] as a file name. All but ASCII letters, digits, hyphens, periods and underscores is percent-encoded, and so is a period
-     * or underscore at the beginning.
+     * Returns [text] as a file name. All characters but ASCII letters, digits, hyphens, periods and underscores are percent-encoded, and so
+     * is a period or underscore at the beginning.
      */
     internal fun encoded(text: String): String = buildString {
         for ((i, byte) in text.encodeToByteArray().withIndex()) {
@@ -71,7 +71,7 @@ object LakeLayout {
 }
 
 /**
- * A part of a lake that engines can skip in queries about another one.
+ * A part of a lake. Engines can skip it in queries about another part.
  *
  * @property season the year; null if unknown.
  * @property event the event; null if unknown.

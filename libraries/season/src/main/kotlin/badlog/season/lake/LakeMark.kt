@@ -14,7 +14,7 @@ import java.nio.file.Path
  */
 @Serializable
 internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayout.VERSION, val ignored: List<Ignored> = emptyList()) {
-    /** A file that is not a log, in its state at that time, and why. */
+    /** A file that is not a log, in its state when it was read, with the reason. */
     @Serializable
     class Ignored(val path: String, val size: Long, val modified: Long, val message: String) {
         /** Returns whether [source] is this file, unchanged. */
@@ -23,7 +23,7 @@ internal class LakeMark(val format: String = FORMAT, val version: Int = LakeLayo
 
     val text: String get() = JSON.encodeToString(this)
 
-    /** Returns the mark after a run over [logs]; [ignored] are the files that are not logs, and why. */
+    /** Returns the mark after a run over [logs]; [ignored] holds the files that are not logs, with the reasons. */
     fun after(logs: List<LogSource>, ignored: Map<LogSource, String>): LakeMark {
         val here = logs.mapTo(HashSet()) { it.path }
         return LakeMark(

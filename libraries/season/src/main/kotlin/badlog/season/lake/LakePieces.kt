@@ -16,8 +16,8 @@ class LakePieces(rules: RuleSet, hasSamples: Boolean = true) : AutoCloseable {
     private val examination = LakeExamination(rules, engine, hasSamples)
 
     /**
-     * Identifies everything besides its file that affects the records of a log. These are the layout's version, the rules, and whether
-     * there are samples.
+     * Identifies everything that affects the records of a log, besides its file: the layout's version, the rules, and whether there are
+     * samples.
      */
     val maker: String get() = examination.maker
 

@@ -81,7 +81,7 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
         engine.lend(gone) { select -> connection.run("INSERT INTO $GONE $select") }
     }
 
-    /** Writes the collected records. The table of matches comes last: for the next run, only logs in it exist. */
+    /** Writes the collected records. The table of matches comes last, because the next run only knows the logs in it. */
     fun flush() = lock.write {
         if (size == 0) return@write
         insert(waiting)
@@ -121,10 +121,10 @@ internal class LakeStage(private val folder: Path, private val engine: Engine) {
 }
 
 /**
- * Writes what [select] selects to [target], atomically.
+ * Writes the rows of the query [select] to [target], atomically.
  *
  * @param metadata named texts for the file's metadata.
- * @param columns the number of columns: the more, the fewer rows are collected before they are written.
+ * @param columns the number of columns; with more of them, fewer rows are collected before they are written.
  * @return the number of rows.
  */
 internal fun writeParquet(

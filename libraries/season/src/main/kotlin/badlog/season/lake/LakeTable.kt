@@ -16,8 +16,8 @@ import badlog.season.engine.Table
 import badlog.season.engine.quoted
 
 /**
- * A table of a lake with records of many logs; `docs/season.md` explains them. A lake's program reads [MATCHES] to know its content, so
- * it is written last.
+ * A table of a lake with records of many logs; `docs/season.md` explains them. [MATCHES] is written last, because badlog reads it to know
+ * the content of a lake.
  *
  * @property fields the columns with their types.
  * @property order the columns by which its rows are sorted.
@@ -61,7 +61,7 @@ internal enum class LakeTable(val order: String, vararg val fields: Pair<String,
     /** Its name, in SQL and on the disk. */
     val table: String get() = name.lowercase()
 
-    /** Its columns as SQL declares them. */
+    /** The declaration of its columns in SQL. */
     val declared: String get() = fields.joinToString { (name, type) -> "${quoted(name)} ${type.type}" }
 
     /**

@@ -17,9 +17,9 @@ import java.time.ZoneOffset
  *
  * @property partition the season and the event.
  * @property match the match.
- * @property number its number, only the first digits; null if unknown.
- * @property zero when its x was 0, in s since 1970; null unless a clock with UTC shows it.
- * @property start when its first sample was, likewise.
+ * @property number the match's number, only the first digits of it; null if unknown.
+ * @property zero the time at which its x was 0, in s since 1970; null unless a clock with UTC shows it.
+ * @property start the time of its first sample, in s since 1970; null if unknown.
  */
 internal class LogIdentity private constructor(
     val partition: Partition,

@@ -7,7 +7,7 @@ import badlog.season.engine.Table
 import java.nio.file.Path
 
 /**
- * The tables of the log [log] of [identity] that have files of their own; [view] is its content.
+ * The tables of the log [log] that have files of their own; [view] is its content, [identity] its match and time.
  *
  * @property samples the topics that share rows; null if there are none.
  * @property series the topics with times of their own; null if there are none.

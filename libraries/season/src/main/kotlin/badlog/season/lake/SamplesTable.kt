@@ -23,7 +23,7 @@ internal object FixedColumns {
     val ALL = setOf(LOG, TYPE, NUMBER, T, TIMESTAMP, "season", "event")
 }
 
-/** Returns the columns that are the same in each row of the log [log] of [identity]. */
+/** Returns the columns that are the same in each row of the log [log] with [identity]. */
 internal fun constantsOf(log: String, identity: LogIdentity): List<Pair<String, String>> = listOf(
     FixedColumns.LOG to literalOrNull(log),
     FixedColumns.TYPE to literalOrNull(identity.match.type),

@@ -55,7 +55,7 @@ private class SeriesCursor(private val topics: List<Topic>, size: Int) {
 
     val value: Double get() = if (hasTextCells(topic)) Double.NaN else topic.samples.getOrElse(sample) { Double.NaN }
 
-    /** The text of the sample, also among numbers. */
+    /** The text of the sample, even in a topic of numbers; null if it has none. */
     val text: String?
         get() = when {
             hasTextCells(topic) || value.isNaN() -> texts[place].of(sample)

@@ -6,8 +6,8 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * Returns the description of [topics] for the metadata of a file of samples, as JSON. It has the unit and attributes of each topic, by the
- * name of its column, or by its own name if it has no column.
+ * Returns the description of [topics] for the metadata of a file of samples, as JSON. It has the unit and attributes of each topic, under
+ * the name of its column, or its own name if it has no column.
  */
 internal fun topicsJson(topics: List<Topic>, columnOf: Map<Topic, String>, identity: LogIdentity): String = JsonObject(
     mapOf(

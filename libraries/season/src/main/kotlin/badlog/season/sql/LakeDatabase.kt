@@ -17,7 +17,7 @@ import java.sql.ResultSet
 import java.sql.SQLException
 
 /**
- * Thrown if a query cannot be answered. The message is for its author: what is wrong, and where.
+ * Thrown if a query cannot be answered. The message is for its author, and names the problem and its place.
  *
  * @property isMistake whether the query is wrong; otherwise its files cannot be read or written, memory is missing, or it was canceled.
  */
@@ -84,7 +84,7 @@ class LakeDatabase private constructor(
         connection.run("COPY (SELECT * FROM badlog_answer) TO ${literal("$target")} (FORMAT parquet, COMPRESSION zstd)")
     }
 
-    /** Returns what queries can use: for each table its name, the meaning of a row, and its columns. */
+    /** Returns the tables that queries can use, each with its name, the meaning of a row, and its columns. */
     fun tables(): List<SqlTable> = LakeView.entries.map { view ->
         views.make(view)
         var found = emptyList<SqlColumn>()
@@ -140,8 +140,8 @@ class LakeDatabase private constructor(
          * Opens [lake].
          *
          * @param output a file that [writeParquet] may write; null for none.
-         * @param isConfined whether those who ask must not learn where files are, and may use little memory: queries can only read the
-         *   [tables] then, which do not show it.
+         * @param isConfined whether the people who ask must not learn where files are, and may use little memory. Queries can then only
+         *   read the [tables], which do not show where files are.
          * @throws LakeException if it is not a lake.
          */
         fun open(lake: Lake, output: Path? = null, isConfined: Boolean = false): LakeDatabase {

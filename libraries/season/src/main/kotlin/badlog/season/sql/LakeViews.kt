@@ -90,7 +90,7 @@ internal class LakeViews(
 /**
  * A view that queries can use.
  *
- * @property meaning the meaning of a row, as a sentence without its end.
+ * @property meaning the meaning of a row, as a sentence without its period.
  */
 internal enum class LakeView(val meaning: String) {
     MATCHES("a row per log: which match, when, its header values, its problems"),

@@ -20,7 +20,7 @@ internal data class LakeWork(val rules: String, val hasSamples: Boolean) : Seria
     }
 }
 
-/** The makers of lake pieces in this executor. Each kind of work has one, as starting DuckDB takes longer than a log. */
+/** The makers of lake pieces in this executor. Each kind of work has one, because starting DuckDB takes longer than the work on a log. */
 internal object ExecutorPieces {
     private val made = ConcurrentHashMap<LakeWork, LakePieces>()
 

@@ -8,7 +8,7 @@ import java.io.Serializable
  *
  *
  * @property path the log's path in the lake's table of matches.
- * @property message why it is not in the lake, as a sentence; null if it is.
+ * @property message the reason why it is not in the lake, as a sentence; null if it is.
  * @property isNoLog whether it is something other than a log.
  * @property isSalvaged whether data of the log is lost.
  * @property obsolete the log's former files that the lake no longer needs, relative to the lake.

@@ -5,7 +5,7 @@ import badlog.season.lake.RegisteredLog
 import badlog.spark.storage.RemoteFolder
 import org.apache.spark.api.java.function.FlatMapFunction
 
-/** Reads the logs of [lake] from files of its table of matches. */
+/** Reads the entries for logs from a file of the table of matches in [lake]. */
 internal class ReadRegister(private val lake: RemoteFolder, private val work: LakeWork) : FlatMapFunction<String, RegisteredLog> {
     override fun call(file: String): Iterator<RegisteredLog> = withScratchFolder { scratch ->
         lake.fetch(file, scratch.resolve(file))

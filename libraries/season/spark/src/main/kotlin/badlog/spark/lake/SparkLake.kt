@@ -26,7 +26,7 @@ import java.io.IOException
  *
  *
  * @property path its address.
- * @property message why, as a sentence.
+ * @property message the reason, as a sentence.
  * @property isNoLog whether it is something other than a log.
  */
 public class RefusedLog internal constructor(public val path: String, public val message: String, public val isNoLog: Boolean)
@@ -64,7 +64,7 @@ public class SparkLake(private val spark: JavaSparkContext, private val address:
      * Updates the lake to the current state of the logs below [folders]. Only changed logs are read. Each log is a task of its own, up to
      * [MAX_TASKS] tasks. A lost task is repeated and leaves no partial files. The driver receives only names and counts, never samples.
      *
-     * @param folders addresses of folders or files, on any file system; the address of a lake means the logs that it was made of.
+     * @param folders addresses of folders or files, on any file system; the address of a lake means the logs from which it was made.
      * @param rules the rules for findings, and the names of topics.
      * @param maxBytes the size of the largest file to read, in bytes; a log needs about 3 times as much memory, a compressed one 15 times.
      * @throws LakeException if the address is not a lake, or a folder cannot be listed.
