@@ -7,13 +7,13 @@ import badlog.core.analysis.Units
  * The result of an [Expression] for one recording.
  *
  * @property outcome whether the expression holds.
- * @property spans the times at which it holds: of a condition over time, or of the conditions inside `any`, `count` and `total`. They do
- *   not touch, and are in the order of time, unless the clock was set back; a span is cut there. Something that happens at a moment has a
- *   span without width. Empty for a number for the whole recording.
- * @property times how often it holds: the number of [spans], where a cut one counts once.
- * @property quantities the numbers that were compared, in the order of the expression; for one over time, the most significant
- *   one while the expression holds: the smallest for `<`, the largest for `>`, otherwise the first. For an expression that is a
- *   number, the number; for one over time, its smallest and its largest, as `min(…)` and `max(…)`.
+ * @property spans the times at which a condition over time holds, or the conditions inside `any`, `count` and `total`. They do not touch
+ *   and are in the order of time, unless the clock was set back; a span is cut there. Something that happens at a moment has a span without
+ *   width. Empty for a number for the whole recording.
+ * @property times the number of [spans]; one that was cut counts once.
+ * @property quantities the numbers that were compared, in the order of the expression; for one over time, the most significant one while
+ *   the expression holds: the smallest for `<`, the largest for `>`, otherwise the first. For an expression that is a number, the number;
+ *   for one over time, its smallest and its largest, as `min(…)` and `max(…)`.
  * @property timeUnit the unit of all times; empty if x has none.
  * @property reason why the answer is not known, as a sentence; null if it is known, or if samples are missing.
  * @property occurrences one for each of [spans], with the values just before, if the question asks for them; otherwise empty.
@@ -29,8 +29,8 @@ class Answer internal constructor(
     private val firstOver: (List<Span>) -> List<Quantity?> = { spans -> spans.map { null } },
 ) {
     /**
-     * Returns the first of [quantities] within each of [some] of the [spans], in order. Null if it does not belong to a condition over
-     * time, or if the span has no sample.
+     * Returns the first of [quantities] within each span of [some], a selection of [spans], in order. A result is null if the quantity does
+     * not belong to a condition over time, or if the span has no sample.
      */
     fun firstQuantityOver(some: List<Span>): List<Quantity?> = firstOver(some)
 

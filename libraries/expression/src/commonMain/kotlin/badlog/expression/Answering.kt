@@ -19,7 +19,7 @@ import badlog.expression.syntax.Mode
 import badlog.expression.syntax.Node
 import badlog.expression.syntax.Operator
 
-/** Makes the [Answer] of the expression with the root [root], which was written as [text], over [signals]. */
+/** Calculates the [Answer] of the expression [text], with the root [root], over [signals]. */
 internal class Answering(private val text: String, private val root: Node, private val signals: Signals) {
     private val evaluation = Evaluation(signals, root.id + 1)
     private val quantities = ArrayList<Quantity>()

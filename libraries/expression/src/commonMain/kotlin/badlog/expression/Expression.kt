@@ -38,8 +38,8 @@ class Expression internal constructor(val text: String, val vocabulary: Vocabula
     fun answer(signals: Signals): Answer = Answering(text, root, signals).answer()
 
     /**
-     * Returns the [answer] if the condition holds in the recording of [signals], otherwise null. Of conditions joined by `and`, the first
-     * that never holds decides, so rare and cheap ones should come first.
+     * Returns the [answer] if the condition holds in the recording of [signals], otherwise null. Conditions joined by `and` are evaluated
+     * up to the first that never holds, so rare and cheap ones should come first.
      */
     fun answerIfHolds(signals: Signals): Answer? = Answering(text, root, signals).answerIfHolds()
 
@@ -50,8 +50,8 @@ class Expression internal constructor(val text: String, val vocabulary: Vocabula
     fun mayHold(bounds: (topic: String) -> SampleBounds?): Boolean = !type.isCondition || BoundsCheck(bounds).mayHold(root)
 
     /**
-     * Returns its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording is a line from start to
-     * end. Something that happens at moments has its value only there: in rows, if the recording has them, otherwise as a pulse without
+     * Returns its samples over time: numbers, or 1 and 0, with NaN for gaps. One number for the whole recording becomes a line from start
+     * to end. Something that happens at moments has its value only there: in rows, if the recording has them, otherwise as a pulse without
      * width.
      */
     fun series(signals: Signals): Series = when (val value = Evaluation(signals, root.id + 1).valueOf(root)) {
@@ -69,7 +69,7 @@ class Expression internal constructor(val text: String, val vocabulary: Vocabula
     /** Returns the expression with full names in quotes and no needless parentheses; reading it gives the same expression. */
     override fun toString(): String = printed(root)
 
-    /** Returns the unit of its result for [signals], if it is obvious. */
+    /** Returns the unit of its result for [signals]; empty if it is not obvious. */
     internal fun unit(signals: Signals): String = unitOf(root, signals.timeUnit)
 
     private fun addTopics(node: Node, names: MutableSet<String>) {
@@ -81,7 +81,7 @@ class Expression internal constructor(val text: String, val vocabulary: Vocabula
         /** Reads [text] with the names of [vocabulary]. Never throws, whatever the text. */
         fun parse(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = false)
 
-        /** Reads [text], and also accepts an expression of texts, such as a topic of states. */
+        /** Reads [text], and also accepts an expression with texts as its result, such as a topic of states. */
         internal fun parseAny(text: String, vocabulary: Vocabulary): ParsedExpression = parse(text, vocabulary, mayBeText = true)
 
         private fun parse(text: String, vocabulary: Vocabulary, mayBeText: Boolean): ParsedExpression = try {
@@ -103,7 +103,7 @@ sealed interface ParsedExpression
 /**
  * The type of an expression's result.
  *
- * @property isCondition whether it is true and false, rather than numbers.
- * @property isOverTime whether there is one for each moment, rather than one for the whole recording.
+ * @property isCondition whether the result is true or false, rather than a number.
+ * @property isOverTime whether there is a result for each moment, rather than one for the whole recording.
  */
 data class ExpressionType(val isCondition: Boolean, val isOverTime: Boolean)

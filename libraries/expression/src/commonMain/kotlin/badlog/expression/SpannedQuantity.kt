@@ -4,15 +4,14 @@ import badlog.core.analysis.Span
 import badlog.expression.samples.Column
 
 /**
- * A [quantity] that was found in [samples] over time, so that it can be found again in parts of them.
+ * A [quantity] with the [samples] over time in which it was found. It can be determined again for parts of them.
  *
- * @param smallest whether the smallest sample is the most significant, rather than the largest; null for the
- * first.
+ * @param smallest whether the smallest sample is the most significant, rather than the largest; null if the first is.
  */
 internal class SpannedQuantity(private val quantity: Quantity, private val samples: Column, private val smallest: Boolean?) {
     /**
-     * Returns the most significant value in each of [spans]. Null for a span without a sample, and for all spans if they are not in the
-     * order of time.
+     * Returns the most significant value in each of [spans]. A result is null for a span without a sample. All results are null if spans
+     * overlap or are not in the order of time.
      */
     fun over(spans: List<Span>): List<Quantity?> {
         val best = IntArray(spans.size) { NONE }

@@ -22,11 +22,11 @@ import badlog.expression.signals.Vocabulary
 class ViewWithVirtualTopics internal constructor(val view: LogView, val topics: List<VirtualTopic>, val errors: List<ExpressionError>)
 
 /**
- * Returns this view with a topic for each of [definitions], see [VirtualTopic.parse]. A definition may use those before it. Failures are
- * listed, and do not affect the others.
+ * Returns this view with a topic for each of [definitions], see [VirtualTopic.parse]. A definition may use those before it. Mistakes are
+ * listed, and do not affect the other definitions.
  *
- * The [metadata][badlog.core.recording.Topic.metadata] of the new topics says how they are calculated. In recordings with rows, they
- * share the rows if they have a sample in each.
+ * The [metadata][badlog.core.recording.Topic.metadata] of the new topics says how they are calculated. In recordings with rows, they share
+ * the rows if they have a sample in each.
  *
  * @param names the names that definitions may use: the topics of this view, possibly under additional names.
  */

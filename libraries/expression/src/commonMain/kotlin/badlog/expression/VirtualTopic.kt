@@ -22,7 +22,7 @@ class VirtualTopic private constructor(val name: String, val unit: String, val e
     val signal: Signal
         get() = Signal(name, if (expression.type.isCondition) SignalKind.CONDITION else SignalKind.NUMBER, unit)
 
-    /** Its samples over [signals], see [Expression.series]. */
+    /** Returns its samples over [signals], see [Expression.series]. */
     fun series(signals: Signals): Series = expression.series(signals)
 
     override fun toString(): String {

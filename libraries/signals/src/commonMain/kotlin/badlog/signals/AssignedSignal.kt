@@ -16,7 +16,10 @@ fun SignalVocabulary.assigning(signal: String, topic: String): SignalVocabulary 
     return with(SignalVocabulary(listOf(own), emptyList(), emptyList()))
 }
 
-/** Returns why [topic] of [view] cannot be the signal [signal], as a sentence; null if it is that signal. [vocabulary] names the topic first. */
+/**
+ * Returns why [topic] of [view] cannot be the signal [signal], as a sentence; null if it is that signal. In [vocabulary], the topic is the
+ * signal's first name.
+ */
 fun refusalOf(signal: String, topic: String, view: LogView, vocabulary: SignalVocabulary): String? {
     if (signalTopicsOf(view, vocabulary).of(signal).any { it.topic == topic }) return null
     val recorded = view.recording.topics.find { it.name == topic } ?: return "“$topic” is not a topic of this log; choose another one."

@@ -43,7 +43,7 @@ internal class BusMotion(devices: List<BusDevice>, private val samples: NamedSam
     /** Returns whether [device] moves a mechanism, not the robot. */
     fun isOfMechanism(device: BusDevice): Boolean = device in mechanisms
 
-    /** Returns whether [device], a motor or an encoder, is one that turns a module. */
+    /** Returns whether [device] is a motor or an encoder for the steering of a module. */
     fun isSteering(device: BusDevice): Boolean = device.id in steering
 
     fun raw(device: BusDevice, signal: BusSignal): Series = samples.raw(checkNotNull(device.topic(signal)))

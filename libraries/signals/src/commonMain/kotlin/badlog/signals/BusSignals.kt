@@ -45,7 +45,10 @@ internal class BusSignals(private val devices: List<BusDevice>, private val modu
                 devices.mapNotNull(::standstill),
         )
 
-    /** Returns the total current of the motors if [battery] falls with it; otherwise other devices draw most. Null for too few motors. */
+    /**
+     * Returns the total current of the motors; null if there are too few. It has no samples unless [battery] falls with it, since other
+     * devices then draw most of the current.
+     */
     fun totalCurrent(battery: (NamedSamples) -> Series): DerivedSignal? {
         val known = motors.filter { BusSignal.SUPPLY_CURRENT in it || BusSignal.OUTPUT in it }
         if (known.size < MIN_MOTORS) return null

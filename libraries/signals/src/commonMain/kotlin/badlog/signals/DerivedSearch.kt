@@ -28,7 +28,9 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "largest current" to true, "friction rise" to false, "missed pulls" to false,
 )
 
-/** Returns the signals that can be calculated in logs of the shape [shape], where [found] are the signals of [vocabulary]. */
+/**
+ * Returns the signals that can be calculated in logs of the shape [shape], where [found] has the topics that are signals of [vocabulary].
+ */
 fun derivedSignalsOf(shape: LogShape, vocabulary: SignalVocabulary, found: SignalTopics): List<DerivedSignal> =
     DerivedSearch(shape, vocabulary, found).signals
 

@@ -11,7 +11,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.topicsWithoutValues
 
 /**
- * What decides how rules are prepared for a log. Logs with equal shapes share a program of the rules.
+ * The properties of a log that decide how rules are prepared for it. Logs with equal shapes share a program of the rules.
  *
  * @property vocabulary the names of the topics.
  * @property timeTopic the topic of the x axis, or null.

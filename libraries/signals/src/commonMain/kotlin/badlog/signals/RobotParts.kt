@@ -22,7 +22,7 @@ internal class RobotParts(names: List<Signal>, vocabulary: SignalVocabulary) {
     val byPart: Map<List<String>, List<PartTopic>> = mechanisms.groupBy { it.part }
     val modules: List<ModuleTopics> = moduleTopicsOf(names, topics)
 
-    /** The topics of one side of a tank drive. */
+    /** The topics of single sides of a tank drive, without targets. */
     val sides: List<PartTopic> = topics.filter { topic ->
         topic.part.any { it in DRIVE_WORDS } && topic.part.count { it in CORNERS } == 1 && !topic.isTarget
     }

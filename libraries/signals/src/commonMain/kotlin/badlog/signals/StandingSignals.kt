@@ -8,8 +8,8 @@ import badlog.signals.derived.standstill
 import badlog.signals.derived.timesOf
 
 /**
- * Returns whether a part stands still. Its [topics] are its place, the output of its motor, and its current if it is logged. The function [full]
- * returns full output.
+ * Returns whether a part stands still. Its [topics] are its position, the output of its motor, and its current if it is logged. [full]
+ * returns the value of full output.
  */
 internal fun standstillOf(topics: List<String>, samples: NamedSamples, full: (Series) -> Double): Series {
     val series = topics.map(samples::raw)
@@ -20,9 +20,7 @@ internal fun standstillOf(topics: List<String>, samples: NamedSamples, full: (Se
     return standstill(times, places, pushes, samples.enabledAt(times))
 }
 
-/**
- * Returns [signals], in which parts that stand at the same time do not count. They show a robot that pushes an obstacle, or that is held.
- */
+/** Returns [signals] without the stretches in which several parts stand still. The robot then pushes an obstacle, or is held. */
 internal fun standingAlone(signals: List<DerivedSignal>): List<DerivedSignal> = signals.map { own ->
     val others = signals.filter { it.name == own.name && it.device != own.device }
     if (own.name !in STANDING || others.isEmpty()) return@map own

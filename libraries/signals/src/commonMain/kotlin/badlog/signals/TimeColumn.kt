@@ -7,7 +7,7 @@ import badlog.core.recording.Topic
 
 /**
  * Returns the time column of a recording that names no x axis. It is the first one called time or timestamp, if it has a number in each row
- * and falls in at most one of a hundred. Null if there is none, or if the recording has an x axis.
+ * and falls in at most 1 % of the rows. Null if there is none, or if the recording has an x axis.
  */
 fun Recording.timeColumn(): Topic? {
     if (rowCount == 0 || topics.any { X_AXIS in it.attributes }) return null

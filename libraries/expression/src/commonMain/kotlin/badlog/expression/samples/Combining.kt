@@ -2,7 +2,7 @@ package badlog.expression.samples
 
 import kotlin.math.abs
 
-/** A calculation with two samples. Not a function type, because that would box each number on the JVM. */
+/** A calculation with two samples. It is not a function type, which would box each number on the JVM. */
 internal fun interface Operation {
     fun of(left: Double, right: Double): Double
 
@@ -10,7 +10,7 @@ internal fun interface Operation {
         /** The left sample where the right one holds, otherwise a gap. */
         val WHEN: Operation = Operation { x, on -> if (on == 1.0) x else Double.NaN }
 
-        /** Whether both are the same; not known beside a gap. */
+        /** Whether both are equal; unknown if one is a gap. */
         val EQUAL: Operation = Operation { a, b -> known(a, b, a == b) }
 
         val MINUS: Operation = Operation { a, b -> a - b }
@@ -64,7 +64,7 @@ internal fun chosen(condition: Value, whenTrue: Value, whenFalse: Value): Value 
         }
     }
 
-/** Returns [value] limited to [low] and [high]; where those cross, [high]. */
+/** Returns [value] limited to the range from [low] to [high]. Where [low] is above [high], returns [high]. */
 internal fun clamped(value: Value, low: Value, high: Value): Value =
     combinedThree(value, low, high, isEither = false) { sample, least, most -> minOf(maxOf(sample, least), most) }
 
@@ -87,10 +87,10 @@ internal class Operand(private val samples: DoubleArray?, private val constant: 
 }
 
 /**
- * Several values at common times. Values with equal times stay sample by sample. Otherwise the common times are the times of all values,
- * each once. At each of them, a value has its last sample up to then, and a gap before its first one. A [momentary][Column.isMomentary]
- * value is [absent] at all times but its own. If only some clocks were set back, the samples on the others count each time that their time
- * occurs.
+ * Several values at common times. Values with equal times are combined sample by sample. Otherwise the common times are the times of all
+ * values, each once. At each of them, a value has its last sample up to then, and a gap before its first one. A
+ * [momentary][Column.isMomentary] value is [absent] at all times but its own. If only some clocks were set back, the samples on the others
+ * count each time that their time occurs.
  *
  * A combination of moments and lasting values exists only at the moments; with [isEither], it lasts, and each moment is over at once.
  *

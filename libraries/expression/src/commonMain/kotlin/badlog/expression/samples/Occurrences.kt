@@ -14,10 +14,10 @@ internal fun Column.falls(range: Span?): Column {
     return moments(places.map { x[it] }) { 1.0 }
 }
 
-/** Returns, at each moment at which it becomes true, how long it stays true. */
+/** Returns, at each moment at which this condition becomes true, the time for which it stays true. */
 internal fun Column.lengths(range: Span?): Column = occurrences(end(range)).let { all -> moments(all.map(Span::from)) { all[it].width } }
 
-/** Returns, at each moment at which it becomes true again, the time since the previous one. */
+/** Returns, at each moment at which this condition becomes true again, the time since it last became true. */
 internal fun Column.cycleTimes(range: Span?): Column {
     val begins = occurrences(end(range)).map { it.from }
     return moments(begins.drop(1)) { begins[it + 1] - begins[it] }
@@ -35,7 +35,7 @@ internal fun Column.firstPart(length: Double, range: Span?): Column {
     return within(range) { if (it == first) Span(it.from, minOf(it.to, it.from + length)) else null }
 }
 
-/** Returns a condition that is true for the last [length] of the last time that this one holds. */
+/** Returns a condition that holds during the last [length] of this condition's last occurrence. */
 internal fun Column.lastPart(length: Double, range: Span?): Column {
     val last = occurrences(end(range)).lastOrNull()
     return within(range) { if (it == last) Span(maxOf(it.from, it.to - length), it.to) else null }

@@ -103,8 +103,8 @@ internal fun Column.heldFor(length: Double, end: Double): Column {
 }
 
 /**
- * Returns these samples, with additional ones every [step] where a sample holds for longer, until [end]. So results from topics' own times
- * follow time in the same way as results from rows.
+ * Returns these samples, with additional ones every [step], until [end], where a sample holds for longer. Results from topics with their
+ * own times then follow time in the same way as results from rows.
  */
 internal fun Column.refined(step: Double, end: Double): Column {
     if (size == 0 || isMomentary) return this
@@ -129,8 +129,8 @@ internal fun Column.refined(step: Double, end: Double): Column {
 }
 
 /**
- * Returns these moments as samples that hold. Each is in the first of [rows] that is not before it; all other rows have [rest]. Without
- * rows, each is a pulse without width: its value, immediately followed by [rest].
+ * Returns these moments as samples that hold. Each is in the first of [rows] at or after it; all other rows have [rest]. Without rows, each
+ * is a pulse without width: its value, immediately followed by [rest].
  */
 internal fun Column.pulses(rows: DoubleArray?, rest: Double): Column {
     if (rows != null && rows.all { it.isFinite() }) return inRows(stretches?.steady(rows) ?: rows, rest)

@@ -5,7 +5,7 @@ import badlog.core.analysis.Span
 /**
  * Spans of time, in chronological order.
  *
- * @property times the number of spans, where one during which the clock was set back counts once.
+ * @property times the number of spans; one that was cut because the clock was set back counts once.
  */
 internal class Spans(private val from: DoubleArray, private val to: DoubleArray, val times: Int = from.size) : AbstractList<Span>() {
     override val size: Int get() = from.size

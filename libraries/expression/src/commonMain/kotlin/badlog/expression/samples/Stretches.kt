@@ -4,7 +4,7 @@ import badlog.core.analysis.Series
 import kotlin.math.ulp
 
 /**
- * The time of a recording after its clock was set back: a sequence of stretches in which it goes forward. Expressions use a continuous
+ * The time of a recording with a clock that was set back, as a sequence of stretches in which it goes forward. Expressions use a continuous
  * clock, on which later samples also have later times. Times are shown as they were logged.
  *
  * @param positions the x of each row; may hold gaps.
@@ -89,7 +89,7 @@ class Stretches internal constructor(positions: DoubleArray) {
         return times
     }
 
-    /** Returns [steady] as it was logged; the same array that it was made from, if there is one. */
+    /** Returns the logged times of [steady]. If [steady] was made from an array of logged times, returns that array. */
     internal fun logged(steady: DoubleArray): DoubleArray = loggedOf[steady] ?: DoubleArray(steady.size) { logged(steady[it]) }
         .also { keep(it, steady) }
 

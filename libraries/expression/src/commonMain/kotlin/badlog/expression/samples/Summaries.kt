@@ -23,7 +23,7 @@ internal fun Column.maximum(): Scalar {
 
 internal fun Column.first(): Scalar = at(y.indexOfFirst { it.isFinite() })
 
-/** Returns the last value; its time is the end of that value. */
+/** Returns the last value. Its time is the time until which that value holds. */
 internal fun Column.last(range: Span?): Scalar {
     val place = y.indexOfLast { it.isFinite() }
     return if (place < 0) at(place) else Scalar(y[place], logged(until(place, end(range))))
@@ -119,20 +119,20 @@ internal fun Column.duration(range: Span?): Scalar {
     return Scalar(maxOf(0.0, until(last, end(range)) - x[first]))
 }
 
-/** Returns how often a condition becomes true, or, for numbers, how many samples have a value. */
+/** Returns the number of times that a condition becomes true, or, for numbers, the number of samples with a value. */
 internal fun Column.count(isCondition: Boolean, range: Span?): Scalar {
     if (isCondition) return spans(end(range)).let { ifKnown(it, it.times.toDouble()) }
     return Scalar(y.count { it.isFinite() }.toDouble())
 }
 
-/** Returns how long the condition holds in total. */
+/** Returns the total time for which the condition holds. */
 internal fun Column.total(range: Span?): Scalar = spans(end(range)).let { ifKnown(it, it.total) }
 
 /** Returns [figure] for [spans]; unknown if the condition is never known. If there are no events, none holds. */
 private fun Column.ifKnown(spans: Spans, figure: Double) =
     Scalar(if (isMomentary || y.any { !it.isNaN() }) figure else Double.NaN, spans.firstTime(), spans)
 
-/** Returns whether the condition ever holds; unknown if it is never known; but if there are no events, none holds. */
+/** Returns whether the condition ever holds; unknown if it is never known. A condition of events without any event does not hold. */
 internal fun Column.any(range: Span?): Scalar {
     val spans = spans(end(range))
     val isKnown = isMomentary || y.any { it == 0.0 }

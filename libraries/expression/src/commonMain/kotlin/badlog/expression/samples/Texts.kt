@@ -18,8 +18,8 @@ internal fun equalTexts(left: Column, right: Column): Value {
 }
 
 /**
- * Returns whether all of [text] matches [pattern], in which `*` stands for any characters and `?` for one. Case is ignored. Not a regular
- * expression: those differ between platforms, and some take forever.
+ * Returns whether all of [text] matches [pattern], in which `*` stands for any characters and `?` for one. Case is ignored. It is not a
+ * regular expression: those differ between platforms, and some take forever.
  */
 internal fun matches(text: String, pattern: String): Boolean {
     var at = 0

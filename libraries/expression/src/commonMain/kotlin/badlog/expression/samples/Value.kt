@@ -47,7 +47,7 @@ internal class Column(
         else -> end
     }
 
-    /** Returns how long sample [index] holds. */
+    /** Returns the time for which sample [index] holds. */
     fun width(index: Int, end: Double): Double = maxOf(0.0, until(index, end) - x[index])
 
     /** Returns the end of the recording, as a value of [x]. The recording has the times [range]. */
@@ -58,9 +58,9 @@ internal class Column(
         else -> range?.to ?: Double.NEGATIVE_INFINITY
     }
 
-    /** Returns other samples at the same times. */
+    /** Returns a column of [samples] at the same times. */
     fun with(samples: DoubleArray): Column = Column(x, samples, null, isMomentary, stretches)
 
-    /** Returns other samples of the same kind at the same times. */
+    /** Returns a column of [samples] of the same kind at the same times. */
     fun withAlike(samples: DoubleArray): Column = Column(x, samples, texts, isMomentary, stretches)
 }

@@ -112,7 +112,7 @@ private fun Column.firstWithin(from: Int, index: Int, width: Double): Int {
     return first
 }
 
-/** Returns the length of a second on x, a time in [unit]; 1 if it has none. */
+/** Returns the length of a second on an x axis in [unit]; 1 if that is not a unit of time. */
 internal fun perSecond(unit: String): Double {
     val seconds = Units.secondsIn(unit) ?: 1.0
     return if (seconds < 1) round(1 / seconds) else 1 / seconds

@@ -8,19 +8,19 @@ class SampleBounds(private val samples: DoubleArray) {
     private val own by lazy { bounds(0) { samples[it] } }
     private val steps by lazy { bounds(1) { samples[it] - samples[it - 1] } }
 
-    /** The smallest. */
+    /** The smallest sample. */
     val low: Double get() = own.low
 
-    /** The largest. */
+    /** The largest sample. */
     val high: Double get() = own.high
 
-    /** The smallest difference from one to the next. */
+    /** The smallest difference from one sample to the next. */
     val minStep: Double get() = steps.low
 
-    /** The largest difference from one to the next. */
+    /** The largest difference from one sample to the next. */
     val maxStep: Double get() = steps.high
 
-    /** Whether some are not finite. */
+    /** Whether some samples are not finite. */
     val hasGaps: Boolean get() = own.hasGaps
 
     private inline fun bounds(from: Int, value: (Int) -> Double): Bounds {

@@ -5,7 +5,7 @@ internal class Mistake(val from: Int, val until: Int, val kind: ExpressionErrorK
 
 internal fun mistake(node: Node, message: String): Nothing = throw Mistake(node.from, node.until, ExpressionErrorKind.TYPE, message)
 
-/** The words before the names that an unknown one may have been meant to be. */
+/** The words that introduce suggested replacements for an unknown name. */
 internal const val SUGGESTION = "Did you mean "
 
 /** The kinds of mistakes that an [badlog.expression.ExpressionError] reports. */

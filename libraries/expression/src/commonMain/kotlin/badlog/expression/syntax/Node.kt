@@ -60,7 +60,7 @@ internal enum class Mode {
     val word: String get() = name.lowercase()
 }
 
-/** The spelling of the x axis. */
+/** The word for the x axis in expressions. */
 internal const val AXIS: String = "time"
 
 /** The kind of a result, and its name in errors. */

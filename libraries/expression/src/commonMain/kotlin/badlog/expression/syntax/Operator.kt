@@ -7,7 +7,7 @@ import kotlin.math.pow
 /**
  * An operator between two operands.
  *
- * Conditions are 1, 0 and, if unknown, NaN: a comparison with a gap is unknown, and so is everything that depends on it.
+ * A condition is 1, 0 or, if unknown, NaN. A comparison with a gap is unknown, and so is everything that depends on it.
  */
 internal enum class Operator(
     val symbol: String,

@@ -14,10 +14,10 @@ import kotlin.math.round
  * @property axisPower the power of the x axis' unit of time that it also contains.
  */
 internal class PhysicalUnit(val dimension: String, val size: Double, val axisPower: Int = 0) {
-    /** Returns this per unit of x. */
+    /** Returns this unit divided by the unit of x. */
     fun perAxis() = PhysicalUnit(if (dimension.endsWith(TIMES)) dimension.removeSuffix(TIMES) else "$dimension$PER", size, axisPower - 1)
 
-    /** Returns this times a unit of x. */
+    /** Returns this unit multiplied by the unit of x. */
     fun timesAxis() = PhysicalUnit(if (dimension.endsWith(PER)) dimension.removeSuffix(PER) else "$dimension$TIMES", size, axisPower + 1)
 
     companion object {
@@ -100,7 +100,7 @@ internal class PhysicalUnit(val dimension: String, val size: Double, val axisPow
 
 /** Converts numbers in [from] to numbers in [to], which has the same dimension and is called [unit]. */
 internal class Conversion(private val from: PhysicalUnit, private val to: PhysicalUnit, val unit: String) {
-    /** Returns the factor, where a second is [perSecond] of x. */
+    /** Returns the factor of the conversion if a second has the length [perSecond] on x. */
     fun factor(perSecond: Double): Double {
         var factor = from.size / to.size
         repeat(abs(from.axisPower - to.axisPower)) { if (from.axisPower > to.axisPower) factor /= perSecond else factor *= perSecond }

@@ -1,8 +1,6 @@
 package badlog.expression.syntax
 
-/**
- * Returns the text of [node], which is read as the same expression again. Full names are in quotes, and parentheses only where necessary.
- */
+/** Returns the text of [node]; reading it gives the same expression. It has full names in quotes, and parentheses only where necessary. */
 internal fun printed(node: Node): String = when (node) {
     is Node.Number -> node.digits
 

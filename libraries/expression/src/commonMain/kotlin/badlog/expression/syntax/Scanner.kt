@@ -4,7 +4,7 @@ import badlog.core.analysis.Units
 import badlog.expression.signals.isWordCharacter
 import badlog.expression.signals.isWordEnd
 
-/** Walks over the text of an expression; knows numbers, quotes and operators, but not names. */
+/** Reads the text of an expression from left to right. It recognizes numbers, quotes and operators, but not names. */
 internal class Scanner(private val text: String) {
     /** The index of the next character. */
     var at = 0

@@ -9,8 +9,8 @@ import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Returns the name of the battery in [recording]. It is from a value of its header, otherwise from the end of a topic. [vocabulary] names
- * both; null if the recording has none.
+ * Returns the name of the battery in [recording]. It is a value of the header, otherwise the last sample of a topic; null if the recording
+ * has neither. [vocabulary] has the names of both.
  */
 fun batteryNameIn(recording: Recording, vocabulary: SignalVocabulary): String? {
     val patterns = vocabulary.find(BATTERY_NAME)?.topics.orEmpty().map { it.pattern }

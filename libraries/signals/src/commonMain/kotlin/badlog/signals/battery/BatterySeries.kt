@@ -12,11 +12,11 @@ import badlog.signals.vocabulary.SignalTopic
 import badlog.signals.vocabulary.SignalTopics
 
 /**
- * The battery in a log, over seconds.
+ * The battery of a log over time, in s.
  *
  * @property volts its voltage.
  * @property amps the current that the robot takes from it; null if the log does not show it.
- * @property end when the last samples end.
+ * @property end the time at which the last samples end.
  */
 class BatterySeries private constructor(
     val volts: Series,
@@ -25,7 +25,7 @@ class BatterySeries private constructor(
     private val view: LogView,
     private val second: Double,
 ) {
-    /** When the robot was enabled, in order. */
+    /** The spans in which the robot was enabled, in order. */
     internal val enabled: List<Span> by lazy { view.enabledSpans().map { Span(it.span.from / second, it.span.to / second) } }
 
     /** Returns the resistance of battery and wiring; null if the log does not show it. */
@@ -49,7 +49,7 @@ class BatterySeries private constructor(
         return if (weights.sum() < MIN_REST) null else weightedPercentile(values, weights, size, HALF)
     }
 
-    /** Returns whether the voltage was so low for 0.1 s while the robot was enabled that any roboRIO cuts outputs. */
+    /** Returns whether the voltage was low enough for any roboRIO to cut outputs, for 0.1 s while the robot was enabled. */
     internal fun isLow(): Boolean = volts.isOrdered && enabled.any { span ->
         var low = 0.0
         var longest = 0.0
@@ -84,7 +84,7 @@ class BatterySeries private constructor(
     }
 
     companion object {
-        /** Returns the battery in [view], found among [topics], over x as a time. Null if it does not show its voltage. */
+        /** Returns the battery in [view], found among [topics], over x as a time. Null if [view] does not show its voltage. */
         fun of(view: LogView, topics: SignalTopics, samples: NamedSamples): BatterySeries? {
             val volts = topics.of("battery").firstOrNull() ?: return null
             val second = 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0)

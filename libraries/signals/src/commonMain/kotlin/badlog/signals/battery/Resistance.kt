@@ -7,12 +7,13 @@ import kotlin.math.sqrt
 data class Resistance(val milliohms: Double, val uncertainty: Double)
 
 /**
- * Returns the slope of [volts] against [amps] as a resistance, with its uncertainty. It is fitted within each 10 s, so that a battery that empties
- * does not count as resistance. The uncertainty is estimated by leaving out each 10 s in turn (the jackknife), since neighboring samples are nearly
- * the same. It includes noise and emptying, but not that a battery's resistance is higher for a long load than for a short one. Null if the current
- * hardly changes, or for too short a time, or if the result is too uncertain to tell one battery from another.
+ * Returns the slope of [volts] against [amps] as a resistance, with its uncertainty. It is fitted within each 10 s, so that a battery that
+ * empties does not count as resistance. The uncertainty is estimated by leaving out each 10 s in turn (the jackknife), since neighboring
+ * samples are nearly the same. It includes noise and emptying, but not that a battery's resistance is higher for a long load than for a
+ * short one. Null if the current hardly changes, or for too short a time, or if the result is too uncertain to tell one battery from
+ * another.
  *
- * @param end when the last samples end, in seconds like all times.
+ * @param end the time at which the last samples end, in seconds like all times.
  */
 fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
     if (!volts.isOrdered || !amps.isOrdered || volts.size == 0 || amps.size == 0) return null
@@ -44,8 +45,8 @@ fun resistanceOf(volts: Series, amps: Series, end: Double): Resistance? {
 }
 
 /**
- * Returns the number of standard errors to both sides that include 95 % of the values. It is Student's t for [degrees] of freedom, by the expansion
- * in Abramowitz and Stegun, 26.7.5.
+ * Returns the number of standard errors on both sides that include 95 % of the values. It is Student's t for [degrees] of freedom, by the
+ * expansion in Abramowitz and Stegun, 26.7.5.
  */
 internal fun quantile95(degrees: Int): Double {
     // The expansion is for more.
@@ -79,7 +80,7 @@ private const val MILLI = 1000.0
 internal const val NORMAL95 = 1.95996
 private val FEW_DEGREES = listOf(12.706, 4.303)
 
-/** Until there is a first voltage, libraries log 0. */
+/** The voltage, in V, below which a sample does not count. Libraries log 0 until they have measured one. */
 internal const val MIN_VOLTS = 1.0
 private const val BLOCK_SECONDS = 10.0
 private const val MIN_BLOCKS = 4

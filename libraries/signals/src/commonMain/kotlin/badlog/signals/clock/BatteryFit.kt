@@ -7,8 +7,8 @@ import kotlin.math.round
 import kotlin.math.sqrt
 
 /**
- * Returns how the clock of [log] relates to the clock of [other], by the battery voltage in both. It moves alike wherever it is measured.
- * Null if one lacks it, or it moves too little or too alike at several times to show anything.
+ * Returns the relation of the clock of [log] to the clock of [other], found by the battery voltage in both. It changes alike wherever it is
+ * measured. Null if one log lacks it, if it hardly changes, or if other offsets fit nearly as well.
  */
 fun batteryFit(log: ClockedLog, other: ClockedLog): ClockFit? {
     val (own, others) = (batteryOf(log) ?: return null) to (batteryOf(other) ?: return null)
@@ -23,8 +23,8 @@ fun batteryFit(log: ClockedLog, other: ClockedLog): ClockFit? {
 }
 
 /**
- * Returns how alike the battery voltage moves in [log], moved by [seconds] s, and in [other], from -1 to 1. Null if one lacks it, or it moves too
- * little.
+ * Returns the correlation of the battery voltage in [log], moved by [seconds] s, with the battery voltage in [other], from -1 to 1. Null if
+ * one log lacks it, or if it hardly changes.
  */
 internal fun batteryLikeness(log: ClockedLog, other: ClockedLog, seconds: Double): Double? {
     val (own, others) = (batteryOf(log) ?: return null) to (batteryOf(other) ?: return null)

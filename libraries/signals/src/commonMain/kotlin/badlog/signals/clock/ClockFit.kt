@@ -16,8 +16,8 @@ class ClockFit(val seconds: Double, val edges: Int, val error: Double) {
         /**
          * Returns the relation of the clock of [own] to the clock of [others] at which most edges match. Null if none can.
          *
-         * @param near the estimated difference of the clocks in seconds, if known: among several fits with as many edges, the one nearest to it
-         *   counts.
+         * @param near the estimated difference of the clocks in seconds, if known: among several fits with equally many edges, the one
+         *   nearest to it counts.
          */
         fun ofEdges(own: List<EnabledEdge>, others: List<EnabledEdge>, near: Double? = null): ClockFit? {
             fun distance(fits: List<Double>): Double {

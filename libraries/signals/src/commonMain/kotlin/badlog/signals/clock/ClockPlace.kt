@@ -1,22 +1,22 @@
 package badlog.signals.clock
 
 /**
- * Where a log stands on the clock that it shares with others.
+ * The place of a log on a clock that it shares with other logs.
  *
  * @property seconds the offset to add to its times, in s.
- * @property fit how that was found; its error includes the errors of the logs on the way. Null if the offset was given.
- * @property beside the index of the log beside which it was found; null if the offset was given.
+ * @property fit the fit that gave the offset; its error includes the errors of the logs in between. Null if the offset was given.
+ * @property beside the index of the log that it was fitted to; null if the offset was given.
  */
 class ClockPlace(val seconds: Double, val fit: ClockFit? = null, val beside: Int? = null)
 
 /**
- * Returns where each of [count] logs stands on one clock; null where nothing shows it.
+ * Returns the place of each of [count] logs on one clock; null for a log if nothing shows its place.
  *
  * A log need not fit the first: it may fit any that has a place, and the surest fit is used next. The order of the logs decides only
  * between fits that are equally sure.
  *
  * @param given the offsets that are known, in s, by the index of the log; at least one.
- * @param fitOf returns how the clock of the log with the first index relates to the clock of the second; null if nothing shows it.
+ * @param fitOf returns the relation of the clock of the log with the first index to the clock of the second; null if nothing shows it.
  */
 fun onOneClock(count: Int, given: Map<Int, Double>, fitOf: (own: Int, other: Int) -> ClockFit?): List<ClockPlace?> {
     val places = arrayOfNulls<ClockPlace>(count)

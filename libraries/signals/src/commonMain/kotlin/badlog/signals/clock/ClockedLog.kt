@@ -24,10 +24,10 @@ class ClockedLog(val name: String, val recording: Recording, internal val vocabu
     val hasClock: Boolean =
         view.xAxis.run { !isIndex && (Units.secondsIn(unit) != null || Units.isNone(unit)) && range != null }
 
-    /** Its first x, in s; NaN without any. */
+    /** Its first x, in s; NaN if it has none. */
     val first: Double = (view.xAxis.range?.start ?: Double.NaN) * view.secondsPerX
 
-    /** Its last x, in s; NaN without any. */
+    /** Its last x, in s; NaN if it has none. */
     val last: Double = (view.xAxis.range?.endInclusive ?: Double.NaN) * view.secondsPerX
 
     /** The time of day at which its x is 0, in s since 1970, from its values or its name. Null if neither has it. */
@@ -36,14 +36,14 @@ class ClockedLog(val name: String, val recording: Recording, internal val vocabu
         loggedStart(recording)?.let { it - if (first.isNaN()) 0.0 else first } ?: timeInName(name)
     }
 
-    /** When the robot was enabled and disabled. */
+    /** The moments at which the robot was enabled and disabled. */
     val edges: List<EnabledEdge> by lazy { view.withSignals(vocabulary, name).enabledEdges() }
 
-    /** What match it is of. */
+    /** The match in which it was recorded. */
     val match: MatchOfLog by lazy { vocabulary.matchOf(recording, name) }
 }
 
-/** Returns the time in [name], of a file, in s since 1970; null if there is none. */
+/** Returns the time in [name], the name of a file, in s since 1970; null if there is none. */
 internal fun timeInName(name: String): Double? = NAMED.find(name)?.let { secondsOf(it.groupValues) }
 
 /** The forms in which WPILib and CTRE name their logs, in UTC. */
@@ -52,7 +52,7 @@ private val NAMED = Regex("(?<!\\d)(\\d{4})-?(\\d{2})-?(\\d{2})_(\\d{2})-?(\\d{2
 /** The name of the value that says when a log began. */
 const val START_VALUE: String = "Start Time"
 
-/** Returns when the log [recording] began, in s since 1970. Null unless it says so in UTC or with an offset. */
+/** Returns when the log [recording] began, in s since 1970. Null unless the log states this in UTC or with an offset. */
 fun loggedStart(recording: Recording): Double? {
     val text = recording.values.find { it.name == START_VALUE }?.text ?: return null
     return LOGGED.matchEntire(text)?.let { secondsOf(it.groupValues) } ?: writtenDate(text)?.utcSecond?.toDouble()?.takeIf { it >= FIRST }

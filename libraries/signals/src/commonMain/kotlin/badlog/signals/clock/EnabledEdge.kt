@@ -13,8 +13,8 @@ import badlog.core.analysis.enabledSpans
 class EnabledEdge(val seconds: Double, val isRise: Boolean)
 
 /**
- * Returns the moments when the robot was enabled and disabled, the first [MAX_EDGES] ones. The log's own start and end are left out. Empty if the log
- * does not show it.
+ * Returns the moments at which the robot was enabled and disabled, at most the first [MAX_EDGES]. The log's own start and end are left out.
+ * Empty if the log does not show it.
  */
 fun LogView.enabledEdges(): List<EnabledEdge> {
     val range = xAxis.range ?: return emptyList()

@@ -29,8 +29,8 @@ class StationOverlay(
     val both: LogView by lazy { with(station.recording.topics.zip(namesOf), AROUND) }
 
     /**
-     * The view on which rules run, over the robot's time: the robot's topics, and the Driver Station's. A topic of the Driver Station that is a
-     * signal which the robot's log has, too, is left out.
+     * The view on which rules run, over the robot's time: the robot's topics, and the Driver Station's. Topics of the Driver Station are
+     * left out if the robot's log has the same signal.
      */
     val forRules: LogView by lazy {
         val own = signalTopicsOf(robot, vocabulary).all.mapTo(HashSet()) { it.signal }

@@ -21,8 +21,8 @@ class StationSearch<F>(private val robot: ClockedLog, private val startOf: (F) -
     private class Candidate<F>(val log: F, val station: ClockedLog)
 
     /**
-     * Returns the matching one of [logs]; null if none can be identified. A log of another match is never the one, whatever its clock says:
-     * a laptop's may be an hour off. Of several, the one of the same match counts, then the one with the same moments of enabling and
+     * Returns the matching one of [logs]; null if none can be identified. A log of another match is never returned, even if its clock fits:
+     * a laptop's may be an hour off. Among several, one of the same match is preferred, then one with the same moments of enabling and
      * clock.
      *
      * @param acceptsOnly whether to accept the only log, even if just one moment of enabling matches.

@@ -36,7 +36,7 @@ internal fun Topic.picked(rows: IntArray, name: String, times: DoubleArray): Top
     return copy(samples = numbers, texts = column).slice(0, rows.size, name, times)
 }
 
-/** Returns the same without the [rows] in which this topic has no sample. */
+/** Returns the same as [picked], without the [rows] in which this topic has no sample. */
 internal fun Topic.pickedWhereSet(rows: IntArray, name: String, times: DoubleArray): Topic {
     val ids = textIds()
     val set = rows.indices.filter { i -> ids[rows[i]] >= 0 || (samples.isNotEmpty() && !samples[rows[i]].isNaN()) }.toIntArray()

@@ -4,8 +4,8 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns the steady loss of stored air, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS]. NaN unless [compressor] was off all
- * along, and after sudden falls, because a cylinder takes its air at once.
+ * Returns the steady loss of stored air, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS]. NaN unless [compressor] was off
+ * throughout, and after sudden drops, because a cylinder takes its air at once.
  */
 fun airLoss(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)
@@ -28,7 +28,7 @@ fun airLoss(pressure: Series, compressor: Series): Series {
     )
 }
 
-/** Returns the largest rise of [pressure] within a second in the last [RUN_SECONDS], in psi. NaN unless [compressor] was on all along. */
+/** Returns the largest rise of [pressure] within a second in the last [RUN_SECONDS], in psi. NaN unless [compressor] was on throughout. */
 fun airGain(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)
     var since = 0

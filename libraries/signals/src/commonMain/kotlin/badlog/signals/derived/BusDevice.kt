@@ -22,7 +22,8 @@ enum class BusSignal(vararg val names: String) {
 }
 
 /**
- * A device on the CAN bus with topics named by its type and its id, as in `Phoenix6/TalonFX-3/StatorCurrent`. Nothing shows what it moves.
+ * A device on the CAN bus with topics named by its type and its id, as in `Phoenix6/TalonFX-3/StatorCurrent`. Nothing shows which part it
+ * moves.
  *
  * @property label its name for people, such as `TalonFX 3`.
  */
@@ -40,14 +41,14 @@ class BusDevice internal constructor(val label: String, private val topics: Map<
     operator fun contains(signal: BusSignal): Boolean = signal in topics
 }
 
-/** Returns the beginning of [name] that all topics of its device share, such as `Phoenix6/TalonFX-3`. Null if none is named. */
+/** Returns the beginning of [name] that all topics of its device share, such as `Phoenix6/TalonFX-3`. Null if [name] is not of a device. */
 fun busDeviceIn(name: String): String? {
     val start = startOfDevice(name)
     return if (start < 0) null else name.substring(0, endOfDevice(name, start))
 }
 
 /**
- * A device as topics and findings call it: `Phoenix6/TalonFX-3` and `TalonFX 3` are the type `TalonFX` with the id 3.
+ * The type and id by which topics and findings name a device. `Phoenix6/TalonFX-3` and `TalonFX 3` are the type `TalonFX` with the id 3.
  *
  * @property type its type.
  * @property id its id on the CAN bus.

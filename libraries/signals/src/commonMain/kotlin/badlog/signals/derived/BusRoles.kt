@@ -4,8 +4,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * The roles of motors that are known by their ids alone, found by their speeds. Motors of one shaft turn in one ratio; the first of them stands for
- * all.
+ * The roles of motors that are known by their ids alone, found by their speeds. Motors on one shaft turn in a fixed ratio; the first of
+ * them represents all.
  *
  * @param speeds the speed of each motor, at the same times.
  * @param places the position of each motor at these times; empty if it is not reported.
@@ -15,7 +15,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     private val sizes = speeds.map { own -> DoubleArray(own.size) { abs(own[it]) } }
     private val tops = sizes.map { quantile(it, 0.98) }
 
-    /** The motors that stand for themselves, or for all on their shaft. */
+    /** The motors that are alone on their shaft, or the first on it. */
     val leaders: List<Int> = speeds.indices.filter { at -> (0 until at).none { isOnShaft(it, at) } }
 
     /** The drive motors of a robot: four of a swerve drive, two of a tank drive. Empty if that is not known. */
@@ -24,7 +24,7 @@ class BusRoles(private val speeds: List<DoubleArray>, private val places: List<D
     /** The motors that turn the modules of a swerve drive; not all if some are unknown. */
     val steering: List<Int>
 
-    /** The motors that move mechanisms; empty unless [drive] is known, since a robot that pushes is not jammed. */
+    /** The motors that move mechanisms; empty unless [drive] is known, since a drive motor that stalls is not a jammed mechanism. */
     val mechanisms: List<Int>
 
     init {

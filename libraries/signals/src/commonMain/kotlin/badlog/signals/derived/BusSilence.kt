@@ -4,9 +4,9 @@ import badlog.core.analysis.Series
 import kotlin.math.max
 
 /**
- * Returns how long a device with the topics [sent] sent nothing, in s. It is each gap's length from its start to its end, 0 elsewhere. Only
- * gaps count in which the robot was enabled and more than half of [others] sent something. Empty if there are too few samples, or if the
- * log keeps changes only: then silence means that nothing changed.
+ * Returns the time for which a device with the topics [sent] sent nothing, in s. It is the length of the gap during each gap, otherwise 0.
+ * Only gaps count in which the robot was enabled and more than half of [others] sent something. Empty if there are too few samples, or if
+ * the log keeps changes only: then silence means that nothing changed.
  */
 fun busSilence(sent: List<Series>, others: List<Series>, isEnabled: (Double) -> Boolean): Series {
     val own = sent.map(::known).maxByOrNull { it.size }

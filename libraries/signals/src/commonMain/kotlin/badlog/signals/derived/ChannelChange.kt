@@ -3,10 +3,10 @@ package badlog.signals.derived
 import kotlin.math.sqrt
 
 /**
- * Returns the change of each of [currents], the channels of a power distribution, relative to its equals. 1 if all changed alike. It is the
- * change from the first sixth of enabled time to the last two fifths. Equals are the four drive motors of a swerve drive: at first they
- * take alike, and more and less at the same moments. Null for other channels, and if the other three changed unlike each other, as they do
- * if wheels work against each other. No list if there are no such four, or if a log is too short.
+ * Returns the change of each of [currents], the channels of a power distribution, relative to its equals; 1 if all changed alike. It is the
+ * change from the first sixth of enabled time to the last two fifths. Equals are the four drive motors of a swerve drive: at first, they
+ * draw similar currents, which rise and fall together. A result is null for other channels, and if the other three changed unlike each
+ * other, as they do if wheels work against each other. Returns null if there are no such four, or if a log is too short.
  */
 fun channelChanges(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { isEnabled[it] }

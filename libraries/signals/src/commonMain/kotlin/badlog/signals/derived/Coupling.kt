@@ -20,9 +20,9 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
 }
 
 /**
- * Returns whether [moved] stands exactly still at [times] although [turned] moves while the robot is enabled: 1 or 0. [turned] must have moved by
- * more than a twentieth of its range since [moved] last changed. Two devices report at different times, so movements of [turned] just after that do
- * not count. Nor does a value of [turned] that is taken back at once: it was misread.
+ * Returns 1 at those [times] at which [moved] stands exactly still although [turned] moves while the robot is enabled, otherwise 0.
+ * [turned] must have moved by more than a twentieth of its range since [moved] last changed. Two devices report at different times, so
+ * movements of [turned] just after that do not count. Nor does a value of [turned] that reverts at once: it was misread.
  */
 fun frozenWhileTurning(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(turned, 0.98) - quantile(turned, 0.02)

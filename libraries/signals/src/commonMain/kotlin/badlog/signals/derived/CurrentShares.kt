@@ -3,9 +3,9 @@ package badlog.signals.derived
 import kotlin.math.abs
 
 /**
- * Returns the current of each of several equal motors as a share of the others' average. It is 1 in a healthy drive. Absolute currents count while
- * the robot is enabled, over the second half of that time, since motors fail in a match. No list if they hardly ran; null for a motor if the others
- * are not alike: then wheels work against each other, as they do if one of them points aside.
+ * Returns the current of each of several equal motors as a share of the others' average. It is 1 in a healthy drive. Absolute currents
+ * count while the robot is enabled, over the second half of that time, since motors fail in a match. Returns null if they hardly ran. The
+ * result of a motor is null if the others are not alike: wheels then work against each other, as they do if one of them points aside.
  */
 fun currentShares(times: DoubleArray, currents: List<DoubleArray>, isEnabled: BooleanArray): List<Double?>? {
     val used = times.indices.filter { i -> isEnabled[i] && currents.all { it[i].isFinite() } }

@@ -4,9 +4,9 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns whether [measured] has jumped, faster than it ever moves, to a value that it keeps exactly since. 1 or 0. An absolute encoder
- * without a cable reads like that. A value that has hardly moved before was at rest, and still is; one that came fast has arrived at a
- * stop.
+ * Returns 1 while [measured] keeps exactly a value to which it jumped faster than it usually moves, otherwise 0. An absolute encoder
+ * without a cable reads like that. A jump does not count if the value hardly moved before, since it was at rest. Nor does the end of a fast
+ * movement, since it has arrived at a stop.
  */
 fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArray): Series {
     val range = rangeOf(measured)

@@ -10,10 +10,10 @@ import kotlin.math.sign
 /**
  * How a part follows its target.
  *
- * @param times of each sample.
- * @param target what it should be, then.
- * @param measured what it was, in the same unit.
- * @param isEnabled whether the robot was enabled.
+ * @param times the time of each sample.
+ * @param target the target value at these times.
+ * @param measured the measured value, in the same unit.
+ * @param isEnabled whether the robot was enabled at these times.
  */
 class Following(
     private val times: DoubleArray,
@@ -73,10 +73,10 @@ class Following(
      */
     fun missed(): Series = unlessUnrelated(NEAR * range, ::away)
 
-    /** Returns what [missed] does, also if it never moved. */
+    /** Returns the same as [missed], also for a part that never moved. */
     fun missedOrStill(): Series = if (spreadOf(measured) < STILL * range) away() else missed()
 
-    /** Returns what [missed] does while it does not move at all; NaN while it moves. */
+    /** Returns the same as [missed] while the part does not move at all; NaN while it moves. */
     fun standingAway(): Series {
         val away = missed()
         val least = STILL * min(range, spreadOf(measured))
@@ -96,7 +96,7 @@ class Following(
         }
     }
 
-    /** Returns by how much it falls short of a constant target that is not 0, in percent of the target. NaN while either changes. */
+    /** Returns the shortfall from a constant target other than 0, in percent of the target. NaN while either changes. */
     fun shortfall(): Series = unlessUnrelated(ROUGHLY * largest) {
         samples { i ->
             val wanted = abs(target[i])
@@ -109,7 +109,7 @@ class Following(
         }
     }
 
-    /** Returns by how much it is beyond a target that it has just been moved to. It is in percent of the step. */
+    /** Returns the distance beyond a target that has just changed, in percent of the step. */
     fun overshoot(): Series = unlessUnrelated(NEAR * range) {
         val beyond = DoubleArray(times.size) { Double.NaN }
         var before = Double.NaN
@@ -129,10 +129,10 @@ class Following(
         Series(times, beyond)
     }
 
-    /** Returns by how much it swings around a constant target, from peak to peak in percent of the target. NaN if it does not swing. */
+    /** Returns the peak-to-peak swing around a constant target, in percent of the target. NaN if the part does not swing. */
     fun swing(): Series = swings { abs(target[it]) }
 
-    /** Returns by how much a place swings around a constant target, from peak to peak in percent of the range. NaN if it does not swing. */
+    /** Returns the peak-to-peak swing of a position around a constant target, in percent of the range. NaN if it does not swing. */
     fun placeSwing(): Series {
         // Where there is hardly more than one target, noise is large beside their range.
         val whole = max(range, spreadOf(measured))

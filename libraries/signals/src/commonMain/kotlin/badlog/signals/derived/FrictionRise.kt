@@ -4,9 +4,10 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns the rise of a mechanism's friction in a log. It compares the efforts for the same movements, in both directions, in the last two fifths of
- * enabled time and in the first sixth. The unit is the highest effort at first, without the part for the speed; 0 for a healthy mechanism. The weight
- * that it lifts does not count, since that helps it down. Null if it moved too little to tell.
+ * Returns the rise of a mechanism's friction in a log. It compares the efforts for the same movements, in both directions, in the last two
+ * fifths of enabled time and in the first sixth. The rise is a fraction of the highest effort at first, without the part that depends on
+ * speed; 0 for a healthy mechanism. The weight that it lifts does not count, since it helps on the way down. Null if it moved too little to
+ * tell.
  *
  * All arrays have the same times: its [place], and the [effort] of its motor, such as its current or the voltage that it gets.
  */
@@ -31,7 +32,7 @@ fun frictionRise(times: DoubleArray, place: DoubleArray, effort: DoubleArray, is
     return strokes.rise()
 }
 
-/** Returns whether the sign of [amperes], which a motor draws, shows which way it pushes; some controllers report sizes only. */
+/** Returns whether the sign of [amperes], which a motor draws, shows which way it pushes; some controllers report only magnitudes. */
 internal fun hasDirection(amperes: DoubleArray): Boolean = quantile(amperes, 0.01) < -0.05 * quantile(amperes, 0.99)
 
 /** The samples in which a mechanism moves, at first and later, and the fit of its effort. */

@@ -6,10 +6,10 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns how far a [heading] jumped at each sample, in degrees; 0 elsewhere. A jump is more than a robot turns from sample to sample,
- * given how fast it turned just before and just after. A full turn is not a jump, since angles are counted from 0 to 360° or from -180 to
- * 180°. A jump to a multiple of 90° is not one either: a driver or the program has set it. A single sample beside two others that agree
- * was misread. While the robot turns fast, a late sample looks like a jump.
+ * Returns the size of the jump of [heading] at each sample, in degrees; 0 if there is none. A jump is more than a robot turns from sample
+ * to sample, given how fast it turned just before and just after. A full turn is not a jump, since angles are counted from 0 to 360° or
+ * from -180 to 180°. A jump to a multiple of 90° is not one either: a driver or the program has set it. A single sample beside two others
+ * that agree was misread. While the robot turns fast, a late sample looks like a jump.
  *
  * @param degrees the factor from its numbers to degrees.
  */

@@ -2,7 +2,9 @@ package badlog.signals.derived
 
 import badlog.core.analysis.Series
 
-/** Returns the value of this series at each of [times], which ascend. It is its last sample by then, NaN before the first. */
+/**
+ * Returns the value of this series at each of [times], which ascend. It is the last sample at or before that time; NaN before the first.
+ */
 fun Series.heldAt(times: DoubleArray): DoubleArray {
     var next = 0
     return DoubleArray(times.size) { i ->
@@ -11,7 +13,7 @@ fun Series.heldAt(times: DoubleArray): DoubleArray {
     }
 }
 
-/** Returns the times of [series] together, ascending, each once. */
+/** Returns the times of all [series], ascending, each once. */
 fun timesOf(series: List<Series>): DoubleArray {
     val first = series[0].x
     if (series.all { it.x === first }) return first
@@ -22,8 +24,8 @@ fun timesOf(series: List<Series>): DoubleArray {
 }
 
 /**
- * Returns the times of [series] together, and others between those that are more than [step] apart. A log of changes has no sample while
- * nothing changes.
+ * Returns the times of all [series], with additional times between those that are more than [step] apart. A log of changes has no sample
+ * while nothing changes.
  */
 internal fun steppedTimes(series: List<Series>, step: Double): DoubleArray {
     val own = timesOf(series)
@@ -43,7 +45,7 @@ private const val MAX_BETWEEN = 600
 /** Returns [values] times [scale]. */
 internal fun scaled(values: DoubleArray, scale: Double): DoubleArray = DoubleArray(values.size) { values[it] * scale }
 
-/** Returns the value that [share] of the finite numbers in [values] do not exceed; NaN if there are none. */
+/** Returns the percentile at [share], a fraction from 0 to 1, of the finite numbers in [values]; NaN if there are none. */
 internal fun quantile(values: DoubleArray, share: Double): Double {
     val sorted = values.filter { it.isFinite() }.toDoubleArray().apply { sort() }
     return if (sorted.isEmpty()) Double.NaN else sorted[((sorted.size - 1) * share).toInt()]

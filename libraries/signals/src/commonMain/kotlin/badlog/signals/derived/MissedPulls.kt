@@ -3,11 +3,11 @@ package badlog.signals.derived
 import kotlin.math.floor
 
 /**
- * Returns for each of [currents], the channels of a power distribution, the number of pulls that it missed. It counts, at each time, the seconds in
- * which its equal pulled since the channel's last current. It is 0 unless the channel is without current for 10 s of enabled time or more, from a
- * hard pull on. An equal is another channel that took about as much until then, more and less at the same moments, and hardly ever without it: the
- * other side of a drive, or another of its wheels. Mechanisms that rest have none: the drive's current meanwhile shows nothing about them. Null for
- * channels that never rest so.
+ * Returns the number of pulls that each of [currents], the channels of a power distribution, missed. At each time, it is the number of
+ * seconds since the channel's last current in which an equal channel pulled. It is 0 unless the channel is without current for 10 s of
+ * enabled time or more after a hard pull. An equal is a channel that drew about as much until then, rose and fell at the same moments, and
+ * hardly ever pulled alone: the other side of a drive, or another of its wheels. Mechanisms at rest have no equal, since the drive's
+ * current shows nothing about them. A result is null for a channel without such a rest.
  *
  * All arrays have the same times.
  *

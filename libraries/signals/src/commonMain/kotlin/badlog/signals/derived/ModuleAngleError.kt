@@ -6,9 +6,9 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns how far the angle of module [at] of a drive is off its target at [times], in degrees. The worst error of the other modules at that moment
- * is subtracted. A module that runs backward instead of turning by half a turn follows its target. NaN while the module should stand, or while
- * nothing is enabled.
+ * Returns how far the angle of module [at] of a drive is off its target at [times], in degrees. The worst error of the other modules at
+ * that moment is subtracted. A module that runs backward instead of turning by half a turn follows its target. NaN while the module should
+ * stand, or while the robot is not enabled.
  */
 fun moduleAngleError(
     at: Int,
@@ -38,7 +38,7 @@ fun moduleAngleError(
     )
 }
 
-/** Returns whether the [angles] of modules change more seldom than in each second loop while they turn. */
+/** Returns whether the [angles] of modules change less often than every second loop while they turn. */
 internal fun isSeldom(times: DoubleArray, angles: List<DoubleArray>): Boolean {
     val turning = (1 until times.size).filter { i -> angles.any { it[i] != it[i - 1] } }
     return quantile(DoubleArray(maxOf(0, turning.size - 1)) { times[turning[it + 1]] - times[turning[it]] }, 0.5) > SELDOM_CHANGES
@@ -47,7 +47,7 @@ internal fun isSeldom(times: DoubleArray, angles: List<DoubleArray>): Boolean {
 /** Returns the size of an angle of [radians] modulo a half turn, in degrees, 0 to 90. */
 internal fun halfTurnError(radians: Double): Double = abs(radians - PI * round(radians / PI)) * 180 / PI
 
-/** Whether a module that is to have [speed], in m/s, has to keep its angle. */
+/** Returns whether a module with the target [speed], in m/s, has to keep its angle. */
 internal fun isDriving(speed: Double): Boolean = abs(speed) >= MOVING
 
 /** In s. */

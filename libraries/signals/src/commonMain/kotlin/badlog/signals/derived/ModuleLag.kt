@@ -1,10 +1,10 @@
 package badlog.signals.derived
 
 /**
- * Returns how far each module of a drive lags behind its target angle, relative to the worst other one. It is 1.0 in a healthy drive, since all are
- * steered alike. It counts all the time in which the module turns while it drives. The lag is divided by the movement of its target, so that a module
- * that has to turn more does not seem slower. No list if a module hardly drove; null for a module if the others are not alike: then late measurements
- * are likelier than two bad modules.
+ * Returns how far each module of a drive lags behind its target angle, relative to the worst other one. It is 1.0 in a healthy drive, since
+ * all are steered alike. It counts all the time in which the module turns while it drives. The lag is divided by the movement of its
+ * target, so that a module that has to turn more does not seem slower. Returns null if a module hardly drove. The result of a module is
+ * null if the others are not alike: late measurements are then likelier than two bad modules.
  *
  * @param angles the measured angles at [times], in rad; each module has a list of its own in [targets] and [speeds], too.
  */

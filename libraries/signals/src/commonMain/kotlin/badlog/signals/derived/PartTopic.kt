@@ -16,7 +16,7 @@ enum class Quantity { POSITION, VELOCITY, CURRENT, SUPPLY_CURRENT, VOLTAGE, OUTP
  * @property quantity the measured quantity; NONE if its name does not show it.
  * @property unit its unit, by the log or by its name; empty if unknown.
  * @property isTarget whether it is the program's target rather than a sensor's value.
- * @property isAbsolute whether it is from a sensor beside the motor's own.
+ * @property isAbsolute whether it is from a sensor other than the motor's own.
  * @property isMotor whether its name says that it is about the motor, not the moved part.
  */
 class PartTopic internal constructor(

@@ -4,9 +4,9 @@ import kotlin.math.abs
 import kotlin.math.sign
 
 /**
- * Returns how much more output one side of a tank drive needs than the other at the same speed. It is a part of full output: the rest after the
- * output for its speed and acceleration, both fitted to the log. Positive if the first side needs more. Null if there is too little straight driving
- * to tell. All arrays have the same times.
+ * Returns how much more output one side of a tank drive needs than the other at the same speed. It is a fraction of full output: the
+ * remainder after the output for speed and acceleration, both fitted to the log. Positive if the first side needs more. Null if there is
+ * too little straight driving to tell. All arrays have the same times.
  */
 fun sideFriction(times: DoubleArray, one: Side, other: Side): Double? {
     val top = quantile(DoubleArray(times.size) { abs(one.speed[it]) }, 0.98)
@@ -54,7 +54,10 @@ private fun frictionOf(times: DoubleArray, side: Side, isStraight: BooleanArray)
     return if (count < 300) null else solved(sums)?.get(0)
 }
 
-/** Returns the solution of a system of linear equations; the last column is the right side. Null if it has none. Changes [rows]. */
+/**
+ * Returns the solution of a system of linear equations; the last column of [rows] is the right-hand side. Null if it has none. Changes
+ * [rows].
+ */
 internal fun solved(rows: Array<DoubleArray>): DoubleArray? {
     val n = rows.size
     for (k in 0 until n) {

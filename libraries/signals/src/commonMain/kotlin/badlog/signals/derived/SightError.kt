@@ -5,8 +5,9 @@ import kotlin.math.abs
 import kotlin.math.hypot
 
 /**
- * Returns how far the camera's places are from the robot's place just before, in m, at their times. The error is smaller if the place before or after
- * is off alike: then the robot's own estimate was wrong, as it is after its wheels slipped.
+ * Returns the distance of each place that the camera saw from the robot's own estimate just before, in m, at the times of these places. The
+ * error is smaller if the place before or after is off in the same way: the robot's estimate was then wrong, as it is after its wheels
+ * slipped.
  *
  * @param seen x and y of the places that the camera saw; a new picture has a new time in either.
  * @param driven x and y of the robot's own estimate.

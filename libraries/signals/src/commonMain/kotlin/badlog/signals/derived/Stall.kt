@@ -4,13 +4,13 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns whether something that should turn does not, at [times]: 1 or 0. It is 1 while it hardly turns ([speeds] below 4 % of its usual
- * speed) and its [current] is high: at least half of its maximum, as much as it mostly takes while it turns, and [least] A. Something that
- * never turned has no usual speed: it gives 0. So does exactly the current with which it still turned, since a device without power leaves
- * its last values in the log.
+ * Returns 1 at those [times] at which something that should turn does not, otherwise 0. It is 1 while it hardly turns ([speeds] below 4 %
+ * of its usual speed) and its [current] is high: at least half of its maximum, as much as it mostly takes while it turns, and [least] A.
+ * Something that never turned has no usual speed: it gives 0. So does exactly the current with which it still turned, since a device
+ * without power leaves its last values in the log.
  *
- * A mechanism that holds a game piece stands under power, too. Its program lowers its output for that, so that it may take less than while it turns. If
- * [outputs] are not logged (null), nothing that turns in between and stands again is known to be blocked.
+ * A mechanism that holds a game piece stands under power, too. Its program then lowers the output, so times with a lowered output do not
+ * count. If [outputs] is null because none are logged, something that stands more than once and turns in between does not count as blocked.
  */
 fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double, outputs: DoubleArray? = null): Series {
     val turning = TURNING * quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)

@@ -7,10 +7,10 @@ import kotlin.math.abs
 import kotlin.math.round
 
 /**
- * Returns why [recording] must be of a simulated robot, as part of a sentence. Null for a real robot, and if nothing shows it. An example is `its
- * battery had exactly 12 V throughout`. Its metadata show it, or the FPGA of WPILib's simulation, or its dashboards, which all ran on the same
- * computer; or its battery: WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it, which no battery and no converter
- * that measures one does.
+ * Returns why [recording] must be from a simulated robot, as part of a sentence. Null for a real robot, and if nothing shows it. An example
+ * is `its battery had exactly 12 V throughout`. The evidence is its metadata, the FPGA of WPILib's simulation, dashboards that all ran on
+ * the same computer, or its battery. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it; no measured
+ * battery behaves like that.
  *
  * @param topics the signals of the log.
  */

@@ -13,7 +13,7 @@ internal class LoggedValue(val topic: String, val unit: String, val value: Strin
 /** Returns the line of Java with which [library] logs the signal [signal] of the built-in vocabulary. Null if there is none. */
 fun howToLog(signal: String, library: LoggingLibrary): String? = LOGGED[signal]?.let(library::lineFor)
 
-/** Whether only the Driver Station knows the signal [signal]: its log is read beside the robot's. */
+/** Returns whether only the Driver Station knows the signal [signal]. Its log is read together with the robot's. */
 fun isOfDriverStation(signal: String): Boolean = signal in OF_DRIVER_STATION
 
 /** The signals that [howToLog] knows. */

@@ -1,6 +1,6 @@
 package badlog.signals.match
 
-/** The kind of run that a log is of: logs of the same kind are compared. */
+/** The kind of run in which a log was recorded. Logs of the same kind are compared. */
 enum class MatchKind {
     /** A match that counts. */
     MATCH,

@@ -16,7 +16,7 @@ import badlog.signals.vocabulary.SignalVocabulary
 import badlog.signals.vocabulary.topicsWithoutValues
 
 /**
- * The match that a log is of. Each property is null if unknown.
+ * The match in which a log was recorded. Each property is null if unknown.
  *
  * @property event the event, such as `Mill Creek Regional`.
  * @property type the type, such as `Qualification`.
@@ -54,8 +54,8 @@ data class MatchOfLog(val event: String? = null, val type: String? = null, val n
 }
 
 /**
- * Returns the match of [recording], as its values name it. If they do not, its topics do, found by this vocabulary, or else the name of
- * its file, [fileName].
+ * Returns the match of [recording]. It is read from the recording's values, otherwise from its topics, found by this vocabulary, otherwise
+ * from [fileName], the name of its file.
  */
 fun SignalVocabulary.matchOf(recording: Recording, fileName: String): MatchOfLog {
     val topics = SignalTopics(this, Vocabulary(recording.topics.map(::signalOf)), timeTopic = null, topicsWithoutValues(recording.topics))

@@ -5,7 +5,7 @@ package badlog.signals.match
  *
  * @property title its name.
  * @property kind the kind of run.
- * @param word the part of a text that names the type, in lower case; the first type with a word in the text is meant.
+ * @param word the part of a text that names the type, in lower case; the first type with its word in the text counts.
  * @param inNames its forms in names of files, as a regular expression; empty if it has none.
  */
 enum class MatchType(val title: String, val kind: MatchKind, private val word: String, internal val inNames: String) {

@@ -5,7 +5,7 @@ import badlog.core.text.daysTo
 /**
  * A date in a name.
  *
- * @property second the time on a clock on the wall, in s since 1970 on that clock; at midnight if the name has no time of day.
+ * @property second the local time, in s since 1970 on the local clock; midnight if the name has no time of day.
  * @property range its place in the name.
  */
 class NamedDate internal constructor(val second: Long, val range: IntRange)

@@ -1,10 +1,10 @@
 package badlog.signals.match
 
 /**
- * Returns whether this and [other] are one match. False if their types or numbers contradict each other, null if that is unknown.
+ * Returns whether this and [other] are the same match. False if their types or numbers contradict each other, null if that is unknown.
  *
- * Since 2023, a playoff has one row of matches: robots and Driver Stations count them, and names call the fifth `sf5m1`. Before, that was
- * the first match of the fifth pair, which the field counted otherwise.
+ * Since 2023, the matches of a playoff form one sequence: robots and Driver Stations number them, and names call the fifth `sf5m1`. Before,
+ * that was the first match of the fifth pair, which the field numbered differently.
  */
 internal fun MatchOfLog.isSameAs(other: MatchOfLog): Boolean? {
     val (one, two) = listOf(this, other).map { match -> match.type?.let { MatchType.of(it) } }

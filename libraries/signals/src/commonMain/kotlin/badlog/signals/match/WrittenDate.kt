@@ -5,7 +5,7 @@ import badlog.core.text.daysTo
 /**
  * A date that a program wrote as a text.
  *
- * @property second the time in s since 1970, on the clock on the wall where it was written.
+ * @property second the local time at the place of writing, in s since 1970 on the local clock.
  * @property offset the seconds by which that clock is ahead of UTC; null if the text does not say.
  */
 internal class WrittenDate(val second: Long, val offset: Int?) {
@@ -14,9 +14,9 @@ internal class WrittenDate(val second: Long, val offset: Int?) {
 }
 
 /**
- * Returns the date in [text]; null for any text but these. English names of months occur as in RFC 1123 (`Fri, 16 Mar 2018 10:41:07 -0400`), in
- * Java's `Date` (`Fri Mar 16 10:41:07 EDT 2018`) or for people in the United States (`Mar 16, 2018, 2:41:07 PM`). Others are in ISO 8601, or with
- * slashes, month first.
+ * Returns the date in [text]; null if it is not in one of these forms. English names of months occur as in RFC 1123
+ * (`Fri, 16 Mar 2018 10:41:07 -0400`), in Java's `Date` (`Fri Mar 16 10:41:07 EDT 2018`) or for people in the United States
+ * (`Mar 16, 2018, 2:41:07 PM`). Others are in ISO 8601, or with slashes, month first.
  */
 internal fun writtenDate(text: String): WrittenDate? {
     for ((pattern, order) in PATTERNS) {
@@ -35,7 +35,7 @@ internal fun writtenDate(text: String): WrittenDate? {
     return null
 }
 
-/** Returns whether [text] has the form of a date of [writtenDate], though it may name none. */
+/** Returns whether [text] has the form of a date of [writtenDate], even if there is no such date. */
 internal fun isWrittenDate(text: String): Boolean = PATTERNS.any { (pattern, _) -> pattern.matches(text.trim()) }
 
 private fun monthOf(text: String): Int? = text.toIntOrNull()

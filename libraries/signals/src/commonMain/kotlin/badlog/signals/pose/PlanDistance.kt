@@ -9,15 +9,15 @@ import badlog.core.analysis.knowsEnabled
 import kotlin.math.round
 import kotlin.math.sqrt
 
-/** A robot closer than this to its planned place is on its plan, in meters. */
+/** The distance from its planned place, in meters, below which a robot is on its plan. */
 const val PLAN_LIMIT: Double = 0.5
 
 /** The number of seconds for which a robot may be further away without having left its plan. */
 const val PLAN_PATIENCE: Double = 0.3
 
 /**
- * Returns when the robot of [view] follows plans: during autonomous. If that is not known, while it is enabled; if that is not known
- * either, all the time.
+ * Returns the spans in which the robot of [view] follows plans: autonomous. If that is not known, returns the spans in which it is enabled;
+ * if those are not known either, all the time.
  */
 fun planSpans(view: LogView): List<Span> {
     if (!view.knowsEnabled) return listOfNotNull(view.xAxis.range?.let { Span(it.start, it.endInclusive) })

@@ -7,7 +7,7 @@ package badlog.signals.pose
  * @property driven where the robot believed to be.
  */
 data class SeenPath(val seen: Pose, val driven: Pose) {
-    /** The names of the topics with both. */
+    /** The names of the topics of both paths. */
     val topics: List<String> get() = listOf(seen.x, seen.y, driven.x, driven.y)
 
     companion object {

@@ -21,16 +21,19 @@ class Trail(val times: DoubleArray, val x: DoubleArray, val y: DoubleArray) {
     /** The range of y over the same samples; null if there are none. */
     val ySpan: Span? by lazy { spanOf(y) }
 
-    /** Returns the last sample at or before [time]; -1 for none. */
+    /** Returns the index of the last sample at or before [time]; -1 if there is none. */
     fun indexAt(time: Double): Int = if (time.isNaN()) -1 else clock.lastAtOrBefore(time)
 
-    /** Returns the first sample of [visible]; all from there until [endOf] are in it, unless the clock goes back somewhere. */
+    /**
+     * Returns the index of the first sample in [visible]. All samples from there until [endOf] are in it, unless the clock goes back
+     * somewhere.
+     */
     fun startOf(visible: Span): Int = if (clock.isOrdered) clock.firstAtOrAfter(visible.from) else 0
 
-    /** Returns the sample after the last of [visible]. */
+    /** Returns the index after the last sample in [visible]. */
     fun endOf(visible: Span): Int = if (clock.isOrdered) clock.firstAfter(visible.to) else size
 
-    /** Returns whether sample [index] is a place. */
+    /** Returns whether sample [index] has a place: both coordinates are finite. */
     fun isPlace(index: Int): Boolean = x[index].isFinite() && y[index].isFinite()
 
     private fun spanOf(values: DoubleArray): Span? {

@@ -6,7 +6,7 @@ import badlog.core.recording.Topic
  * The modules of a drive: their measured values and their targets.
  *
  * @property measured the first modules that are measured.
- * @property target targets, optimized ones if there are any, that all of them have; null if there are none.
+ * @property target the targets that all measured modules have, optimized ones if possible; null if there are none.
  * @property withoutTarget the labels of the modules that lack a target in the most complete targets.
  */
 class DriveTopics private constructor(val measured: SwerveModules, val target: SwerveModules?, val withoutTarget: List<String>) {

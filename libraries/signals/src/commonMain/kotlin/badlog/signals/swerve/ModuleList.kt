@@ -37,7 +37,7 @@ internal fun moduleListsOf(names: Collection<String>): List<ModuleList> {
 /** Returns the name for people of a module that the log only numbers. */
 internal fun numberedLabel(module: Int): String = "Module $module"
 
-/** Whether [name] is of optimized targets: each module has got the direction in which it turns less. */
+/** Returns whether [name] is of optimized targets: each module is turned in the direction that needs the smaller turn. */
 internal fun isOptimized(name: String): Boolean = "optimized" in name.lowercase()
 
 internal const val MIN_MODULES = 3

@@ -10,7 +10,7 @@ import kotlin.math.PI
  * The topics of a swerve module, by their full names.
  *
  * @property label its name for people, such as `Module 2` or `Front Left`.
- * @property radians what its angles are multiplied by to get rad.
+ * @property radians the factor from its angles to rad.
  */
 class ModuleTopics internal constructor(
     val label: String,
@@ -67,7 +67,7 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
     )
 }
 
-/** Words of the motors of a module, which are parts of it. */
+/** The words in names that mean the steering motor of a module. */
 internal val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
 private val DRIVE_WORDS = setOf("drive", "driving")
 private val CORNERS = setOf("front", "back", "rear", "left", "right")

@@ -34,7 +34,7 @@ class SignalTopic internal constructor(
 /**
  * Finds the signals of [vocabulary] among the topics of a log, by their [names].
  *
- * @param timeTopic the topic of the x axis, which is not another signal; or null.
+ * @param timeTopic the topic of the x axis, which cannot be another signal; null if there is none.
  * @param empty the names of topics without samples, which are not signals.
  */
 class SignalTopics(
@@ -50,7 +50,7 @@ class SignalTopics(
     /** All topics that were recognized as signals, in the order of the vocabulary. */
     val all: List<SignalTopic> get() = vocabulary.signals.flatMap { of(it.name) }
 
-    /** Returns the topics of the signal [name]: at most one, unless it is one of many. */
+    /** Returns the topics of the signal [name]: at most one, unless the signal may have several. */
     fun of(name: String): List<SignalTopic> = found.getOrPut(name) { vocabulary.find(name)?.let(::search).orEmpty() }
 
     /** The topics that show when the robot was enabled. */

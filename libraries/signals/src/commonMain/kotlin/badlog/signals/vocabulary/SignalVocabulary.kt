@@ -13,8 +13,8 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     fun find(name: String): SignalName? = byName[name]
 
     /**
-     * Returns the signals with all their words in [text], regardless of case. Also returns the signals that they are sums of, and the ones for the
-     * match and for when the robot was enabled.
+     * Returns the signals for which [text] contains every word of the name, regardless of case. Also returns the signals that they add up,
+     * and those needed for every log, such as match, mode and battery.
      */
     fun namedIn(text: String): SignalVocabulary {
         val named = signals.filter { it.name in OF_EVERY_LOG || it.name.split(' ').all { word -> text.contains(word, ignoreCase = true) } }
@@ -29,7 +29,7 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     /** Returns the unit at the end of [name]; the longest match counts, as in “RadPerSec”. Null for none. */
     internal fun unitIn(name: String): NamedUnit? = units.filter { it.isOf(name) }.maxByOrNull { it.ending.length }
 
-    /** Returns this vocabulary with a team's, [own]: its topics come before others, and its exceptions are added. */
+    /** Returns this vocabulary with [own], a team's vocabulary: its topics come before others, and its exceptions are added. */
     fun with(own: SignalVocabulary): SignalVocabulary {
         if (own === NONE) return this
         val extended = signals.map { signal -> own.find(signal.name)?.let(signal::with) ?: signal }
@@ -97,8 +97,8 @@ private val BITS = 0..52
  * A signal, and the topics that it may be.
  *
  * @property unit its unit in rules and questions; null for the topic's own.
- * @property isMany whether every matching topic is one of it; otherwise the first pattern that matches a topic decides.
- * @property atMost the largest number that can be true, in [unit]; larger ones are not readings. Null for any.
+ * @property isMany whether every matching topic is the signal; otherwise the first pattern that matches a topic decides.
+ * @property atMost the largest possible number, in [unit]; larger ones are not readings. Null if there is no limit.
  * @property sumOf the signal with the topics that add up to this one, if it has no topic itself; or null.
  */
 class SignalName(

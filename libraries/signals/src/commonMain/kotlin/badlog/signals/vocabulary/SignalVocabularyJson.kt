@@ -10,7 +10,7 @@ import badlog.signals.json.jsonList
 import badlog.signals.json.jsonObject
 import badlog.signals.json.stringOf
 
-/** This vocabulary as a line of JSON: equal texts are equal vocabularies. */
+/** Returns this vocabulary as a line of JSON. Equal texts mean equal vocabularies. */
 fun SignalVocabulary.toJson(): String = jsonObject(
     "signals" to jsonArray(signals, ::signalJson),
     "units" to jsonList(units) { "[${quotedJson(it.ending)},${quotedJson(it.unit)}]" },
@@ -31,7 +31,7 @@ fun SignalVocabulary.Companion.fromJson(value: JsonValue): SignalVocabulary? = t
     null
 }
 
-/** Returns null for no patterns. */
+/** Returns [patterns] as a JSON array of texts; null if there are none. */
 fun patternsJson(patterns: List<NamePattern>): String? = jsonList(patterns) { quotedJson(it.text) }
 
 fun JsonFields.patterns(key: String): List<NamePattern> = strings(key).map(::NamePattern)

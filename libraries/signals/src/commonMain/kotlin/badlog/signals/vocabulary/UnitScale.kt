@@ -11,7 +11,7 @@ fun unitScale(from: String, to: String): Double? {
     return group.getValue(from.lowercase()) / group.getValue(to.lowercase())
 }
 
-/** The unit of a share of a whole that is 1, not 100, for all of it. */
+/** The unit of a fraction of a whole: 1, not 100, is the whole. */
 const val FRACTION = "fraction"
 
 private const val TURN = 360.0

@@ -3,7 +3,7 @@ package badlog.signals.match.files
 import badlog.signals.clock.ClockedLog
 
 /**
- * What wrote a file of a match.
+ * The program or device that wrote a file of a match.
  *
  * @property role its name for people and in a `match.json`.
  */
@@ -28,12 +28,12 @@ enum class FileRole(val role: String) {
 }
 
 /**
- * A log that may be of a match.
+ * A log that may belong to a match.
  *
  * @property name its name, unique among the files.
  * @property log its content.
  * @property seconds the offset of its clock, in s, if it was stated; null if it is to be found.
- * @property error by how much that may be wrong, in s, if that is stated too.
+ * @property error the possible error of [seconds], in s; null if it was not stated.
  */
 class MatchFile(val name: String, val role: FileRole, val log: ClockedLog, val seconds: Double? = null, val error: Double? = null)
 
@@ -87,7 +87,7 @@ class MatchPart(val file: MatchFile, val seconds: Double, val reason: ClockReaso
  * The files of one match.
  *
  * @property parts the files on the clock of the first, which is a robot's log.
- * @property sentences one about each missing file.
+ * @property sentences a sentence about each missing file.
  */
 class OneMatch(val parts: List<MatchPart>, val sentences: List<String>) {
     /** The robot's log that has the clock of the match. */
@@ -95,7 +95,7 @@ class OneMatch(val parts: List<MatchPart>, val sentences: List<String>) {
 }
 
 /**
- * What became of files that were given together.
+ * The matches found among files that were given together.
  *
  * @property matches the matches, in the order of their robots' logs.
  * @property left the files that are in no match, each with a sentence that says why, and what to do.

@@ -8,12 +8,12 @@ import badlog.signals.match.NaturalOrder
 import badlog.signals.match.isSameAs
 
 /**
- * Returns which of [files] belong to one match. Each log of a robot is one, with the files that fit it alone.
+ * Returns the matches among [files]. Each is a robot's log with the files that fit only this match.
  *
- * A file with a stated clock belongs here. A number or type of match that contradicts excludes any other file. Among the rest, a file is
- * taken if its clock fits by the moments of enabling or of driven motors, or by the battery voltage, and if the time of day or the number
- * of the match shows the same match: all matches have the same periods. Doubtful files are in no match. The order of [files] makes no
- * difference.
+ * A file with a stated clock belongs to the match. Any other file is excluded if its number or type of match contradicts. Among the rest, a
+ * file is taken if its clock fits by the moments of enabling or of driven motors, or by the battery voltage, and if the time of day or the
+ * number of the match shows the same match: all matches have the same periods. Doubtful files are in no match. The order of [files] makes
+ * no difference.
  */
 fun matchesOf(files: List<MatchFile>): FoundMatches {
     val sorted = files.sortedWith(compareBy<MatchFile> { it.role }.thenBy(::rankOf).thenBy(NaturalOrder) { it.name })

@@ -8,8 +8,9 @@ import badlog.signals.match.matchInName
 /**
  * Returns whether the names of a file and its folder show that it is of this log's match.
  *
- * The [name] of the file counts, or the name of its [folder] if the file has no number or time. A number that contradicts excludes. A time in the name must be during the log; if the number is the same, within
- * a day, since cameras write the time of their own zone.
+ * The [name] of the file counts, or the name of its [folder] if the file has no number or time. A contradicting number excludes the file. A
+ * time in the name must be during the log, or, if the number is the same, within a day of it, since cameras write the time of their own
+ * zone.
  */
 fun ClockedLog.isNamedAlike(name: String, folder: String): Boolean {
     val named = matchInName(name).takeIf { it.number != null } ?: matchInName(folder)

@@ -4,7 +4,7 @@ import badlog.signals.clock.ClockedLog
 import badlog.signals.match.isSameAs
 import kotlin.math.abs
 
-/** What [robots], all logs of one robot, say about [file] moved by [seconds] s to the match's clock. */
+/** The evidence in [robots], all logs of one robot, about [file], moved by [seconds] s to the match's clock. */
 internal class PlaceEvidence(file: MatchFile, seconds: Double, robots: List<MatchPart>) {
     private val clocks = robots.mapNotNull { robot -> clocksOf(file.log, robot.file.log)?.let { agree(seconds - robot.seconds, it) } }
 
@@ -18,13 +18,13 @@ internal class PlaceEvidence(file: MatchFile, seconds: Double, robots: List<Matc
     val contradicts: Boolean = clocks.any { !it }
 }
 
-/** Returns how the clock of [own] relates to the clock of [others] by the time of day. Null if one does not show it. */
+/** Returns the offset to add to the times of [own] for the clock of [others], by the time of day, in s. Null if one does not show it. */
 internal fun clocksOf(own: ClockedLog, others: ClockedLog): Double? = own.start?.let { start -> others.start?.let { start - it } }
 
 /** Whether [seconds] agrees with the clocks, [byClocks], or is an hour off, as with daylight saving time. */
 private fun agree(seconds: Double, byClocks: Double) = OFF.any { areNear(seconds - it, byClocks) }
 
-/** Whether two offsets between clocks, in s, are alike for clocks that were set by each other. */
+/** Returns whether two offsets between clocks, in s, are close enough for clocks that were set by each other. */
 internal fun areNear(one: Double, other: Double): Boolean = abs(one - other) <= NEAR
 
 /** In s: clocks are right, or an hour off. */

@@ -35,7 +35,10 @@ internal class RobotGroups(files: List<MatchFile>) {
     }
 }
 
-/** Whether the logs [one] and [other] have nearly the same topics, as two robots with one program. A coprocessor may log a few of its robot's. */
+/**
+ * Returns whether the logs [one] and [other] have nearly the same topics, as two robots with one program do. A coprocessor may log a few of
+ * its robot's topics.
+ */
 internal fun areAlike(one: Recording, other: Recording): Boolean {
     val (names, others) = namesIn(one) to namesIn(other)
     return names == others || names.count { it in others } * 2 >= maxOf(names.size, others.size)
