@@ -7,7 +7,7 @@ import java.io.OutputStream
 internal class MessageLines(private val out: OutputStream) : OutputStream() {
     private val pending = ByteArrayOutputStream()
 
-    /** Writes [message], a line without its end. */
+    /** Writes [message], a line without its line break. */
     @Synchronized
     fun send(message: String) {
         out.write("$message\n".encodeToByteArray())

@@ -23,7 +23,7 @@ import badlog.charts.match.matchesOf
 class Charts internal constructor(val all: List<Chart>, val lacking: List<String>, val undrawn: List<String>)
 
 /**
- * Returns the charts of [logs], in the order in which they were played.
+ * Returns the charts of [logs], with their matches in the order of play.
  *
  * @param checkpoint called before each chart; an exception from it stops the work and is passed on.
  */

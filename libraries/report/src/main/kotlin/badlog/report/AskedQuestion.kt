@@ -9,8 +9,8 @@ import badlog.signals.QuestionNames
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Reads the question [text] for logs of [shape], with [names]. The message about an unknown name suggests names of all [signals], not only of
- * the signals that have words of the question.
+ * Reads the question [text] for logs of [shape], with [names]. The message about an unknown name suggests names of all [signals], not only
+ * of signals that share words with the question.
  */
 internal fun askedQuestion(text: String, shape: LogShape, names: QuestionNames, signals: SignalVocabulary): ParsedQuestion {
     val asked = Question.parse(text, names.vocabulary)

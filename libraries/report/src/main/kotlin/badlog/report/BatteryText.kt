@@ -7,7 +7,7 @@ import badlog.viewer.shown.battery.BatteryColumn
 import badlog.viewer.shown.battery.BatterySeason
 import kotlinx.serialization.Serializable
 
-/** Returns [seasons] as a table for a terminal of [width] columns, and below it what to do with the batteries. */
+/** Returns [seasons] as a table for a terminal of [width] columns, and below it the advice for the batteries. */
 fun batteryText(seasons: List<BatterySeason>, width: Int = Int.MAX_VALUE): String {
     val columns = BatteryColumn.of(seasons)
     val table = TextTable(columns.map { TextTable.Column(it.title, isNumber = it.isNumber) }, width, repeated = 1)
@@ -58,7 +58,7 @@ private val CSV_COLUMNS = listOf(
     "Age (months)",
 )
 
-/** A battery in the form for other programs, in volts, milliohms, watt-hours and months. The name of the unknown one is null. */
+/** A battery in the form for other programs, in volts, milliohms, watt-hours and months. The name of an unknown battery is null. */
 @Serializable
 class BatteryJson private constructor(
     private val battery: String?,

@@ -7,7 +7,7 @@ import badlog.files.LogFile
 import badlog.files.withShutdownHook
 
 /**
- * Does [work] on the [files] that are not in [cache]. Passes it the number of cores that it may use. Passes all results to [each], in the
+ * Calls [work] for each of [files] that is not in [cache], with the number of cores that it may use. Passes all results to [each], in the
  * order of the files and on this thread. Lasting results are then stored in the cache's file, even if [each] throws, the thread is
  * interrupted, or the program is asked to end.
  *

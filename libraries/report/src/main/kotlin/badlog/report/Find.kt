@@ -31,7 +31,7 @@ import java.nio.file.Path
  * @param cache a folder for cached results, so that an unchanged file is not read again; null for none.
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
  * @param signals the names of topics that the question refers to by their meaning.
- * @param maker makes one log of a file with several in it; null if no such file is read.
+ * @param maker makes one log from a file that contains several; null if no such file is read.
  */
 class Find(
     private val question: String,

@@ -75,5 +75,5 @@ class UndefinedJson private constructor(private val definition: String, private 
     constructor(error: ExpressionError) : this(UndefinedTopic(error))
 }
 
-/** JSON has only finite numbers. */
+/** Returns [value] if it is finite, otherwise null: JSON has only finite numbers. */
 internal fun finite(value: Double?): Double? = value?.takeIf { it.isFinite() }

@@ -15,10 +15,10 @@ import kotlinx.serialization.Serializable
  * The result of a question for one file.
  *
  * @property file the file.
- * @property title the match, from its values; null if they do not have it, or the file cannot be read.
+ * @property title the match, according to the log's values; null if they do not name it, or if the file cannot be read.
  * @property reply the reply.
  * @property undefined the virtual topics that could not be calculated.
- * @property isSalvaged whether data of the log is lost, so that the answer is about the rest.
+ * @property isSalvaged whether part of the log is lost, so that the reply covers only the rest.
  */
 class FindResult internal constructor(
     val file: LogFile,
@@ -29,8 +29,8 @@ class FindResult internal constructor(
 )
 
 /**
- * Returns the mistake in the question that led to [results]; null if it was valid for a log. A missing topic is not a mistake if another log
- * has it. If the question failed for several logs, the log that understood most of it decides.
+ * Returns the mistake in the question that led to [results]; null if it was valid for a log. A missing topic is not a mistake if another
+ * log has it. If the question failed for several logs, the mistake that is farthest into the question counts.
  */
 fun mistakeIn(results: List<FindResult>): Reply.NotAsked? {
     if (results.any { it.reply is Reply.Answered || it.reply is Reply.LeftOut }) return null
@@ -103,7 +103,7 @@ sealed interface Reply {
         val pointed: String,
         val isOfHeader: Boolean = false,
     ) : Reply {
-        /** The length of the part of the question that the log understood. */
+        /** The position of the error in the question, from 0. */
         internal val place: Int get() = pointed.substringAfterLast('\n').indexOf('^')
     }
 

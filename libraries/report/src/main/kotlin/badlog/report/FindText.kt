@@ -8,9 +8,9 @@ import badlog.files.terminal.TextTable.Column
 import badlog.rules.timeText
 
 /**
- * Returns the logs in which the question holds, as a table at most [width] columns wide. Its columns: match, file, time and value. Below it
- * are the numbers of other logs with the reasons, except for unreadable ones. If the question asks for a number, the table has all logs
- * with that number.
+ * Returns the logs in which the question holds, as a table at most [width] columns wide. Its columns: match, file, time and value. Below
+ * it, the other logs are counted by reason, except for unreadable ones. If the question asks for a number, the table has all logs with that
+ * number.
  */
 fun findText(results: List<FindResult>, width: Int = TEXT_WIDTH): String {
     val found = results.filter(::isFound)
@@ -30,12 +30,12 @@ fun findText(results: List<FindResult>, width: Int = TEXT_WIDTH): String {
     return lines.joinToString("\n")
 }
 
-/** The usual width of texts that are not for a certain terminal. */
+/** The usual width of texts, in columns, unless a terminal requires another one. */
 internal const val TEXT_WIDTH = 100
 
 private val COLUMNS = listOf(Column("Match"), Column("File"), Column("Time", isWhole = true), Column("Value"))
 
-/** Returns whether the question holds there, or there is the number it asks for. */
+/** Returns whether the question holds in the log of [result], or the log has the number that it asks for. */
 internal fun isFound(result: FindResult): Boolean = when (val reply = result.reply) {
     is Reply.Answered -> when (reply.outcome) {
         Outcome.HOLDS -> true

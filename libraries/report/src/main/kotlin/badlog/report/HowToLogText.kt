@@ -4,8 +4,8 @@ import badlog.signals.logging.LoggingLibrary
 import badlog.signals.logging.howToLog
 
 /**
- * Returns the lines of a robot program that log the first of [signals], which a log lacks, with WPILib alone. Null if nothing is known of
- * them. The report's JSON has the lines of other libraries.
+ * Returns the lines of a robot program that log the missing [signals] with WPILib alone, at most [MAX_LINES]. Null if no line is known for
+ * any of them. The report's JSON has the lines of other libraries.
  */
 internal fun howToLogText(signals: List<String>): String? {
     val lines = signals.mapNotNull { howToLog(it, LoggingLibrary.WPILIB) }.distinct().take(MAX_LINES)
@@ -16,7 +16,9 @@ internal fun howToLogText(signals: List<String>): String? {
         lines.joinToString("\n") { "  $it" }
 }
 
-/** Returns the line that logs each of [signals] with each library, by the library's title. Only for signals that a program can log. */
+/**
+ * Returns, for each of [signals], the line that logs it with each library, by the library's title. Signals without such a line are omitted.
+ */
 internal fun howToLogAll(signals: List<String>): Map<String, Map<String, String>> = signals.associateWith { signal ->
     LoggingLibrary.entries.mapNotNull { library -> howToLog(signal, library)?.let { library.title to it } }.toMap()
 }.filterValues { it.isNotEmpty() }

@@ -55,9 +55,7 @@ internal class QuestionClauses private constructor(val question: String, val con
     }
 }
 
-/**
- * Returns whether [condition] is true for a log with the header values [values]. If it is invalid for them, also returns why.
- */
+/** Returns whether [condition] is true for a log with the header values [values]. If it is invalid for them, also returns the error. */
 internal fun holdsFor(values: List<Value>, condition: String): Pair<Boolean, Reply.NotAsked?> {
     val signals = HeaderSignals(values)
     return when (val parsed = Expression.parse(condition, signals.vocabulary)) {

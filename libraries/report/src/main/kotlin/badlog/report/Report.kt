@@ -32,15 +32,15 @@ import java.nio.file.Path
 /**
  * Runs rules, and hooks of the user, over many logs.
  *
- * @param rules what to look for.
+ * @param rules the rules to run.
  * @param hooks programs to run for each log; their findings join the rules' findings.
  * @param virtualTopics definitions of topics that the rules may use beside a log's own, such as `Power = Voltage * Current`.
  * @param cache a folder for cached results, so that an unchanged file is not read again; null for none. Results of hooks are not
  *   cached, because their dependencies are unknown.
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own, or its column of time.
- * @param beside returns the view on which rules run: usually the given one, or that with another log added. Called on many
- *   threads; such findings are not cached.
- * @param maker makes one log of a file with several in it; null if no such file is read.
+ * @param beside returns the view on which rules run: usually the given one, or the given one with another log added. Called on many
+ *   threads; the findings are then not cached.
+ * @param maker makes one log from a file that contains several; null if no such file is read.
  * @param measures whether the numbers of each log are needed even if no rule compares logs.
  */
 class Report(
@@ -62,9 +62,10 @@ class Report(
     /**
      * Runs the rules over each of [files], on all cores. Then compares the logs with each other, and runs the hooks.
      *
-     * @param progress called on this thread with the number of files done, several times a second; hooks and [each] are half of the work.
-     * @param each receives each result on this thread, once all logs were compared, with everything that the hooks returned, which
-     *   is not kept in memory afterwards; null for nothing. An exception from it or from [progress] stops the work and is passed on.
+     * @param progress called on this thread with the number of files done, several times a second. With hooks or [each], which are the
+     *   second half of the work, each file counts twice.
+     * @param each receives each result and the outcomes of its hooks on this thread, once all logs were compared; null for nothing. The
+     *   outcomes are not kept in memory afterwards. An exception from it or from [progress] stops the work and is passed on.
      * @throws InterruptedException if the thread was interrupted.
      */
     fun over(

@@ -65,7 +65,7 @@ internal class FindingJson(
     )
 }
 
-/** An incident: what came first, and what followed, each as a sentence with its evidence. */
+/** An incident: its description in sentences with evidence, and the rules that found its causes and effects. */
 @Serializable
 internal class IncidentJson(
     private val name: String,
@@ -108,7 +108,7 @@ class SkippedJson private constructor(private val rule: String, private val mess
     constructor(skipped: SkippedRule) : this(skipped.rule, skipped.message, skipped.isMistake)
 }
 
-/** What rules could not look at in a log, in the form for other programs. */
+/** The numbers of rules that ran and were skipped for a log, and the missing signals, in the form for other programs. */
 @Serializable
 internal class NotLookedAtJson(
     private val rulesRan: Int,
@@ -120,6 +120,6 @@ internal class NotLookedAtJson(
     constructor(unseen: NotLookedAt) : this(unseen.ran, unseen.skippedCount, unseen.lacking, unseen.text, howToLogAll(unseen.lacking))
 }
 
-/** A hook that failed for a log, and why, in the form for other programs. */
+/** A hook that failed for a log, with the reason, in the form for other programs. */
 @Serializable
 class HookFailureJson(private val hook: String, private val message: String)

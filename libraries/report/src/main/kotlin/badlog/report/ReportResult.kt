@@ -34,17 +34,16 @@ class ReportResult internal constructor(val logs: List<LogReport>, val skipped: 
  * @property matchType the type of the match, such as `Qualification`, from the log or its file's name; null if neither has it.
  * @property match the match, from the log or its file's name; from the name alone if the file cannot be read.
  * @property began the local time of its beginning, in s since 1970, from the log or its file's name; null if neither has it.
- * @property findings the findings, the worst first, and within a severity in the order of time.
+ * @property findings the findings, the worst first; see `worstFirst`.
  * @property incidents the findings that belong together, causes before effects; the worst incident first.
- * @property skipped the rules that were skipped for it, in the order of the rules; a rule that is a mistake here may be valid
- *   for another log.
+ * @property skipped the rules that were skipped for it, in the order of the rules; a rule with a mistake here may be valid for another log.
  * @property unreadable why the file cannot be read or is not a log, as a sentence; null if it could be read.
  * @property isNoLog whether it is [unreadable] because it is not a log.
- * @property isSalvaged whether data of the log is lost, so that the findings are about the rest.
+ * @property isSalvaged whether part of the log is lost, so that the findings cover only the rest.
  * @property undefined the virtual topics that could not be calculated.
  * @property hookFailures the hooks that failed for it.
  * @property numbers numbers that summarize all of it, such as the resistance of its battery.
- * @property differences its differences from the others of the report.
+ * @property differences its differences from the other logs of the report.
  * @property battery its data about the robot's battery; null if it has none.
  */
 class LogReport internal constructor(

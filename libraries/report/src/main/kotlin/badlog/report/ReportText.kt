@@ -51,7 +51,7 @@ private fun rowsOf(incident: Incident): List<List<String>> {
     return if (incident.next.isEmpty()) sentences else sentences + listOf(listOf("", "next".padEnd(SEVERITY_WIDTH), incident.next))
 }
 
-/** Returns what was skipped, and why: rules, virtual topics and hooks, each as a sentence or more. */
+/** Returns the skipped rules, virtual topics and hooks with the reasons, each as one or more sentences. */
 fun notesOf(result: ReportResult): List<String> {
     val readable = result.logs.filter { it.unreadable == null }
     val (builtIn, others) = result.skipped.partition { it.isBuiltIn && !it.isMistake }
@@ -89,7 +89,7 @@ private fun builtInText(skipped: List<SkippedRule>): String? {
     return "${count(skipped.size, "built-in rule")} did not run over some of these logs; see badlog info --signals.$needed"
 }
 
-/** Returns each hook in [failures] with what went wrong: a hook that fails for one log usually fails for all. */
+/** Returns a text for each hook in [failures], with its first error: a hook that fails for one log usually fails for all. */
 internal fun hookTexts(failures: List<Pair<HookFailure, LogFile>>): List<String> =
     failures.groupBy { (failure, _) -> failure.hook }.map { (hook, alike) ->
         val (failure, file) = alike[0]

@@ -33,8 +33,8 @@ class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val ent
         /**
          * Reads [files] on all cores, except for files with cached results.
          *
-         * @param folders the folders in which they were found; the files of batteries are searched up to their common folder.
-         * @param cache a folder for results of logs, which the window uses, too; null for none.
+         * @param folders the folders in which they were found; files of batteries are searched for up to their common folder.
+         * @param cache a folder for cached results, shared with the window; null for none.
          * @param progress called on this thread with the number of files done.
          */
         fun over(
@@ -82,7 +82,7 @@ class SeasonOfLogs private constructor(val seasons: List<BatterySeason>, val ent
     }
 }
 
-/** Returns the folder with all [files] and [folders] in it or below it; null if there are neither. */
+/** Returns the lowest folder that contains all [files] and [folders], or is one of the folders; null if there are neither. */
 internal fun commonFolderOf(files: List<LogFile>, folders: List<Path> = emptyList()): Path? =
     (files.map { it.path.toAbsolutePath().normalize().parent } + folders.map { it.toAbsolutePath().normalize() }.filter(Files::isDirectory))
         .reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one.root }

@@ -2,9 +2,7 @@ package badlog.report
 
 import badlog.files.LogFile
 
-/**
- * Returns the name of each of [files] in a table. It is its file name or, if several have the same, its path in their common folder.
- */
+/** Returns a name in tables for each of [files]. It is the file name or, if several have the same, the path in their common folder. */
 internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.groupBy { it.name }.values.flatMap { alike ->
     if (alike.size == 1) return@flatMap listOf(alike[0] to alike[0].name)
     val paths = alike.map { it.path.toAbsolutePath().normalize() }
@@ -13,7 +11,7 @@ internal fun shortNames(files: List<LogFile>): Map<LogFile, String> = files.grou
     alike.mapIndexed { index, file -> file to common.relativize(paths[index]).toString() }
 }.toMap()
 
-/** Returns the longest beginning of [text] that takes at most [bytes] bytes, for a file name. */
+/** Returns the longest beginning of [text] that takes at most [bytes] bytes in UTF-8, for a file name. */
 fun startOfBytes(text: String, bytes: Int): String {
     var end = minOf(text.length, bytes)
     while (text.substring(0, end).encodeToByteArray().size > bytes || (end > 0 && text[end - 1].isHighSurrogate())) end--

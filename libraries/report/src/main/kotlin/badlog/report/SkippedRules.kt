@@ -16,7 +16,7 @@ internal class SkippedRules(private val rules: RuleSet) {
         asked.mapNotNull { skipped(ruleOf.getValue(it.rule), listOf(it to 1)) }
     }
 
-    /** Returns the rules skipped for some of [logs], in the order of the rules; [readable] of them could be read. */
+    /** Returns the rules skipped for some of [logs], in the order of the rules; [readable] is the number of logs that could be read. */
     fun ofAll(logs: List<List<RuleOutcome>>, readable: Int): List<SkippedRule> {
         val times = IdentityHashMap<List<RuleOutcome>, Int>()
         for (asked in logs) times.merge(asked, 1, Int::plus)

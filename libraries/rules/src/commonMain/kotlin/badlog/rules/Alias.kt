@@ -12,10 +12,10 @@ import badlog.signals.vocabulary.unitScale
  * A name in a file of rules for a topic that has different names in different logs.
  *
  * @property names the patterns; the first that matches a topic counts.
- * @property unit the unit in which rules get the numbers, or null for the topic's own.
+ * @property unit the unit of the numbers that rules receive; null for the topic's own.
  */
 internal class Alias(val name: String, val names: List<NamePattern>, val unit: String?) {
-    /** Returns the one of [signals] that it means, or null. */
+    /** Returns the one of [signals] that the name refers to; null if there is none. */
     fun find(signals: List<Signal>): NamedSignal? = names.firstNotNullOfOrNull { pattern ->
         signals.firstNotNullOfOrNull { if (pattern.matches(it.name)) named(it) else null }
     }

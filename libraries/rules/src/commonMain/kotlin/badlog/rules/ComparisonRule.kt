@@ -9,12 +9,12 @@ import badlog.rules.standing.PROVEN_TRUST
  * @property name its name, unique in a set of rules.
  * @property severity how serious it is.
  * @property group its subject.
- * @property next what to look at next, as a sentence; empty if not given.
- * @property signals the signals with the topics that have the numbers.
+ * @property next the next step, as a sentence; empty if not given.
+ * @property signals the names of the signals with the numbers to compare.
  * @property deviations the minimum distance of a number from the median of the others, in multiples of their usual distance from it.
  * @property percent the minimum distance from the median, in percent of it.
- * @property findings the maximum number of numbers of a log that become findings, the farthest first.
- * @property others the minimum number of other logs with the number.
+ * @property findings the maximum number of findings in a log, the farthest numbers first.
+ * @property others the minimum number of other logs that a number is compared with.
  * @property trust how far its findings can be relied on, from 0 to [PROVEN_TRUST].
  */
 class ComparisonRule internal constructor(
@@ -37,7 +37,7 @@ class ComparisonRule internal constructor(
         /** The placeholders that its text may have. */
         val PLACES = listOf("topic", "when", "value", "difference", "usual", "others")
 
-        /** With fewer, their usual distance from each other is unknown. */
+        /** The lowest number of other logs that a rule may ask for. With fewer, the usual distance is unknown. */
         const val MIN_OTHERS = 5
     }
 }

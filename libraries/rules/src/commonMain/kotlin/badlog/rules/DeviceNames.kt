@@ -17,7 +17,7 @@ import badlog.signals.vocabulary.NamePattern
  * @property subsystem the part of the robot that it belongs to; empty if the team does not give it.
  */
 class NamedDevice(val type: String, val id: Int, val name: String, val subsystem: String) {
-    /** Whether only the type could distinguish it from a device with the same id. */
+    /** Whether it has no type, so that any type of device with its id matches. */
     internal val isOfAnyType: Boolean get() = type.isEmpty()
 
     internal fun isOf(address: BusAddress): Boolean {
@@ -41,7 +41,7 @@ class NamedDevice(val type: String, val id: Int, val name: String, val subsystem
 
 /** A team's names for the [devices] on its CAN bus; logs name them by their types and ids. */
 class DeviceNames(val devices: List<NamedDevice>) {
-    /** Returns [device], a device as logs name it, with its name if it has one. For example: `Front left drive (Drive, TalonFX 3)`. */
+    /** Returns [device], named as in logs, with the team's name if it has one. For example: `Front left drive (Drive, TalonFX 3)`. */
     internal fun deviceText(device: String): String {
         val named = find(device) ?: return device
         val address = BusAddress.of(device)?.let { "${it.type} ${it.id}" }

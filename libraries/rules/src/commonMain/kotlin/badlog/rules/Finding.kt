@@ -12,19 +12,19 @@ import badlog.rules.standing.PROVEN_TRUST
  * @property severity how serious it is.
  * @property topic the topic it is about; null if there is none.
  * @property text the finding as a sentence: the rule's text with values filled in.
- * @property time where to look first, in the unit of x; NaN if it is about the whole log.
- * @property spans when it was found, at most the first [MAX_SPANS], or [MAX_PLACES] if all were requested; a moment has a span
- *   without width. Empty if it is about the whole log.
- * @property spanCount how often it was found.
+ * @property time the time to look at first, in the unit of x; NaN if it is about the whole log.
+ * @property spans the spans in which it was found, at most the first [MAX_SPANS], or [MAX_PLACES] if all were requested; a moment has a
+ *   span without width. Empty if it is about the whole log.
+ * @property spanCount the number of times it was found.
  * @property timeUnit the unit of all times; empty if x has none.
  * @property isOfHook whether a hook found it, rather than a rule.
- * @property evidence the full names of the topics that show it, first the topics of the rule's condition.
- * @property next what to look at next, as a sentence; empty if not given.
+ * @property evidence the full names of the topics that show it, starting with the topics of the rule's condition.
+ * @property next the next step, as a sentence; empty if not given.
  * @property caveats reasons to doubt it, each as a sentence: a rarely sampled topic, samples that were left out.
- * @property isForEach whether the rule runs for each of many topics, here for [topic]. Then the same rule about another topic is another
- *   fault.
+ * @property isForEach whether the rule runs for each of many topics, here for [topic]. A finding of the same rule about another topic is
+ *   then a separate fault.
  * @property trust how far its rule can be relied on, from 0 to [PROVEN_TRUST].
- * @property meanwhile the signals that were unusual nearly each time, by their names.
+ * @property meanwhile the names of the signals that were unusual nearly each time.
  * @property texts the sentence for each of [spans], with its own values; empty if [text] applies to all of them.
  */
 class Finding(
@@ -48,25 +48,25 @@ class Finding(
     /** Returns the sentence about [place], one of [places]. */
     fun textAt(place: Span): String = texts.getOrNull(spans.indexOf(place)) ?: text
 
-    /** Returns the one of [places] that lasts over [x] or is nearest to it; null if there are none. */
+    /** Returns the one of [places] that contains [x] or is nearest to it; null if there are none. */
     fun placeNear(x: Double): Span? = places.minByOrNull { maxOf(it.from - x, x - it.to, 0.0) }
 
-    /** All places where it was found, the one to look at first before the others. Empty if it is about the whole log. */
+    /** The places where it was found, starting with the one to look at first. Empty if it is about the whole log. */
     val places: List<Span>
         get() = if (time.isFinite()) spans.ifEmpty { listOf(Span(time, time)) } else emptyList()
 
     companion object {
-        /** The maximum number of [spans] of a finding, which also decide what belongs to an incident. */
+        /** The maximum number of [spans] of a finding; incidents depend only on these. */
         const val MAX_SPANS: Int = 100
 
-        /** The maximum number of places that a person can go through. */
+        /** The maximum number of [spans] if all were requested, so that a person can go through them. */
         const val MAX_PLACES: Int = 10_000
     }
 }
 
 /**
- * Returns the findings, the worst first. Within a severity, findings of the most trusted rules come first, then in the order of time; findings
- * about the whole log come before findings with a place.
+ * Returns these findings, the worst first. Within a severity, findings of more trusted rules come first, then earlier findings. Findings
+ * about the whole log come before equally trusted ones with a place.
  */
 fun List<Finding>.worstFirst(): List<Finding> =
     sortedWith(compareBy({ -it.severity.ordinal }, { -it.trust }, { if (it.time.isNaN()) Double.NEGATIVE_INFINITY else it.time }))

@@ -3,8 +3,8 @@ package badlog.rules
 import badlog.core.analysis.Span
 
 /**
- * Returns [hits]; if they are many, those that follow each other soon are joined: something that flickers is one thing. Soon is within a second; for
- * short hits, the time is doubled until few are left, but not beyond 8 s.
+ * Returns [hits]; if there are many, hits less than a second apart are joined, because flicker is one event. If most hits are short, the
+ * gap is doubled until few are left, up to 8 s.
  */
 internal fun joinedHits(hits: List<Span>): List<Span> {
     if (hits.size <= MAX_HITS) return hits

@@ -9,7 +9,10 @@ import badlog.signals.NamedSignal
 /** A channel of the power distribution, and its mean current. */
 internal class LargestChannel(val topic: String, val amperes: Double)
 
-/** Returns the [channels] that drew most within [spans], the largest first, at most [MAX_CHANNELS]; [end] is when the log ends. */
+/**
+ * Returns the [channels] with the largest mean currents within [spans], the largest first, at most [MAX_CHANNELS]. [end] is the end of the
+ * log.
+ */
 internal fun largestChannels(channels: List<NamedSignal>, spans: List<Span>, samples: NamedSamples, end: Double): List<LargestChannel> {
     if (channels.isEmpty() || spans.isEmpty()) return emptyList()
     val ordered = spans.sortedBy { it.from }

@@ -14,7 +14,7 @@ import badlog.signals.namesWith
  * @property ran the number of rules that ran.
  */
 class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>, val ran: Int = 0) {
-    /** Returns these with the result of [asked]. */
+    /** Returns these findings, with the result [asked] added. */
     operator fun plus(asked: RuleResult): LogFindings = LogFindings(
         findings + asked.findings,
         skipped + listOfNotNull(asked.refusal?.of(asked.rule, logs = 1)),
@@ -29,9 +29,9 @@ class LogFindings(val findings: List<Finding>, val skipped: List<SkippedRule>, v
  * @property logs the number of logs for which it was skipped.
  * @property message why it was skipped for the first of them.
  * @property isMistake whether the rule itself is wrong; [message] then points at the mistake in the file of rules.
- * @property isBuiltIn whether it is a built-in rule; few logs have the topics for all of those.
- * @property lacking the signal that the first of those logs has no topic for; null for another reason.
- * @property simulated why the first of those logs is of a simulated robot, if it was skipped for that; otherwise null.
+ * @property isBuiltIn whether it is a built-in rule; few logs have the topics for all built-in rules.
+ * @property lacking the signal that is missing in the first of those logs; null if there is another reason.
+ * @property simulated why the first of those logs is considered simulated, if that is the reason; otherwise null.
  */
 class SkippedRule(
     val rule: String,
@@ -42,7 +42,7 @@ class SkippedRule(
     val lacking: String? = null,
     val simulated: String? = null,
 ) {
-    /** Returns a sentence, or more if the rule is wrong. */
+    /** Returns the reason as a sentence, or as several if the rule is wrong. */
     override fun toString(): String = if (isMistake) {
         "The rule “$rule” is wrong. $message"
     } else {
@@ -68,8 +68,8 @@ fun RuleSet.over(view: LogView, file: String, isEverywhere: Boolean = false, bef
 }
 
 /**
- * Returns the rules that would be skipped for [view] with the virtual topics of [definitions]. The log was read from a file called [file]; it needs
- * no samples.
+ * Returns the rules that would be skipped for [view] with the virtual topics of [definitions]. [view] was read from a file called [file],
+ * and needs no samples.
  */
 fun RuleSet.skippedFor(view: LogView, file: String, definitions: List<String> = emptyList()): List<SkippedRule> {
     val defined = vocabularyWith(view.namesWith(signals), definitions).let { all ->

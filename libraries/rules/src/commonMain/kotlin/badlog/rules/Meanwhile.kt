@@ -10,14 +10,14 @@ import badlog.signals.NamedSignal
  *
  * @property signal its name.
  * @property title its name, or its topic's if others have the same name.
- * @property most the largest value then.
+ * @property most the largest value while the rule held.
  * @property usual the median of the log; [most] is more than twice as large.
  */
 internal class Meanwhile(val signal: String, val title: String, val most: Double, val usual: Double, val unit: String)
 
 /**
- * Returns the [others] that rose with [spans]. They rose to more than twice their usual value, nearly each time, or just before, and hardly
- * ever elsewhere. It says what happened at the same time, not which led to which.
+ * Returns the [others] that rose during [spans]. They rose to more than twice their usual value, during nearly each span or just before,
+ * and hardly ever elsewhere. This shows coincidence, not cause.
  */
 internal fun unusualWithin(spans: List<Span>, others: List<NamedSignal>, samples: NamedSamples): List<Meanwhile> {
     if (spans.isEmpty()) return emptyList()

@@ -4,10 +4,10 @@ import badlog.core.analysis.Series
 import badlog.expression.signals.Signals
 
 /**
- * The texts of the state or event topic [name] of [signals] where [question] found something in it.
+ * The texts of the state or event topic [name] of [signals] at the places that [question] found.
  *
- * Several messages may share a time, as in a Driver Station log, or a cell, if rows were made of them. Then only the messages that the question is
- * about are returned, not the ones that happened to be logged with them.
+ * Several messages may share a time, as in a Driver Station log, or a cell, if the log was converted to rows. Then only the messages that
+ * the question is about are returned, not the ones that happened to be logged with them.
  */
 internal class Messages(private val question: RuleProgram.Question, private val signals: Signals, private val name: String) {
     private val series = signals.series(name)

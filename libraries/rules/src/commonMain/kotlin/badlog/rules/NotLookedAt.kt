@@ -4,9 +4,9 @@ package badlog.rules
  * The rules that could not run on a log, usually because they are made for logs with other topics. Rules with a mistake are not among them.
  *
  * @property ran the number of rules that ran.
- * @property skippedCount the number of rules that did not.
- * @property lacking the signals that the log has no topic for, the most needed first; empty for a simulated robot.
- * @property simulated why the log is of a simulated robot; null if it is not.
+ * @property skippedCount the number of rules that could not run.
+ * @property lacking the signals that are missing in the log, the most needed first; empty for a simulated robot.
+ * @property simulated why the log is considered simulated; null if it is not.
  */
 class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
     private val others = skipped.filter { !it.isMistake }
@@ -26,7 +26,7 @@ class NotLookedAt(val ran: Int, skipped: List<SkippedRule>) {
         }
 }
 
-/** Returns the signals that logs lack for the rules [skipped], the most needed first. */
+/** Returns the signals that were missing for the rules [skipped], the most needed first. */
 fun lackingIn(skipped: List<SkippedRule>): List<String> = skipped.mapNotNull { it.lacking }.groupBy { it }.entries
     .sortedByDescending { it.value.size }.map { it.key }
 

@@ -11,8 +11,8 @@ const val PART_VALUE: String = "Part"
 internal enum class LogEdge { START, END }
 
 /**
- * Returns whether this has the [edge] of a run. If so, it was not cut out of a log, its first line was read, and its end is complete. A
- * file that was copied in part or is still being written ends in the middle of a row or a record.
+ * Returns whether this recording contains the [edge] of a run. A part that was cut out of a log has neither edge; nor has a log with an
+ * unreadable header. A file that was copied in part, or is still being written, has no end: it stops in the middle of a row or a record.
  */
 internal fun Recording.has(edge: LogEdge): Boolean {
     val damage = if (edge == LogEdge.START) NO_START else NO_END

@@ -14,11 +14,11 @@ import badlog.rules.standing.trustOf
  * @property only the types of match to which it applies; empty for all.
  * @property group its subject, such as `power`; empty for none, and in rules that were read from JSON.
  * @property reason why the rule exists, as a sentence; empty if not given, and in rules that were read from JSON.
- * @property next what to look at next if it holds, as a sentence; empty if not given.
- * @property checklist what to check before each match so that it does not happen; empty if not given, and in rules of a page.
- * @param isAboutProgram whether it is about messages of the program and inputs of the drivers, which a simulated robot has, too.
+ * @property next the next step if it holds, as a sentence; empty if not given.
+ * @property checklist the item to check before each match to prevent it; empty if not given, and in rules of a page.
+ * @param isAboutProgram whether it is about the program's messages or the drivers' inputs, which a simulated robot also has.
  * @property trust how far its findings can be relied on, from 0 to [PROVEN_TRUST]; see [trustOf].
- * @property isOncePerEvent whether findings of several topics at the same times are one.
+ * @property isOncePerEvent whether findings for several topics at the same times count as one.
  */
 class Rule internal constructor(
     val name: String,
@@ -40,7 +40,7 @@ class Rule internal constructor(
     internal val isOncePerEvent: Boolean = false,
     val trust: Double = PROVEN_TRUST,
 ) {
-    /** Whether it may accuse a robot; a rule that a team wrote may. */
+    /** The standing of the rule; a rule that a team wrote is proven. */
     val standing: Standing get() = Standing.of(trust)
 
     /** Whether it is a built-in rule: users need not look for a mistake in it. */

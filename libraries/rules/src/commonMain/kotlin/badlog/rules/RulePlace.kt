@@ -3,10 +3,10 @@ package badlog.rules
 /**
  * The place of a text in a file of rules.
  *
- * @property lineNumber counted from 1.
+ * @property lineNumber the number of the line, counted from 1.
  * @property line the whole line.
- * @property column where the text begins in [line], from 0.
- * @property literal the text, if the file contains it literally.
+ * @property column the place in [line] where the text begins, counted from 0.
+ * @property literal the text, if the file contains it literally; otherwise null.
  */
 internal class RulePlace(val lineNumber: Int, val line: String, val column: Int, val literal: String?) {
     /** Returns [message] about the text from [from] until [until], with the line and carets below it. */

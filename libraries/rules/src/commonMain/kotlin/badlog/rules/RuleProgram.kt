@@ -34,7 +34,7 @@ import kotlin.coroutines.cancellation.CancellationException
  * The result of a rule for a log.
  *
  * @property rule the rule.
- * @property findings what it found; empty if it was skipped.
+ * @property findings the findings of the rule; empty if it was skipped.
  * @property refusal why it was skipped; null if it was not.
  */
 class RuleResult internal constructor(val rule: Rule, val findings: List<Finding>, val refusal: Refusal?)
@@ -43,9 +43,10 @@ class RuleResult internal constructor(val rule: Rule, val findings: List<Finding
  * Why a rule is skipped for a log.
  *
  * @property message the reason, such as "no topic is called “Arm”".
- * @property mistake the place in the file of rules if the rule itself seems to be wrong; null if it is only not made for this log.
- * @property lacking the signal that the log has no topic for; null for another reason.
- * @property simulated why the log is of a simulated robot, if that is the reason; otherwise null.
+ * @property mistake the message with its place in the file of rules, if the rule itself seems to be wrong; null if it merely does not suit
+ *   this log.
+ * @property lacking the signal that is missing in the log; null for another reason.
+ * @property simulated why the log is considered simulated, if that is the reason; otherwise null.
  */
 class Refusal internal constructor(
     val message: String,
@@ -76,7 +77,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         val others: List<NamedSignal> = emptyList(),
     ) : Parsed
 
-    /** Why an expression cannot be evaluated. */
+    /** An expression that cannot be evaluated, with the reason. */
     internal class Refused(val refusal: Refusal) : Parsed
 
     /** A prepared rule: its [questions], or why there are none. */
@@ -142,7 +143,10 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
     /** In the order of the rules. */
     private val steps: List<Step> = rules.rules.map(::stepOf)
 
-    /** The names of the topics with samples that the rules need. Without the time and the topics that show when the robot was enabled. */
+    /**
+     * The names of the topics that the rules need with their samples. The time, and the topics that show when the robot was enabled, are
+     * not included.
+     */
     val topics: Set<String> = steps.flatMap { it.questions }.flatMapTo(LinkedHashSet(), ::topicsOf) +
         namesOfKind(vocabulary.signals.map { it.name }) + signals.of("battery").map { it.topic }
 
@@ -177,7 +181,7 @@ class RuleProgram(private val rules: RuleSet, private val shape: LogShape) {
         RuleResult(step.rule, emptyList(), Refusal(text, mistake = text))
     }
 
-    /** Returns the rules that are skipped for [recording], which was read from a file called [file], and why. */
+    /** Returns the rules that are skipped for [recording], each with the reason. [recording] was read from a file called [file]. */
     internal fun refusals(recording: Recording, file: String): List<Pair<Rule, Refusal>> {
         val type = rules.signals.matchOf(recording, file).type
         return steps.mapNotNull { step -> step.refusal?.takeIf { step.rule.isFor(type) }?.let { step.rule to it } }

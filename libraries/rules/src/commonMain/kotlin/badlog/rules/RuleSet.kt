@@ -6,9 +6,9 @@ import badlog.signals.vocabulary.SignalVocabulary
 /**
  * Rules to run over logs, and the names they use. `docs/rules.md` has the format of their file.
  *
- * @property rules in the order of the file; no two have the same name.
+ * @property rules the rules, in the order of the file; no two have the same name.
  * @property signals the names of topics that rules refer to by their meaning.
- * @property causes which findings lead to which.
+ * @property causes the causes and effects among findings.
  * @property comparisons rules that compare a log with the team's others.
  * @property devices the team's names for the devices on its CAN bus.
  */

@@ -20,10 +20,10 @@ import badlog.signals.vocabulary.patternsJson
 import badlog.signals.vocabulary.toJson
 
 /**
- * Returns these rules as a line of JSON, with everything that decides their findings in a log. It is in every page, so reasons are omitted; the guide
- * has them.
+ * Returns these rules as a line of JSON, with everything that decides their findings in a log. Every page contains that line, so reasons
+ * are omitted; the guide has them.
  *
- * @param haveChecklist whether rules also have parts that pages do not show: their lines of the checklist, and the sentences of silent rules.
+ * @param haveChecklist whether to add the parts that pages do not show: the items of the checklist, and the sentences of silent rules.
  */
 fun RuleSet.toJson(haveChecklist: Boolean = false): String = jsonObject(
     "aliases" to jsonList(aliases, ::aliasJson),
@@ -102,18 +102,18 @@ private fun ruleOf(value: JsonValue): Rule {
     )
 }
 
-/** Returns the severity with this [name], in whatever case. */
+/** Returns the severity called [name], regardless of case. */
 internal fun severityOf(name: String): Severity =
     Severity.entries.find { it.name.equals(name, ignoreCase = true) } ?: throw UnreadableJsonException()
 
-/** Returns the text parsed from [source], which may have only these [places]. */
+/** Returns the text parsed from [source], which may contain only the placeholders [places]. */
 internal fun textOf(source: String, places: List<String> = RuleText.PLACES): RuleText = try {
     RuleText.parse(source, places)
 } catch (_: RuleText.Mistake) {
     throw UnreadableJsonException()
 }
 
-/** Returns [trust] as JSON; null for the usual one. */
+/** Returns [trust] as JSON; null for [PROVEN_TRUST], the default. */
 internal fun trustJson(trust: Double): String? = trust.takeIf { it < PROVEN_TRUST }?.toString()
 
 /** Returns the trust that [trustJson] wrote. */

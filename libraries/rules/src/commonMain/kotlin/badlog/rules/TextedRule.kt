@@ -6,7 +6,7 @@ import kotlin.math.log10
 import kotlin.math.pow
 import kotlin.math.round
 
-/** Builds the texts of [rule] about [question] in a log of [match] that was read from [file]. [devices] are the team's names. */
+/** Builds the texts of [rule] for [question] in the log [file], recorded in [match]. [devices] holds the team's names. */
 internal class TextedRule(
     private val rule: Rule,
     private val question: RuleProgram.Question,
@@ -19,8 +19,8 @@ internal class TextedRule(
     private val once: RuleText by lazy { ONCE.fold(rule.text) { text, (counted, single) -> text.replacing(counted, single) } }
 
     /**
-     * Returns the text for [value] at [time], found [count] times, over a total [length] of time. In that time, [channels] drew most, each
-     * with its current, and the events [meanwhile] occurred.
+     * Returns the text for [value] at [time], found [count] times, for a total duration of [length]. [channels] are the channels that drew
+     * most current then, each with its current. [meanwhile] are the events at the same time.
      */
     fun text(
         value: String,
@@ -50,8 +50,8 @@ internal class TextedRule(
 }
 
 /**
- * Returns [value] as precisely as a sentence about a measurement needs it. A whole number, which may be a count, is exact. Robots measure
- * currents to an eighth of an ampere at best, and voltages to a hundredth of a volt.
+ * Returns [value], rounded to the precision that a sentence about a measurement needs. A whole number, which may be a count, is exact.
+ * Robots measure currents to an eighth of an ampere at best, and voltages to a hundredth of a volt.
  */
 internal fun roundedForText(value: Double, unit: String): Double = when {
     value == round(value) -> value

@@ -4,7 +4,7 @@ import badlog.core.analysis.Units
 import badlog.expression.signals.Signal
 import badlog.signals.vocabulary.NamePattern
 
-/** The topics on which a rule is run one by one. */
+/** The topics for which a rule runs, one at a time. */
 internal sealed interface TopicChoice
 
 /**
@@ -19,10 +19,11 @@ internal class TopicsByName(val patterns: List<NamePattern>, val except: List<Na
 }
 
 /**
- * Topics that are the signal [signal].
+ * The topics of the signal [signal].
  *
  * @property with signals of the same device that the rule also needs.
- * @property isLinked whether the rule is about two of them with linked devices; the second is [RuleProgram.OTHER].
- * @property hasIds whether it is also about devices that are named by ids alone; their values and the values of [with] come at different times.
+ * @property isLinked whether the rule is about pairs of topics with linked devices; the second topic is [RuleProgram.OTHER].
+ * @property hasIds whether it is also about devices that are named only by ids; their values and the values of [with] come at different
+ *   times.
  */
 internal class TopicsOfSignal(val signal: String, val with: List<String>, val isLinked: Boolean, val hasIds: Boolean) : TopicChoice

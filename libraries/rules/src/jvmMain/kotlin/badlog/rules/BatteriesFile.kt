@@ -18,8 +18,8 @@ object BatteriesFile {
     fun parse(text: String): TeamBatteries = notTooDeep { BatteriesReader(TomlText(text)).read() }
 
     /**
-     * Returns [text], such a file, with [battery] as the one that was in the robot for [log]. [log] is the place of a file or a match; everything
-     * else in the file stays as it is. An empty name removes the battery.
+     * Returns [text], the content of such a file, with [battery] as the battery in the robot for [log]. [log] is the path of a log or a
+     * match, as written in the file. Everything else in the file stays as it is. An empty name removes the battery.
      *
      * @throws RulesException if [text] has a mistake, or is written in a way that only a person can change.
      */

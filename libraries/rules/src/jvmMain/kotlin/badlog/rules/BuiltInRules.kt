@@ -15,7 +15,7 @@ private val PROVEN_RULES by lazy { builtInRulesFromToml { _, _ -> PROVEN_TRUST }
 private val BUILT_IN_RULES by lazy { checkNotNull(RuleSet.fromJson(resource(RULES_JSON))) }
 
 /**
- * Returns the built-in rules from their file; reading that takes longer than exporting a small page.
+ * Reads the built-in rules from their file, which takes longer than exporting a small page.
  *
  * @param trust returns the trust in a rule from its name and the hash of its text.
  */
@@ -28,7 +28,7 @@ internal fun hashesOfBuiltInRules(): Map<String, String> {
     return rules.associate { (table, _) -> table.getString("name").orEmpty() to hashOf(table) }
 }
 
-/** Writes the built-in rules as JSON into the folder that the only argument names: a step of the build. */
+/** Writes the built-in rules as JSON into the folder named by the only argument, as a step of the build. */
 internal fun main(arguments: Array<String>) {
     val folder = File(arguments.single()).apply { mkdirs() }
     File(folder, RULES_JSON).writeText(builtInRulesFromToml().toJson(haveChecklist = true))

@@ -18,7 +18,7 @@ class NearestFile<T> internal constructor(val file: Path?, val found: T?, val pr
          * Returns the nearest file for [log]. [inFolder] returns the file in a folder, or null if it has none. It is called for the log's own folder,
          * then for those above it up to [top]; only for the log's own folder if [top] is null, or not above it.
          *
-         * @param parse reads its text; throws an [IllegalArgumentException] with a message about its mistake.
+         * @param parse parses the text of the file; throws an [IllegalArgumentException] with a message about its mistake.
          */
         fun <T> of(log: Path, top: Path?, inFolder: (Path) -> Path?, parse: (String) -> T): NearestFile<T> {
             val file = foldersOf(log, top).firstNotNullOfOrNull(inFolder) ?: return NearestFile(null, null, null)

@@ -7,8 +7,8 @@ import kotlin.time.Duration
  * The content of a file of rules.
  *
  * @property rules the rules with their names for topics.
- * @property hooks the programs that it names. Run them only if the user of badlog specified the file: one found among the logs
- *   came with them.
+ * @property hooks the programs that it names. Run them only if the user of badlog specified the file: a file found among the logs came with
+ *   them.
  * @property source the whole text.
  */
 class RulesFile internal constructor(val rules: RuleSet, val hooks: List<HookCommand>, val source: String) {
@@ -37,10 +37,10 @@ internal fun resource(name: String): String =
     checkNotNull(RulesFile::class.java.getResourceAsStream("/badlog/rules/$name")).use { it.readBytes().decodeToString() }
 
 /**
- * A program that a file of rules names, to be run for each log.
+ * A program to run for each log, named in a file of rules.
  *
  * @property command the program and its arguments, at least one word.
  * @property name its name in the file, or null.
- * @property timeLimit how long it may take for a log; null for the default.
+ * @property timeLimit the maximum time that it may take for a log; null for the default.
  */
 class HookCommand internal constructor(val command: List<String>, val name: String?, val timeLimit: Duration?)

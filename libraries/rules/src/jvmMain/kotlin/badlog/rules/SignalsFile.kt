@@ -27,7 +27,7 @@ object SignalsFile {
     fun parse(text: String): SignalVocabulary = notTooDeep { SignalsReader(TomlText(text)).read() }
 
     /**
-     * Returns [text], which is such a file, with [topic] as the first name of [signal]. Everything else in it stays as it is.
+     * Returns [text], the content of such a file, with [topic] as the first name of [signal]. Everything else in it stays as it is.
      *
      * @throws RulesException if [text] has a mistake, or is written in a way that only a person can change.
      */

@@ -6,7 +6,7 @@ import org.tomlj.TomlArray
 import org.tomlj.TomlPosition
 import org.tomlj.TomlTable
 
-/** Returns the result of [read], which reads a text of TOML. */
+/** Returns the result of [read], which reads a text of TOML. Throws [RulesException] if the text is nested too deeply. */
 internal fun <T> notTooDeep(read: () -> T): T = try {
     read()
 } catch (_: StackOverflowError) {
@@ -34,7 +34,7 @@ internal class TomlText(source: String) {
         return root
     }
 
-    /** Returns every table of the list [key], and where it begins. */
+    /** Returns every table of the list [key], with the place where it begins. */
     fun tables(root: TomlTable, key: String): List<Pair<TomlTable, RulePlace>> {
         val array = root.get(listOf(key)) ?: return emptyList()
         val mistake = "Each $key begins with [[$key]], in two brackets."
@@ -99,7 +99,7 @@ internal class TomlText(source: String) {
     fun fail(place: RulePlace, message: String): Nothing = throw RulesException(place.lineNumber, place.pointed(message))
 
     private companion object {
-        /** Some Windows editors begin a file with this. */
+        /** The character with which some Windows editors begin a file. */
         const val BYTE_ORDER_MARK = "\uFEFF"
     }
 }

@@ -17,8 +17,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The logs that an assistant may read: those below one folder, identified by their names in it. A name is only compared with existing
- * names, so that no name leads out of the folder; nor does a link.
+ * The logs that an assistant may read: all logs below one folder, identified by their names in it. No name leads out of the folder, because
+ * it is only compared with existing names. Links to files outside are ignored.
  *
  * @throws badlog.files.UnreadableFileException if the folder cannot be read.
  */
@@ -55,7 +55,9 @@ internal class LogFolder(folder: Path) {
         return found to reading(path) { LogFile.of(path) }
     }
 
-    /** Returns the rules in the folder; null if there are none. Their hooks are never run. */
+    /**
+     * Returns the rules for the folder; null if their file, or the file of signals, is a link out of the folder. Their hooks are never run.
+     */
     fun rules(): FolderRules? = root.resolve(RulesFile.NAME).takeIf { file ->
         // A linked file elsewhere would be read as rules, and messages about mistakes would quote its text.
         listOf(file, root.resolve(SignalsFile.NAME)).all { !Files.exists(it) || isInside(it) }

@@ -29,7 +29,7 @@ internal class LogLake(
     private var update: LakeUpdate? = null
 
     /**
-     * Lets [ask] query the current logs. It also receives the number of logs that are missing because they cannot be read.
+     * Lets [ask] query the current logs. [ask] also receives the number of logs that are missing because they cannot be read.
      *
      * @throws ToolException if the tables are not ready, cannot be made, or a query is wrong.
      */
@@ -80,7 +80,7 @@ internal class LogLake(
     }
 
     private companion object {
-        /** Most assistants wait for a minute. */
+        /** The default of [patience], in s. Most assistants wait for a minute. */
         const val PATIENCE = 40L
 
         /** The name of the user of this lake. */

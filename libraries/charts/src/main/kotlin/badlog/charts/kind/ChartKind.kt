@@ -17,7 +17,7 @@ internal class ChartResult private constructor(val name: String, val chart: Char
     constructor(name: String, lacking: String) : this(name, null, lacking)
 }
 
-/** Returns a sentence instead of a chart: too few logs show [what], only [known] of them. */
+/** Returns a sentence instead of a chart, because too few logs, only [known], show [what]. */
 internal fun lacking(texts: ChartTexts, what: String, known: Int): ChartResult {
     val found = when (known) {
         0 -> "no log shows it"

@@ -1,8 +1,8 @@
 package badlog.charts.kind
 
 /**
- * The Theil–Sen line through most points: its slope is the median of the slopes between all pairs. A few outliers, which the chart has to
- * show, do not turn it.
+ * The Theil–Sen line through points: its slope is the median of the slopes between all pairs. A few outliers, which the chart has to show,
+ * do not tilt it.
  */
 internal class TheilSenLine(val slope: Double, private val intercept: Double) {
     /** Returns its y at [x]. */

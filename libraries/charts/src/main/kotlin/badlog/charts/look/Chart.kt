@@ -3,7 +3,7 @@ package badlog.charts.look
 import org.jetbrains.letsPlot.intern.Plot
 
 /**
- * A chart of many logs. It has a white background and needs nothing else: no script, no font, no network.
+ * A chart of many logs. It has a white background and is self-contained: it needs no script, no font and no network.
  *
  * @property name its name in names of files: lower-case letters and `-`.
  * @property title its title.

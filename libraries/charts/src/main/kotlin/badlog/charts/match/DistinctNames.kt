@@ -1,8 +1,8 @@
 package badlog.charts.match
 
 /**
- * Returns a short, unique name for each of [topics]. It lacks the whole words that all of them begin or end with. `/Drive/LeftTemp` and
- * `/Arm/Temp` become `Drive/Left` and `Arm`.
+ * Returns a short, unique name for each of [topics]. Whole words at the beginning or end that all topics share are omitted.
+ * `/Drive/LeftTemp` and `/Arm/Temp` become `Drive/Left` and `Arm`.
  */
 internal fun distinctNames(topics: List<String>): List<String> {
     val taken = HashSet<String>()

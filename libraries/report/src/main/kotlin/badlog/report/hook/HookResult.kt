@@ -6,10 +6,10 @@ import badlog.core.recording.Severity
 /**
  * The checked result of a hook for a recording.
  *
- * @property values names with texts or numbers, as texts.
+ * @property values the named texts and numbers, as texts.
  * @property findings its findings.
- * @property series lines over the recording's x.
- * @property figures pictures.
+ * @property series its lines over the recording's x.
+ * @property figures its pictures.
  */
 class HookResult internal constructor(
     val values: Map<String, String>,

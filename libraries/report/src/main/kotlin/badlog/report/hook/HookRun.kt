@@ -12,7 +12,7 @@ import kotlin.time.Duration
  * A hook that runs as [process], and receives the rows of [recording]. It ends with [close], which may be called repeatedly and from any
  * thread.
  *
- * @param nanos returns the time in ns, from any moment, for measuring [timeLimit].
+ * @param nanos returns the time in ns since an arbitrary moment, for measuring [timeLimit].
  */
 internal class HookRun(
     private val process: Process,
@@ -89,7 +89,7 @@ internal class HookRun(
         const val MAX_ERRORS = 64 shl 10
         const val MAX_QUOTED = 300
 
-        /** The last line of R after any error. */
+        /** The last line that R prints after any error. */
         const val R_ENDED = "Execution halted"
     }
 }

@@ -27,7 +27,7 @@ import kotlin.time.Duration.Companion.seconds
  * @property timeLimit the time that the program may take for one recording before it and all its children are killed.
  * @property name its name; usually the script, or the program if no script is among its arguments.
  * @property folder its working directory; null for this program's own.
- * @param nanos returns the time in ns, from any moment, for measuring [timeLimit].
+ * @param nanos returns the time in ns since an arbitrary moment, for measuring [timeLimit].
  */
 class HookRunner internal constructor(
     val command: List<String>,

@@ -8,7 +8,7 @@ internal class PipeReader(private val stream: InputStream, private val most: Int
     private var bytes = ByteArray(minOf(most, PIECE))
     private var count = 0
 
-    /** Whether there was more than [most] bytes. */
+    /** Whether the program wrote more than [most] bytes. */
     @Volatile
     var isTooLong = false
         private set

@@ -1,7 +1,7 @@
 package badlog.report.hook
 
 /**
- * Returns whether [text] begins like an SVG picture: with what XML allows before the root, and the root. A document type that
+ * Returns whether [text] begins like an SVG picture: with its root, after anything that XML allows before the root. A document type that
  * defines entities is not accepted, since they may expand without bounds.
  */
 internal fun beginsAsSvg(text: String): Boolean {

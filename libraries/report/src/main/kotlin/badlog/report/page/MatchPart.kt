@@ -10,7 +10,7 @@ import badlog.rules.incident.Incident
 import badlog.rules.number.Measure
 import badlog.rules.timeText
 
-/** A log of the index page. */
+/** A log on the index page. */
 internal class IndexedLog(val number: Int, val report: LogReport, val file: String, val page: String?, event: String) {
     val name: String get() = report.title ?: file
 
@@ -20,7 +20,7 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
     /** The id by which links find its part of the page. */
     val id: String get() = "log-$number"
 
-    /** Its match on The Blue Alliance, as HTML after its name; empty if that is unknown. */
+    /** The link to its match on The Blue Alliance, as HTML that follows its name; empty if the match is unknown there. */
     val blueAlliance: String
         get() {
             val address = blueAllianceOf(report.match, yearOf(report)) ?: return ""

@@ -36,7 +36,7 @@ private const val ELSEWHERE = "name another place with --out"
  * @param rules the rules of the pages; use the report's, so that index and pages agree.
  * @param virtualTopics definitions of topics that the pages show in addition to the logs' own, if they can be calculated.
  * @param isForced whether to also replace files that badlog did not make.
- * @param field the file of the field below the paths of the pages; null for the one beside each log, if any.
+ * @param field the file with the field that pages show below paths; null for the one beside each log, if any.
  * @param exporter makes the pages of the logs.
  */
 class ReportFolder(

@@ -217,8 +217,7 @@ class MatchTable(
 
     companion object {
         /**
-         * The name of the column with the battery that was in the robot. The log says which it was, or the team wrote it down beside the
-         * log.
+         * The name of the column with the battery that was in the robot. The battery is named in the log, or in the team's file beside it.
          */
         const val BATTERY: String = "battery"
         private const val MAX_SHAPES = 64

@@ -15,7 +15,7 @@ import badlog.signals.vocabulary.patternsJson
 /**
  * The rules' causes and effects: which findings show that something happened, and which findings may follow from which.
  *
- * @property causes the possible causes; of two that explain the same, the earlier one counts.
+ * @property causes the possible causes; if two explain the same finding, the earlier one counts.
  * @property effects for the name of each rule, the rules with findings that may follow from its findings.
  */
 class CauseGraph internal constructor(internal val causes: List<Cause>, internal val effects: Map<String, List<String>>) {
@@ -27,7 +27,7 @@ class CauseGraph internal constructor(internal val causes: List<Cause>, internal
         return reached
     }
 
-    /** Returns this graph with [own] before it; for equal names, the causes of [own] count. */
+    /** Returns this graph with [own] in front; a cause in [own] replaces the cause here with the same name. */
     internal fun after(own: CauseGraph): CauseGraph {
         val names = own.causes.mapTo(HashSet()) { it.name }
         val all = (effects.keys + own.effects.keys).associateWith { own.effects[it].orEmpty() + effects[it].orEmpty() }
@@ -57,8 +57,8 @@ class CauseGraph internal constructor(internal val causes: List<Cause>, internal
  * @property shownBy the rules with findings that show it.
  * @property topics patterns for the topic of such a finding, if it matters; empty for all.
  * @property together the number of topics that must have findings at about the same time.
- * @property onlyWith if not empty, one of these rules must have a finding that followed: without one, it is not worth mentioning.
- * @property next what to look at next.
+ * @property onlyWith rules that confirm the cause: a finding of at least one must follow. Empty if none is necessary.
+ * @property next the next step.
  */
 internal class Cause(
     val name: String,

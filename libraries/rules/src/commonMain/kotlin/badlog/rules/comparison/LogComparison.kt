@@ -17,7 +17,7 @@ import kotlin.math.round
  * The differences of a log from the team's others.
  *
  * @property findings the differences that are large enough to be findings, the largest first.
- * @property numbers the number of each of [findings].
+ * @property numbers the key of the number behind each of [findings].
  * @property differences the differences that are large enough to be mentioned in a related incident; [findings] first.
  */
 class LogDifferences internal constructor(val findings: List<Finding>, val numbers: List<NumberKey>, val differences: List<Finding>) {
@@ -27,7 +27,8 @@ class LogDifferences internal constructor(val findings: List<Finding>, val numbe
 }
 
 /**
- * Compares each of [logs], in the order of a team's matches, with its neighbors of the same kind. The comparisons of these rules are used.
+ * Compares each of [logs] with its neighbors of the same kind, by the comparisons of these rules. [logs] are in the order of the team's
+ * matches.
  *
  * @return a result for each log.
  */
@@ -201,7 +202,7 @@ private fun LogNumbers.evidenceOf(key: NumberKey): List<String> {
     return listOfNotNull(key.topic, current).filter { it != SUM_OF_CHANNELS }
 }
 
-/** Returns a number with its unit, in three digits: `23.1 A`. */
+/** Returns [value] with its unit, rounded to three digits: `23.1 A`. */
 fun threeDigitText(value: Double, unit: String): String = timeText(threeDigits(value), unit)
 
 private fun threeDigits(value: Double): Double {

@@ -36,11 +36,11 @@ import badlog.signals.vocabulary.SignalVocabulary
 import kotlin.math.abs
 
 /**
- * Returns the numbers of [view], with the topics that [vocabulary] finds. None if it does not show when the robot was enabled, or if that time was
- * too short.
+ * Returns the numbers of [view], from the topics that [vocabulary] finds. There are none if it does not show when the robot was enabled, or
+ * if that time was too short.
  *
  * @param fileName the name of its file, which may show the match.
- * @param battery the facts in it about the robot's battery.
+ * @param battery the log's facts about the robot's battery.
  */
 fun numbersOf(
     view: LogView,

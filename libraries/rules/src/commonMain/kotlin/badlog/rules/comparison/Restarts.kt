@@ -5,7 +5,7 @@ import badlog.rules.RuleSet
 import badlog.rules.number.LogNumbers
 
 /**
- * A log among others of a folder.
+ * A log in a folder of logs.
  *
  * @property match its match; null if it does not show one.
  * @property found the rules' findings in it alone.
@@ -13,8 +13,9 @@ import badlog.rules.number.LogNumbers
 class LogOfFolder(val file: String, val match: String?, val numbers: LogNumbers, val found: List<Finding>)
 
 /**
- * Returns for each of [logs], in the order of time, the finding that the robot code restarted before it. Such a log begins with an enabled robot,
- * and the log before it, of the same match, ended with one. Null for other logs, and if the log alone already shows it.
+ * Returns, for each of [logs], the finding that the robot code restarted before it; otherwise null. [logs] are in the order of time. After
+ * a restart, a log begins with an enabled robot, and the log before it, of the same match, ended with one. A restart that the log alone
+ * already shows is not reported again.
  */
 fun RuleSet.restartsIn(logs: List<LogOfFolder>): List<Finding?> {
     val rule = rules.find { it.name == RESTARTED }

@@ -11,7 +11,7 @@ import badlog.rules.timeText
  * @property severity the worst severity of its findings.
  * @property causes the findings that show the cause; at least one.
  * @property effects the findings that followed, in the order of time.
- * @property next what to look at next, as a sentence; empty if not given.
+ * @property next the next step, as a sentence; empty if not given.
  * @property difference its difference from the team's other matches; null if none is known.
  */
 class Incident internal constructor(
@@ -23,12 +23,12 @@ class Incident internal constructor(
 ) {
     val severity: Severity = (causes + effects).maxOf { it.severity }
 
-    /** Its beginning: its first cause, or the first effect that [sentences] mention if the cause is about the whole log. */
+    /** The finding at its beginning: its first cause or, if that is about the whole log, the first effect that [sentences] mention. */
     val first: Finding get() = causes[0].takeUnless { it.time.isNaN() } ?: firstMentioned ?: effects.firstOrNull() ?: causes[0]
 
     private val firstMentioned get() = sentences.map { it.finding }.firstOrNull { !it.time.isNaN() }
 
-    /** When it began, in the unit of x. NaN if its cause is about the whole log and no effect has a time. */
+    /** The time of its beginning, in the unit of x. NaN if its cause is about the whole log and no effect has a time. */
     val time: Double get() = first.time
 
     /** The unit of [time]. */
@@ -92,7 +92,6 @@ fun firstEvidenceOf(incidents: List<Incident>, worstFirst: List<Finding>): List<
     incidents.firstOrNull()?.evidence ?: worstFirst.firstOrNull { it.severity != Severity.NOTE }?.evidence.orEmpty()
 
 /**
- * Returns the advice on what to look at next for [finding]. It is this incident's, if the finding is part of one, or else the finding's; may be
- * empty.
+ * Returns the next step for [finding]: this incident's, if the finding is part of one that has it, otherwise the finding's. May be empty.
  */
 fun Incident?.nextOf(finding: Finding): String = this?.next.orEmpty().ifEmpty { finding.next }

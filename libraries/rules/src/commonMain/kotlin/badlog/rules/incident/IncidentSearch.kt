@@ -7,11 +7,11 @@ import badlog.rules.cause.Cause
 import badlog.rules.standing.Standing
 
 /**
- * Returns the incidents in a log in which these rules have found [findings], the worst first. Each cause that findings show has one. Only a
- * proven rule shows one. A finding that shows a cause but follows from another one does not begin a separate incident.
+ * Returns the incidents among [findings], which these rules found in a log; the worst first. Each cause that findings show has one.
+ * Only findings of proven rules show a cause. A finding that shows a cause but follows from another one does not begin a separate incident.
  *
- * @param differences how the log differs from the team's other matches, greatest difference first; an incident mentions the first
- *   one about its own topics.
+ * @param differences the log's differences from the team's other matches, the greatest first; an incident mentions the first one about its
+ *   own topics.
  */
 fun RuleSet.incidentsIn(findings: List<Finding>, differences: List<Finding> = emptyList()): List<Incident> {
     val ofRules = findings.filter { !it.isOfHook }

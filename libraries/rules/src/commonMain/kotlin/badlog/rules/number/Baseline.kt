@@ -3,10 +3,10 @@ package badlog.rules.number
 import kotlin.math.abs
 
 /**
- * The same number in the team's other logs. It has its median, and the usual distance from it (1.4826 times the median absolute deviation,
- * which for a normal distribution is the standard deviation). A single unusual log changes neither.
+ * The median of a number in the team's other logs, and their usual distance from it. The usual distance is 1.4826 times the median absolute
+ * deviation, which for a normal distribution is the standard deviation. A single unusual log changes neither.
  *
- * @property second the distance from the median of the second farthest log.
+ * @property second the distance of the second farthest log from the median.
  */
 internal class Baseline(private val others: DoubleArray) {
     val median: Double

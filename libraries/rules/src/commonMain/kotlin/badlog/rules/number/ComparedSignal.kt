@@ -1,9 +1,9 @@
 package badlog.rules.number
 
 /**
- * A signal with topics that have numbers to compare.
+ * A signal with numbers to compare.
  *
- * @property least smaller differences do not count, in the unit of the signal.
+ * @property least the smallest difference that counts, in the unit of the signal.
  * @property isRatio whether a difference is relative to the usual value, rather than absolute as for voltages.
  * @property isWorseBelow whether less than usual, rather than more, is worth a look.
  * @property isOfMotor whether it belongs to one motor: a motor that takes less than usual while the robot drives is also suspicious.

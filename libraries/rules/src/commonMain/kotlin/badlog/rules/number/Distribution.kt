@@ -9,9 +9,9 @@ import badlog.core.analysis.weightedPercentile
  *
  * @property signal the name of the signal.
  * @property unit the unit of the values, empty for none.
- * @property quantiles the values below which each of [SHARES] of the time lies; the first is the smallest value, the last the largest.
+ * @property quantiles the quantiles of the values over time at [SHARES]; the first is the smallest value, the last the largest.
  * @property binWidth the width of a bin in [seconds], in [unit]; 0 without bins.
- * @property seconds how long the values were in each bin; the first bin begins at 0, the last one also has everything larger.
+ * @property seconds the time in each bin, in s; the first bin begins at 0, the last one also has everything larger.
  */
 class Distribution internal constructor(
     val signal: String,
@@ -23,19 +23,19 @@ class Distribution internal constructor(
     /** The smallest value. */
     val lowest: Double get() = quantiles.first()
 
-    /** The value below which a twentieth of the time lies. */
+    /** The 5th percentile: the signal is below it for a twentieth of the time. */
     val percentile5: Double get() = quantiles[1]
 
-    /** The value below which a quarter of the time lies. */
+    /** The lower quartile: the signal is below it for a quarter of the time. */
     val lowerQuartile: Double get() = quantiles[2]
 
-    /** The value below which half of the time lies. */
+    /** The median: the signal is below it for half of the time. */
     val median: Double get() = quantiles[3]
 
-    /** The value above which a quarter of the time lies. */
+    /** The upper quartile: the signal is above it for a quarter of the time. */
     val upperQuartile: Double get() = quantiles[4]
 
-    /** The value above which a twentieth of the time lies. */
+    /** The 95th percentile: the signal is above it for a twentieth of the time. */
     val percentile95: Double get() = quantiles[5]
 
     /** The largest value. */
@@ -50,14 +50,14 @@ class Distribution internal constructor(
 /**
  * A signal with a distribution that is worth keeping.
  *
- * @property above values below this one are ignored: libraries log 0 before the first measurement.
+ * @property above the smallest value that counts: libraries log 0 before the first measurement.
  * @property binWidth the width of a bin, in the unit of the signal; 0 for no bins.
  * @property bins the number of bins.
  */
 internal class DistributedSignal(val signal: String, val above: Double, val binWidth: Double = 0.0, val bins: Int = 0) {
     /**
-     * Returns the distribution of [series] with these weights, times in the unit of x. Null for less than [least] in total. [second] is one second in
-     * that unit.
+     * Returns the distribution of [series], weighted by [weights], which are times in the unit of x. Null if they total less than [least].
+     * [second] is one second in that unit.
      */
     fun of(series: Series, weights: DoubleArray, unit: String, second: Double, least: Double): Distribution? {
         val values = DoubleArray(weights.size)

@@ -11,7 +11,7 @@ import badlog.signals.match.MatchKind
  */
 class LogNumbersText(val names: String, val values: String, val distributions: String = "")
 
-/** These numbers as text. */
+/** Returns these numbers as texts. */
 fun LogNumbers.toText(): LogNumbersText = LogNumbersText(
     keys.joinToString("\n") { listOf(it.signal, it.topic, it.measure.ordinal, it.unit).joinToString("\t") },
     listOf(kind.ordinal, uncertainty, beginsEnabled, endsEnabled).joinToString(";", postfix = ";") + values.joinToString(";"),

@@ -4,7 +4,7 @@ import badlog.core.analysis.Series
 import badlog.core.analysis.Span
 import badlog.core.analysis.weightedPercentile
 
-/** Returns how long each sample at [x] is within [spans], which ascend. A sample holds until the next, and the last one until [end]. */
+/** Returns the time within [spans] for each sample at [x]; [spans] ascend. A sample holds until the next, and the last one until [end]. */
 internal fun timeWithin(spans: List<Span>, x: DoubleArray, end: Double): DoubleArray {
     val weights = DoubleArray(x.size)
     var first = 0
@@ -21,7 +21,7 @@ internal fun timeWithin(spans: List<Span>, x: DoubleArray, end: Double): DoubleA
     return weights
 }
 
-/** Returns the mean of [series] with these weights; NaN if there are samples for less than [least] in total. */
+/** Returns the mean of [series], weighted by [weights]; NaN if there are samples for less than [least] in total. */
 internal fun meanOf(series: Series, weights: DoubleArray, least: Double): Double {
     var sum = 0.0
     var time = 0.0
@@ -34,7 +34,7 @@ internal fun meanOf(series: Series, weights: DoubleArray, least: Double): Double
     return if (time >= least && time > 0) sum / time else Double.NaN
 }
 
-/** Returns the weighted percentile of [series] for [share], 0 to 1. NaN if the weights are less than [least] in total. */
+/** Returns the weighted percentile of [series] at [share], a fraction from 0 to 1. NaN if the weights total less than [least]. */
 internal fun percentileOf(series: Series, weights: DoubleArray, share: Double, least: Double): Double {
     val values = DoubleArray(weights.size)
     val counted = DoubleArray(weights.size)

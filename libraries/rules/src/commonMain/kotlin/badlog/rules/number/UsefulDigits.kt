@@ -7,8 +7,8 @@ import kotlin.math.pow
 import kotlin.math.round
 
 /**
- * Returns [value] with as many digits as are useful for comparing: five. A stored number takes less room then, and does not depend on the order in
- * which a sum was added up.
+ * Returns [value], rounded to the five digits that are useful for comparing. A stored number then takes less space, and does not depend on
+ * the order in which a sum was added up.
  */
 internal fun usefulDigits(value: Double): Double {
     if (value == 0.0 || !value.isFinite()) return value

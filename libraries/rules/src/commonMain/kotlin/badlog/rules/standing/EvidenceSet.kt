@@ -1,7 +1,7 @@
 package badlog.rules.standing
 
 /**
- * Logs over which rules were counted.
+ * A set of logs in which the findings of rules were counted.
  *
  * @property id its name in the table of counts.
  * @property title its name for people.
@@ -13,6 +13,6 @@ enum class EvidenceSet(val id: String, val title: String, val isReal: Boolean = 
     PLANTED("planted", "second simulator"),
     THIRD("third", "third simulator"),
 
-    /** Healthy robots that a reviewer made to mislead a rule: each finding is wrong. */
+    /** Logs of healthy robots that a reviewer made to mislead a rule: each finding is wrong. */
     REVIEW("review", "made to mislead"),
 }

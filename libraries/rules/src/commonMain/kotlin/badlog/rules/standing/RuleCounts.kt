@@ -4,7 +4,7 @@ package badlog.rules.standing
  * Counts of a rule's findings in the logs of [set].
  *
  * @property rule its name.
- * @property hash the beginning of the hash of the rule's text; another one means that the counts are of another rule.
+ * @property hash the beginning of the hash of the rule's text; if it differs, the counts are of another text.
  * @property couldRun the number of logs in which it could run.
  * @property teams the number of teams with these logs; 0 for simulations.
  * @property fired the number of its findings.
@@ -30,7 +30,7 @@ data class RuleCounts(
 /**
  * Returns the counts in [text], which has a row for each rule and set with tabs between its cells. Lines that begin with `#` are remarks.
  *
- * @throws IllegalArgumentException if a row is something else; the message has its line.
+ * @throws IllegalArgumentException if a row is malformed; the message has its line.
  */
 fun ruleCountsIn(text: String): List<RuleCounts> =
     text.lines().withIndex().filter { (_, line) -> line.isNotBlank() && !line.startsWith("#") }

@@ -11,7 +11,8 @@ enum class Standing {
     ON_TRIAL,
 
     /**
-     * It says nothing, because more than one in three of its findings were wrong. For a team that sets one of its limits, it is on trial.
+     * It reports nothing, because more than one in three of its findings were wrong. For a team that sets one of its limits, it is on
+     * trial.
      */
     SILENT,
     ;
@@ -33,7 +34,7 @@ const val PROVEN_TRUST: Double = 1.0
 const val UNCOUNTED_TRUST: Double = 0.666
 
 /**
- * Returns the trust that [counts] of one rule give it, from 0 to [PROVEN_TRUST]. It is about the share of its findings that were right.
+ * Returns the trust in a rule with these [counts], from 0 to [PROVEN_TRUST]. It is close to the share of its findings that were right.
  *
  * It is as if two right findings and a wrong one had been counted before: a rule with few findings stays near [UNCOUNTED_TRUST], and falls below it
  * exactly when more than one in three was wrong.

@@ -25,10 +25,10 @@ import java.nio.file.Path
 class FolderRules private constructor(val rules: RuleSet, val file: Path?, val packs: List<Path>, val problem: String?) {
     companion object {
         /**
-         * Returns the rules for [log]. They come from the nearest file called [RulesFile.NAME] in its folder, or in one above it up to [top], which
-         * is null for only its own folder. Without such a file, or if it has a mistake, they are the built-in ones. The packs of the nearest folder
-         * that has some add theirs. The nearest file called [SignalsFile.NAME] has further names of topics. Hooks in these rules are never run,
-         * because they may have come with the logs.
+         * Returns the rules for [log]. They come from the nearest file called [RulesFile.NAME], in its folder or in one above it up to
+         * [top]; only in its folder if [top] is null. Without such a file, or if it has a mistake, the built-in rules are used. The packs
+         * in the nearest folder with packs add their rules. The nearest file called [SignalsFile.NAME] adds names of topics. Hooks in these
+         * rules are never run, because they may have come with the logs.
          */
         fun of(log: Path, top: Path? = null): FolderRules {
             fun <T> nearest(name: String, parse: (String) -> T) =

@@ -5,8 +5,8 @@ import badlog.rules.DeviceNames
 import badlog.rules.RuleSet
 
 /**
- * Returns these rules, for the logs of a folder, with the rules of [packs]. The packs have no name in common. A rule of a pack replaces a built-in
- * one of the same name, and gives way to one of the folder's own. The names of signals are not changed.
+ * Returns these rules of a folder, joined with the rules of [packs]. No two packs have a rule of the same name. A pack's rule replaces a
+ * built-in rule of the same name, and is dropped if the folder has its own rule of that name. The names of signals are not changed.
  */
 internal fun RuleSet.and(packs: List<RulePack>): RuleSet {
     if (packs.isEmpty()) return this

@@ -6,14 +6,14 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The files of a pack, which may have come from anywhere. Nothing outside the pack is read, and nothing is larger than [PackLimits] allow.
+ * The files of a pack, which may have come from anywhere. Nothing outside the pack is read, and nothing that exceeds [PackLimits].
  *
- * @property names their names below the pack, with slashes, in order; without hidden files.
+ * @property names their paths within the pack, with slashes, in order; without hidden files.
  */
 internal interface PackFiles : AutoCloseable {
     val names: List<String>
 
-    /** Returns the content of the file [name], one of [names], in at most [PackLimits.FILE_BYTES] bytes. */
+    /** Returns the content of the file [name], one of [names]; at most [PackLimits.FILE_BYTES] bytes. */
     fun bytes(name: String): ByteArray
 
     override fun close()
@@ -39,22 +39,22 @@ internal interface PackFiles : AutoCloseable {
 
 /** The limits for the content of a pack. */
 internal object PackLimits {
-    /** The size of a file: some seconds of a log have a few megabytes. */
+    /** The maximum size of a file, in bytes. Some seconds of a log have a few megabytes. */
     const val FILE_BYTES = 32 shl 20
 
-    /** The size of all files together. */
+    /** The maximum total size of all files, in bytes. */
     const val ALL_BYTES = 256L shl 20
 
-    /** The number of files. */
+    /** The maximum number of files. */
     const val FILES = 1000
 
-    /** The depth of its folders, as its slices need it. */
+    /** The maximum number of names in the path of a file within the pack; the path of a slice has three. */
     const val DEPTH = 4
 
-    /** The largest factor by which a zip may shrink a file. Numbers shrink to a tenth, and only zeros to a thousandth. */
+    /** The maximum ratio by which a zip may shrink a file. Numbers shrink to a tenth, and only zeros to a thousandth. */
     const val RATIO = 200L
 
-    /** Smaller files may shrink more. */
+    /** The maximum size, in bytes, of a file for which [RATIO] does not apply. */
     const val RATIO_COUNTS_FROM = 1L shl 20
 }
 

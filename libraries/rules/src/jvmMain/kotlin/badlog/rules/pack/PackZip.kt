@@ -8,8 +8,9 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 
 /**
- * The files of the zip [pack], read in place: nothing is unpacked, so no name leads anywhere. A zip with names that are meant to do so, or one that
- * grows without end, is refused all the same. If everything is in one folder, as when a folder was zipped, that is the pack.
+ * The files of the zip [pack], read in place. Nothing is unpacked, so no name can lead out of the pack. A zip with names that are meant to
+ * do so, or with a file that grows too much, is refused all the same. If everything is in one folder, as when a folder was zipped, that
+ * folder is the pack.
  */
 internal class PackZip(private val pack: Path) : PackFiles {
     private val zip: ZipFile

@@ -16,7 +16,7 @@ import java.nio.file.Path
 
 /**
  * A folder or zip with rules and slices. Slices are pieces of logs in which the rules must, or must not, find something. `docs/rules.md`
- * describes it. A pack is only data: nothing in it is ever run. Close it when its slices are read.
+ * describes the format. A pack is only data: nothing in it is ever run. Close it after reading its slices.
  *
  * @property path the folder or zip.
  * @property rules its rules, with the built-in names of signals and its own.
@@ -43,7 +43,7 @@ class RulePack private constructor(
 
     val ignored: List<String> = files.names.filter { it !in DATA && !isNote(it) && sliceOf(it) == null }
 
-    /** The built-in rules and the pack's, as they run over logs beside it. */
+    /** The built-in rules joined with the pack's, as they run over logs beside the pack. */
     val withBuiltIn: RuleSet get() = RuleSet.BUILT_IN.with(rules.signals).and(listOf(this))
 
     /**
@@ -59,7 +59,7 @@ class RulePack private constructor(
     override fun close() = files.close()
 
     companion object {
-        /** The ending of a pack's name, before the ending of a zip. */
+        /** The ending of the name of a folder that is a pack. */
         const val ENDING: String = ".badlog-rules"
 
         /** The ending of the name of a zip that is a pack. */
