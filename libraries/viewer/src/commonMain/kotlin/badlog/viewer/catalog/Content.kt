@@ -23,18 +23,18 @@ enum class Content(val saying: String) {
     /** The log is too short for anything to happen. */
     TOO_SHORT("shorter than a second"),
 
-    /** The robot was never enabled, and the log has no title of a match. A match without enabling would be worth seeing. */
+    /** The robot was never enabled, and the log does not name a match. A match in which it was never enabled would be worth seeing. */
     NEVER_ENABLED("never enabled"),
 
     /** The file cannot be read, although its name belongs to a log. */
     UNREADABLE("cannot be read"),
 
-    /** The file is something else with the ending of a log, such as a spreadsheet of texts. It is not listed. */
+    /** The file has the extension of a log but is something else, such as a spreadsheet of texts. It is not listed. */
     NO_LOG(""),
 }
 
 /**
- * Returns whether [view] has anything to see. In doubt it has: a change of a single number, or a single event, is enough.
+ * Returns whether [view] has anything to see, or the reason why not. A change of a single number, or a single event, is enough.
  *
  * @param time the topic that only has the x of each row, or null.
  * @param seconds the length of the log, or null if unknown.

@@ -15,7 +15,7 @@ import kotlin.math.floor
 /**
  * The findings of the rules in a log of the folder.
  *
- * @property key identifies the rules that were run; other rules are run again.
+ * @property key identifies the rules that were run; if the rules have another key, they are run again.
  * @property rules the rules that found something, each once, the worst first; null if they could not be run.
  * @property verdict the summary to show first; null if nothing is worse than a note.
  */
@@ -49,7 +49,7 @@ data class Verdict(
     val warnings: Int = 0,
 )
 
-/** Returns the summary of [findings] for lists of logs; these rules have found them, and [key] identifies the rules. */
+/** Returns the summary of [findings] for lists of logs. These rules found them; [key] identifies the rules. */
 fun RuleSet.foundIn(findings: List<Finding>, key: Int): FindingSummary {
     val first = mainFinding(findings, incidentsIn(findings)) ?: return FindingSummary(key, emptyList())
     val listed = (listOf(first.finding) + findings).map { FoundRule(it.rule, it.severity) }

@@ -15,8 +15,8 @@ import badlog.signals.match.localSecondOf
 data class LogDate(val second: Long, val source: DateSource) {
     companion object {
         /**
-         * Returns the time when a recording began. It has [values]; its file has the [name] and was last written at [modified], in ms
-         * since 1970.
+         * Returns the time when a recording with [values] began. Its file is called [name], and was last written at [modified], in ms since
+         * 1970.
          */
         fun of(values: List<Value>, name: String, modified: Long): LogDate {
             val logged = values.firstText("start time", "start date", "date", "date time", "timestamp", "start")?.let(::dateInText)

@@ -19,11 +19,11 @@ import badlog.signals.match.matchOf
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * The facts of a log that are known without reading it again.
+ * The stored facts about a log, known without reading it again.
  *
- * @property match the match of the log.
+ * @property match the match in which the log was recorded.
  * @property date the time when the log began.
- * @property duration the length of the log on x; null if x is only the number of the row.
+ * @property duration the length of the log on x; null if x is only a row number.
  * @property xUnit the unit of [duration].
  * @property samples the number of samples of all topics together.
  * @property problems the number of problems of each severity.
@@ -54,13 +54,13 @@ data class LogSummary(
     fun topic(name: String): TopicSummary? = topics.firstOrNull { it.name == name }
 
     companion object {
-        /** Returns the facts that only the [name] of a file shows. The file was last written at [modified], in ms since 1970. */
+        /** Returns the facts that are known from the [name] of a file alone. The file was last written at [modified], in ms since 1970. */
         fun named(name: String, modified: Long): LogSummary =
             LogSummary(matchInName(name), LogDate.of(emptyList(), name, modified), content = Content.SOMETHING)
 
         /**
-         * Returns the facts that only the [name] of an unreadable file shows. The file was last written at [modified], in ms since 1970,
-         * and cannot be read because of [trouble].
+         * Returns the facts that are known from the [name] of an unreadable file alone. The file was last written at [modified], in ms
+         * since 1970, and cannot be read because of [trouble].
          */
         fun unreadable(name: String, modified: Long, trouble: String, content: Content = Content.UNREADABLE): LogSummary =
             LogSummary(matchInName(name), LogDate.of(emptyList(), name, modified), trouble = trouble, content = content)
@@ -154,7 +154,7 @@ private fun timeTopic(recording: Recording): Topic? = recording.topics.firstOrNu
     it.samples.isNotEmpty() && PathName.baseNameOf(it.name).lowercase() in setOf("time", "timestamp", "match time")
 }
 
-/** Returns [duration] in [unit] as seconds, also if it has no unit. Null if the unit is not a unit of time. */
+/** Returns [duration] in [unit] as seconds; without a unit, it is in seconds. Null if the unit is not a unit of time. */
 fun secondsOf(duration: Double, unit: String): Double? {
     // A log without units is a plain CSV file, nearly always with a time in seconds.
     val seconds = if (Units.isNone(unit)) 1.0 else Units.secondsIn(unit)

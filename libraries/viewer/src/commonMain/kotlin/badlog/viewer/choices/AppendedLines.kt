@@ -4,7 +4,7 @@ package badlog.viewer.choices
  * The content of a file to which lines are appended, one per change.
  *
  * @property changes the changes, in the order of the lines.
- * @property unreadable the numbers, from 1 on, of the lines that are damaged, or that only a newer badlog understands. They stay in the
+ * @property unreadable the line numbers, from 1 on, of lines that are damaged, or that only a newer badlog understands. They stay in the
  *   file.
  */
 class AppendedLines<out C : Any>(val changes: List<C>, val unreadable: List<Int>) {

@@ -1,14 +1,14 @@
 package badlog.viewer.choices
 
 /**
- * Returns this list merged with the changes that others made to the [stored] list since this one [read] it. Several tabs or windows
- * change such a list, and remember it in one place. An element that this one has not changed is as [stored]; one that only this one has
- * changed, added or removed stays so. Of two changes of one element, the later write counts, which is this one's. Without changes of
- * others, the list is the same.
+ * Returns this list merged with the changes that others made to the [stored] list since this one [read] it. Several tabs or windows change
+ * such a list, and remember it in one place. An element that is unchanged here is taken from [stored]; a change, addition or removal that
+ * was made only here stays. If both sides changed an element, the change here counts as the later one. Without changes by others, this list
+ * stays the same.
  *
- * @param prefersStored whether an element that both changed is as [stored], so that a step back undoes nothing of others.
+ * @param prefersStored whether an element that both sides changed is taken from [stored], so that an undo does not undo others' changes.
  * @param key returns the identity of an element.
- * @param join returns an element of all three lists, or of this one and the stored one, as merged.
+ * @param join returns the merged element from its versions in all three lists, or in this one and the stored one.
  */
 fun <T : Any> List<T>.mergedWith(
     stored: List<T>,

@@ -5,9 +5,7 @@ class DoubleClick {
     private var millis = Double.NEGATIVE_INFINITY
     private var place = 0.0
 
-    /**
-     * Returns whether a click is the second of a double click. It is at [x], in CSS pixels or dp, at the time [now] of any clock, in ms.
-     */
+    /** Returns whether a click at [x], in CSS pixels or dp, is the second of a double click. [now] is the time of any clock, in ms. */
     fun isSecond(x: Double, now: Double): Boolean {
         val isSecond = now - millis < PAUSE && x - place < REACH && place - x < REACH
         millis = if (isSecond) Double.NEGATIVE_INFINITY else now

@@ -41,10 +41,10 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
     /** Shows the time during which the robot was enabled. */
     SHOW_ENABLED("Graphs", "Zoom to the time enabled", KeyStroke("E")),
 
-    /** Moves to the left. */
+    /** Moves the visible range to the left. */
     PAN_LEFT("Graphs", "Move to the left", KeyStroke("[")),
 
-    /** Moves to the right. */
+    /** Moves the visible range to the right. */
     PAN_RIGHT("Graphs", "Move to the right", KeyStroke("]")),
 
     /** Opens or closes the values of many topics at the cursor. */
@@ -65,13 +65,13 @@ enum class KeyAction(val group: String, val meaning: String, vararg val keys: Ke
     /** Moves the graph above all others. */
     MOVE_TO_TOP("Board", "Move the graph to the top", KeyStroke("↑", alt = true, shift = true)),
 
-    /** Gives the graph the next of three heights. */
+    /** Switches the graph to the next of three heights. */
     NEXT_HEIGHT("Board", "Next height of the graph", KeyStroke("H")),
 
     /** Undoes the last change of the board. */
     UNDO("Board", "Undo", KeyStroke("Z", ctrl = true)),
 
-    /** Redoes what [UNDO] undid. */
+    /** Redoes the change that [UNDO] undid. */
     REDO("Board", "Redo", KeyStroke("Z", shift = true, ctrl = true), KeyStroke("Y", ctrl = true)),
 
     /** Shows the graphs of the next kept layout. */

@@ -1,10 +1,10 @@
 package badlog.viewer.input
 
-/** The edges of the element in the window that opens a menu, in pixels. */
+/** The edges of an element that opens a menu, in pixels of the window. */
 class MenuAnchor(private val left: Float, private val top: Float, private val bottom: Float) {
     /**
-     * Returns left and top of a menu of [width] and [height] in a window of [roomX] and [roomY]. It is below the element, or otherwise
-     * above it, or otherwise as low as it fits.
+     * Returns the left and top of a menu of [width] by [height] in a window of [roomX] by [roomY]. The menu is below the element if it fits
+     * there, otherwise above it, otherwise as low as it fits.
      */
     fun cornerOf(width: Int, height: Int, roomX: Int, roomY: Int): Pair<Float, Float> {
         val above = top - height

@@ -1,7 +1,7 @@
 package badlog.viewer.input
 
 /**
- * A key outside the graphs that page and window have.
+ * A key of page and window for anything but the graphs.
  *
  * @property group the heading in the help.
  * @property meaning the effect, for the help.
@@ -29,7 +29,7 @@ enum class ScreenKey(val group: String, val meaning: String, val key: KeyStroke,
     val helpOnPage: HelpLine get() = HelpLine(group, onPage.text, meaning)
 
     companion object {
-        /** Returns the key of a page that [key] is, written as in [KeyStroke.key], with these modifiers. Null if there is none. */
+        /** Returns the page's key for [key], written as in [KeyStroke.key], with these modifiers; null if there is none. */
         fun onPage(key: String, shift: Boolean, alt: Boolean): ScreenKey? =
             entries.firstOrNull { it.onPage.run { this.key == key && this.alt == alt && (this.shift == shift || isSign) } }
     }

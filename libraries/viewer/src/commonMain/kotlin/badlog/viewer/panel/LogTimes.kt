@@ -8,8 +8,8 @@ import badlog.viewer.text.fixedText
 import badlog.viewer.text.minutesText
 
 /**
- * Formats times of a log that has a [length], all with the same number of decimals. [axis] is the log's x, and the robot was [enabled]
- * then.
+ * Formats the times of a log of this [length], all with the same number of decimals. [axis] is the log's x axis, and [enabled] the time
+ * when the robot was enabled.
  */
 class LogTimes(length: Double, axis: XAxis, enabled: List<EnabledSpan>) {
     private val decimals = decimalsFor(length)
@@ -19,7 +19,7 @@ class LogTimes(length: Double, axis: XAxis, enabled: List<EnabledSpan>) {
     /** Returns [x] as it was logged; `–` if it is NaN. */
     fun logged(x: Double): String = fixedText(x, decimals)
 
-    /** Returns `1:32.0` for 92 s after the robot was first enabled, negative before; null if unknown. */
+    /** Returns the time at [x] since the robot was first enabled, such as `1:32.0` for 92 s; negative before, null if unknown. */
     fun sinceEnabled(x: Double): String? {
         if (enabledFrom == null || seconds == null || !x.isFinite()) return null
         return minutesText((x - enabledFrom) * seconds)

@@ -8,7 +8,7 @@ import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Request
 import badlog.viewer.text.countOf
 
-/** Returns the [notes] of a log that [query] finds, with times of [times], for a place above graphs; nothing if there are none. */
+/** Returns the [notes] of a log that [query] matches, for a place above graphs; empty if there are none. [times] formats their times. */
 fun notesAbove(notes: List<Note>, times: LogTimes, query: Query): List<Part> {
     val found = notes.filter { query.matches(it.text) }
     if (found.isEmpty()) return emptyList()

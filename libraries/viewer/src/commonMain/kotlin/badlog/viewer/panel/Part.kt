@@ -4,9 +4,9 @@ import badlog.core.recording.Severity
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
 
-/** A part of a panel's content, as data: each shell draws each kind once. */
+/** A part of a panel's content, as data. Each shell has one way to draw each kind. */
 sealed interface Part {
-    /** Identifies the part among those beside it, so that focus and scrolling stay. Its first word is the kind of the part. */
+    /** The identity of the part among its siblings, by which focus and scroll position are kept. Its first word is the kind of the part. */
     val key: String
 }
 
@@ -23,20 +23,20 @@ class Heading(val title: String, val status: String, val tools: List<Button> = e
 /** A paragraph of plain text, with a [button] for its action; null for none. */
 class Paragraph(override val key: String, val text: String, val tone: Tone = Tone.BODY, val button: Button? = null) : Part
 
-/** How a text is meant. */
+/** The role of a text. */
 enum class Tone {
-    /** The panel's subject. */
+    /** The text is the panel's subject. */
     BODY,
 
-    /** What explains something else. */
+    /** The text explains something else. */
     MUTED,
 
-    /** It needs a person's attention. */
+    /** The text needs a person's attention. */
     ALERT,
 }
 
 /**
- * Something that is wrong.
+ * A mistake or problem.
  *
  * @property text the problem and the next step.
  * @property pointer the place in a file, with carets below it; empty for none.
@@ -52,7 +52,7 @@ class Trouble(
     val word: String = severity.word,
 ) : Part
 
-/** Something to press. */
+/** A button with its [action]. */
 class Button(val label: String, val action: Action, val icon: PartIcon? = null, val hint: String = label, val isEnabled: Boolean = true)
 
 /** The icons of buttons. */
@@ -61,23 +61,23 @@ enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
 
-/** Sentences to press, below each other in a box with a [title]. */
+/** Buttons with sentences, below each other in a box with a [title]. */
 class Offers(override val key: String, val title: String, val buttons: List<Button>) : Part
 
-/** One of several: a person chooses one of [options], the one with [Option.isOn] is chosen. */
+/** A choice of one of [options]; the one with [Option.isOn] is chosen. */
 class Choice(override val key: String, val name: String, val options: List<Option>) : Part
 
-/** One of a [Choice], called [label]. */
+/** An option of a [Choice], called [label]. */
 class Option(val label: String, val isOn: Boolean, val action: Action)
 
 /** Lines of a program, called [name] by screen readers. */
 class Code(override val key: String, val name: String, val text: String) : Part
 
 /**
- * Parts that a press on its title shows or hides.
+ * Parts that a press on their [title] shows or hides.
  *
- * @property parts its parts; need not be known while it is not open.
- * @property severity the worst of its content; null if that does not matter.
+ * @property parts the parts; they need not be known while they are hidden.
+ * @property severity the worst severity of the parts; null if it does not matter.
  */
 class Fold(override val key: String, val title: String, val isOpen: Boolean, val parts: List<Part>, val severity: Severity? = null) :
     Part {
@@ -89,10 +89,10 @@ class Fold(override val key: String, val title: String, val isOpen: Boolean, val
  * A field that a person types into.
  *
  * @property label the name of the requested text.
- * @property hint what choosing or typing does.
+ * @property hint the effect of choosing or typing.
  * @property text its text.
- * @property isSearch whether each letter counts; otherwise only a chosen or confirmed text.
- * @property suggestions the choices.
+ * @property isSearch whether each typed letter has an effect; otherwise only a chosen or confirmed text has one.
+ * @property suggestions the texts to choose from.
  */
 class Field(
     override val key: String,
@@ -114,7 +114,7 @@ class Rows(override val key: String, val name: String, val rows: List<Part>, val
  * @property name its name for screen readers.
  * @property title its title, in a few words; empty if its lines are enough.
  * @property lines its sentences, each with its time.
- * @property count the number of times, if more than one; otherwise empty.
+ * @property count the text for the number of occurrences, if more than one; otherwise empty.
  * @property isFramed whether its lines belong together.
  * @property isCurrent whether a person went to it.
  * @property open the effect of a press on it; null for none.
@@ -142,8 +142,8 @@ class Row(
  *
  * @property time its time, or its beginning; without a time, its subject.
  * @property until its end; empty for a moment.
- * @property since the same time since the robot was first enabled; null if unknown.
- * @property name its name for screen readers, unless it is all of a row.
+ * @property since the same time, counted from when the robot was first enabled; null if unknown.
+ * @property name its name for screen readers, unless it is a whole row.
  * @property open the effect of a press on it; null for none.
  * @property hint the effect of a press on it, in words.
  * @property isCurrent whether a person went to it.

@@ -13,7 +13,7 @@ import badlog.viewer.todo.againText
 import badlog.viewer.todo.taskOf
 import badlog.viewer.todo.text
 
-/** The team's list in the panels of a log. Only a shell with a list has [ListedTasks]: the page contains no code of them. */
+/** The team's list in the panels of a log. Only a shell with a list uses [ListedTasks]: the page does not contain its code. */
 interface TodoOfLog {
     /** Returns the state of [finding] in the list, as sentences; empty for a new finding. */
     fun linesOf(finding: Finding): List<Part>

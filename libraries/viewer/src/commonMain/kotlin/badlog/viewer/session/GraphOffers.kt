@@ -34,7 +34,10 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
             )
         }
 
-    /** Returns the named heights. For a graph without a height of its own, the [usual] one is in effect, or none if that is null. */
+    /**
+     * Returns the commands for the named heights. For a graph without a height of its own, the [usual] one is in effect, or none if that is
+     * null.
+     */
     fun heights(usual: GraphHeight?): List<GraphOffer> {
         val now = graph.height?.let { GraphHeight.of(it) } ?: usual
         return GraphHeight.entries.map { height ->
@@ -57,7 +60,7 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
             emptyList()
         }
 
-    /** Returns the commands for the y limits; none for a plane. [shown] are the current limits, first of the left axis. */
+    /** Returns the commands for the y limits; none for a plane. [shown] has the current limits, the left axis first. */
     fun limits(shown: List<Span>): List<GraphOffer> = if (graph.isXy) {
         emptyList()
     } else {
@@ -68,13 +71,13 @@ class GraphOffers(private val board: Board, private val graph: BoardGraph, priva
         )
     }
 
-    /** The command for a graph for each line; null for a single line. */
+    /** The command that splits the graph into one for each line; null for a single line. */
     val separation: GraphOffer?
         get() = GraphOffer("A graph for each line", change = GraphChange.Separate(id)).takeIf { graph.lines.size > 1 }
 
     /**
-     * Returns a command for each other graph that can also have this graph's lines. [titles] belong to all graphs of the board, in their
-     * order.
+     * Returns a command for each other graph to which this graph's lines can be added. [titles] has the titles of all graphs of the board,
+     * in order.
      */
     fun additions(titles: List<String>): List<GraphOffer> = board.graphs.zip(titles).filter { (other, _) -> other.id != id }
         .map { (other, title) -> GraphOffer("Add to “$title”", change = GraphChange.Join(other.id, id)) }

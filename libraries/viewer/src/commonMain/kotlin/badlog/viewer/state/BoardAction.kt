@@ -10,10 +10,7 @@ sealed interface BoardAction : Action {
     /** Begins with [board] instead of the graphs that a person arranged; those that show a finding stay above it. */
     class BeginBelowEvidence(val board: Board) : BoardAction
 
-    /**
-     * Begins with [drawn], graphs that can be drawn, unless a person has changed something. Those that are new are there to show a
-     * finding.
-     */
+    /** Begins with [drawn], graphs that can be drawn, unless a person has changed something. The new ones among them show a finding. */
     class BeginWithEvidence(val drawn: Board) : BoardAction
 
     /** Shows [board], the board of a link. Undoing brings back the person's own board, which stays remembered until a change. */
@@ -31,15 +28,15 @@ sealed interface BoardAction : Action {
     /** Merges the changes that others made to the board, which was [read] before and is [stored] now. */
     class Merge(val stored: Board, val read: Board) : BoardAction
 
-    /** Calls the line [line] [name] from now on, also in what undoing restores. */
+    /** Renames the line [line] to [name], also in the boards that undoing restores. */
     class Rename(val line: String, val name: String) : BoardAction
 
-    /** Removes [lines], which can be drawn no more, also from what undoing restores. */
+    /** Removes [lines], which can no longer be drawn, also from the boards that undoing restores. */
     class Forget(val lines: Set<String>) : BoardAction
 
     /** Shows [board] above all other graphs. It replaces the unchanged graphs of the previous finding. */
     class ShowEvidence(val board: Board) : BoardAction
 
-    /** Keeps graph [id], which shows a finding; all of them for null. They then count as arranged by a person. */
+    /** Keeps graph [id], which shows a finding; null keeps all such graphs. They then count as arranged by a person. */
     class Keep(val id: Int? = null) : BoardAction
 }

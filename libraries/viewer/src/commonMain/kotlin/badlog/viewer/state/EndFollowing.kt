@@ -3,8 +3,8 @@ package badlog.viewer.state
 import badlog.core.analysis.Span
 
 /**
- * The wish of a person to stay at the end of a log that grows. It lasts until the person goes elsewhere; hovering over graphs, and
- * zooming and panning with the end in sight, do not end it. Immutable; each transition returns a new one.
+ * A person's wish to stay at the end of a growing log. It lasts until the person goes elsewhere; hovering over graphs, and zooming and
+ * panning with the end in sight, do not end it. Immutable; each transition returns a new one.
  *
  * @property place the last place at the end that this state moved the person to; null for a person who does not want to stay there.
  * @property held the visible range that a person wants to keep, though it ends where the log ended; null if there is none.

@@ -16,13 +16,13 @@ sealed interface FindingAction : Action {
      */
     class GoTo(val place: FindingPlace<Finding>, val incident: Incident?, val isWhole: Boolean = false) : FindingAction
 
-    /** Goes [steps] places forward within the finding that was gone to, or back if negative. */
+    /** Goes [steps] places forward within the visited finding, or back if negative. */
     class StepWithin(val steps: Int) : FindingAction
 
     /** Selects [finding] without going there, as soon as it is known. */
     class Select(val finding: WantedFinding) : FindingAction
 
-    /** The findings are known, and among them perhaps the wanted one. */
+    /** Reports that the findings are known, perhaps including the wanted one. */
     object Know : FindingAction
 
     /** Searches the findings for [text]; an empty one shows all of them. */
@@ -34,12 +34,12 @@ sealed interface FindingAction : Action {
     /** Lists only the first few findings. */
     object ListFew : FindingAction
 
-    /** Unfolds and searches nothing, as for findings that are not known yet. */
+    /** Resets the search and all unfolded parts, as for findings that are not known yet. */
     object Forget : FindingAction
 
-    /** Shows the lines of [library] that log the missing signals. */
+    /** Shows the lines of code that log the missing signals with [library]. */
     class ShowLines(val library: LoggingLibrary) : FindingAction
 
-    /** Learns why a topic cannot be the signal that it was chosen for; null if it can. */
+    /** Sets the [reason] why a topic cannot be the signal for which it was chosen; null if it can. */
     class Refuse(val reason: String?) : FindingAction
 }

@@ -8,17 +8,17 @@ import badlog.viewer.draw.mark.FindingPlace
 /** A task about the findings of a log that only a shell can perform. */
 sealed interface FindingRequest : Request {
     /**
-     * Shows the evidence of a finding that was gone to.
+     * Shows the evidence of a finding to which a person goes.
      *
      * @property place the place of the finding.
      * @property incident the incident that the finding is part of; null for none.
      * @property isWhole whether the person means all of [incident].
-     * @property spoken what a screen reader says, after a key; null after a click.
+     * @property spoken the announcement of a screen reader after a key; null after a click.
      */
     data class Show(val place: FindingPlace<Finding>, val incident: Incident?, val isWhole: Boolean, val spoken: String? = null) :
         FindingRequest
 
-    /** Says that there is no finding to go to, or that the rules are still running. */
+    /** Announces that there is no finding to go to, or that the rules are still running. */
     object AnnounceNone : FindingRequest
 
     /** Adds the graphs that show [finding], and [incident] if it is part of one, to the board. */
@@ -30,7 +30,7 @@ sealed interface FindingRequest : Request {
     /** Shows the graphs of [offer] beside the selected finding's graphs. */
     class Add(val offer: EvidenceOffer) : FindingRequest
 
-    /** Shows the graph of [difference] over the match before that shows the same. */
+    /** Shows the graph of [difference] over the last earlier match that has the compared number. */
     class Compare(val difference: Finding) : FindingRequest
 
     /** Runs the rules again. */

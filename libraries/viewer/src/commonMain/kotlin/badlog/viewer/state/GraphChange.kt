@@ -80,7 +80,7 @@ sealed interface GraphChange : BoardAction {
     /** Draws the first line of graph [id] over the second instead. */
     class SwapAxes(val id: Int) : GraphChange
 
-    /** Shows only [x] and [y] of the graph [id] of y over x; all of it for null. */
+    /** Shows only the ranges [x] and [y] in graph [id], a graph of y over x; null shows all of it. */
     class ShowPlane(val id: Int, val x: Span?, val y: Span?) : GraphChange
 
     /** Treats the poses of graph [id] as measured from [origin]. */

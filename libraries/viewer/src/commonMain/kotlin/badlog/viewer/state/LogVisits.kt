@@ -1,6 +1,6 @@
 package badlog.viewer.state
 
-/** A screen of a page that opens logs, in the order in which each leads to the next. */
+/** The screens of a page that opens logs, in the order in which one leads to the next. */
 enum class Visit {
     /** The page as it begins: without a log, or with its own. */
     START,
@@ -13,7 +13,7 @@ enum class Visit {
 }
 
 /**
- * The screens between which Back and Forward of a browser go. Immutable; each transition returns a new one.
+ * The screens that a browser's Back and Forward go through. Immutable; each transition returns a new one.
  *
  * @property at the place of the shown screen among the entries of the browser's history, counted from the page's first.
  */
@@ -24,8 +24,8 @@ class LogVisits private constructor(private val entries: List<Visit>, val at: In
     val now: Visit get() = entries[at]
 
     /**
-     * Returns the visits when [next] is shown. Its place is one further on for a new entry of the browser's history, and an earlier one
-     * if an entry already showed [next]. A log that follows another takes its entry.
+     * Returns the visits after [next] is shown. Its place is one further for a new entry of the browser's history, or an earlier one if
+     * that entry already showed [next]. A log that follows another one takes over its entry.
      */
     fun showing(next: Visit): LogVisits {
         if (next > now) return LogVisits(entries.take(at + 1) + next, at + 1)
@@ -37,8 +37,8 @@ class LogVisits private constructor(private val entries: List<Visit>, val at: In
     fun again(): LogVisits = LogVisits(entries.take(at + 1) + now, at + 1)
 
     /**
-     * Returns the visits when the browser goes to [place]. If [canShow] denies that its screen can still be shown, the ones before it in
-     * order are asked. Null if this page did not make the entry.
+     * Returns the visits when the browser goes to [place]. If [canShow] is false for its screen, the screens before it in order are tried.
+     * Null if this page did not make the entry.
      */
     fun returned(place: Int, canShow: (Visit) -> Boolean): LogVisits? {
         val wanted = entries.getOrNull(place) ?: return null

@@ -6,12 +6,12 @@ import badlog.viewer.choices.range.Viewport
 import badlog.viewer.draw.mark.FindingPlace
 import badlog.viewer.shown.cursor.Cursors
 
-/** What changes where a person is in a log, besides keys: gestures, lists, videos, files. See [Place]. */
+/** A change of a person's place in a log, other than by a key: by a gesture, list, video or file. See [Place]. */
 sealed interface PlaceAction : Action {
     /** Shows all of [full], as for another log: without cursor, selection and finding. */
     class Open(val full: Span) : PlaceAction
 
-    /** Shows a log that has grown to [full]. If that is another x axis, as [isOtherAxis] says, all of it is shown. */
+    /** Shows a log that has grown to [full]. If [isOtherAxis] is true, the x axis is another one, and all of it is shown. */
     class Grow(val full: Span, val isOtherAxis: Boolean = false) : PlaceAction
 
     /** Goes to the end of the log, and stays there if the log grows. */
@@ -23,7 +23,7 @@ sealed interface PlaceAction : Action {
     /** Keeps the visible range while the log grows. */
     object Pause : PlaceAction
 
-    /** Pins the cursor at [x], or at the nearest end of the log. Shows it, with its surroundings if it [isWithSurroundings]. */
+    /** Pins the cursor at [x], or at the nearest end of the log. Shows it, with its surroundings if [isWithSurroundings] is true. */
     class GoTo(val x: Double, val isWithSurroundings: Boolean = false) : PlaceAction
 
     /** Selects [finding] where the person is; null for none. */
@@ -59,7 +59,7 @@ sealed interface PlaceAction : Action {
     /** Moves the pointer to [x]. */
     class Hover(val x: Double) : PlaceAction
 
-    /** The pointer leaves the graphs. */
+    /** Removes the pointer, which left the graphs. */
     object Leave : PlaceAction
 
     /** Clicks [x], or shift-clicks it, see [Cursors.clicked]. */
@@ -71,7 +71,7 @@ sealed interface PlaceAction : Action {
     /** Moves the cursor at which values are read to [x]; a pinned one stays pinned. */
     class MoveCursor(val x: Double) : PlaceAction
 
-    /** Places the cursors as they were before the first click of two. */
+    /** Restores the cursors as they were before the first click of a double click. */
     class Point internal constructor(internal val cursors: Cursors) : PlaceAction
 
     /** Removes the first of these that exists: selection, second cursor, pinned cursor, cursor. */

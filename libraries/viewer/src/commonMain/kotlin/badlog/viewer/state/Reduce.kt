@@ -4,7 +4,7 @@ import badlog.viewer.choices.board.GraphHeight
 import badlog.viewer.choices.range.Viewport
 import badlog.viewer.input.KeyAction
 
-/** Returns the outcome of [action], on the page and in the window. It begins from [state] of a log with the content [shown]. */
+/** Returns the outcome of [action] from [state], for a log with the content [shown]. It is the same on the page and in the window. */
 fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
     is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)

@@ -21,7 +21,7 @@ internal fun ViewerState.after(shown: Shown, action: BoardAction): Outcome = whe
     is BoardAction.Keep -> Outcome(copy(added = added - board.now.graphs.filter { action.id == null || it.id == action.id }.toSet()))
 }
 
-/** Goes to [to], a step from the board; [moved] is the graph that a key has moved, if any. */
+/** Goes to [to], the board with its history after a step; [moved] is the graph that a key has moved, if any. */
 internal fun ViewerState.taking(shown: Shown, to: BoardHistory, moved: Int? = null): Outcome {
     val before = shown.graphs.takeIf { to !== board }
     return Outcome(copy(board = to), if (before == null && moved == null) null else Request.Graphs(before, moved))

@@ -17,7 +17,7 @@ internal fun ViewerState.after(shown: Shown, action: FindingAction): Outcome = w
     is FindingAction.Refuse -> findings { copy(refusal = action.reason) }
 }
 
-/** Goes to the step [steps] after the finding that was gone to, in the order of keys. */
+/** Goes to the step [steps] after the visited finding, in the order of keys. */
 internal fun ViewerState.nextFinding(shown: Shown, steps: Int): Outcome {
     val step = shown.found?.order?.beside(place.visited?.finding, place.cursors.x ?: Double.NaN, steps)
     if (step == null) return Outcome(this, FindingRequest.AnnounceNone)
@@ -44,5 +44,5 @@ private fun ViewerState.visiting(goal: FindingPlace<Finding>, request: Request) 
 /** The number of findings beside incidents that are listed until a person asks for more. */
 internal const val FEW_FINDINGS = 5
 
-/** The number of findings that a person gets at a time. */
+/** The number of findings that are added to the list at a time. */
 internal const val FINDINGS_AT_A_TIME = 300

@@ -11,7 +11,7 @@ sealed interface Request {
     /** Opens the values at the cursor, or closes them. */
     object Values : Request
 
-    /** Opens the modules of a swerve drive at the cursor, or closes them. For a log without any, it says so. */
+    /** Opens the modules of a swerve drive at the cursor, or closes them. For a log without modules, says so. */
     object Modules : Request
 
     /** Adds the graph that keys apply to, or removes it: it need not be one of the board's. */
@@ -28,7 +28,7 @@ sealed interface Request {
     /** Shows the graphs of the kept layout that is [steps] after the one shown, see [keptLayoutAfter][badlog.viewer.choices.board.keptLayoutAfter]. */
     class Layout(val steps: Int) : Request
 
-    /** Tells where the keys have moved a cursor. */
+    /** Announces the place to which the keys have moved a cursor. */
     object Cursor : Request
 
     /** Asks for a formula. */
@@ -37,7 +37,7 @@ sealed interface Request {
     /** Asks for the text of a note at [x]. */
     data class Note(val x: Double) : Request
 
-    /** Asks for another text of [note]. */
+    /** Asks for a new text for [note]. */
     class ChangeNote(val note: LogNote) : Request
 
     /** Removes [note], and offers to restore it. */
@@ -46,6 +46,6 @@ sealed interface Request {
     /** Adds a mark at [x], a note that needs no text. */
     data class Mark(val x: Double) : Request
 
-    /** Shows the picture of the video that is [count] further on, or back if negative, and moves the cursor there. */
+    /** Shows the frame of the video that is [count] further, or back if negative, and moves the cursor there. */
     class Frames(val count: Int) : Request
 }

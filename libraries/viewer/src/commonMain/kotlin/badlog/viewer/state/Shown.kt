@@ -13,16 +13,16 @@ interface Shown {
     /** The samples that a cursor steps to. */
     val samples: CursorSteps
 
-    /** When the robot was enabled. */
+    /** The time when the robot was enabled. */
     val enabled: List<EnabledSpan>
 
     /** The findings; null while none are known. */
     val found: RuleResults?
 
-    /** The graphs of the board that can be drawn of the log. */
+    /** The graphs of the board that can be drawn for the log. */
     val graphs: Board
 
-    /** The id of the one of [graphs] that keys apply to; null for none. */
+    /** The id of the graph, one of [graphs], to which keys apply; null for none. */
     val graph: Int? get() = null
 
     /** The newest moment of a log that is being written; null for any other. */

@@ -1,17 +1,17 @@
 package badlog.viewer.state
 
-/** A variable for the state, which only a [Store] sets: whatever a shell draws follows it. */
+/** The variable for the state, which only a [Store] sets. Everything that a shell draws follows it. */
 interface StateCell {
     /** The current state. */
     var state: ViewerState
 }
 
 /**
- * Lets actions change the state, the only way from a shell to it.
+ * Applies actions to the state; a shell cannot change it in any other way.
  *
- * @param cell where the state is.
+ * @param cell the variable with the state.
  * @param shown the content of the open log.
- * @param perform does what only the shell can do.
+ * @param perform performs a task that only the shell can perform.
  */
 class Store(private val cell: StateCell, private val shown: Shown, private val perform: (Request) -> Unit) {
     /** The current state. */

@@ -8,7 +8,7 @@ import badlog.viewer.choices.board.BoardHistory
  * The state of an open log: the person's graphs, the place in the log, and the open parts of panels. Immutable: [reduce] returns the next
  * one.
  *
- * @property place where the person is in the log.
+ * @property place the person's place in the log.
  * @property board the graphs that the person put together, with their history.
  * @property findings the search in the findings.
  * @property unfolded the parts of panels that a person has unfolded, or folded, by their keys.

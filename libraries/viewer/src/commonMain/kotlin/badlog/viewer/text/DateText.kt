@@ -6,7 +6,7 @@ fun dateText(second: Long): String {
     return "${date.day} ${MONTHS[date.month - 1]} ${date.year}, ${timeOfDay(second)}"
 }
 
-/** Returns [second] of the same clock in ISO 8601, `2024-03-16T10:41`, which people search for. */
+/** Returns [second], on the same clock, in ISO 8601, for searches: `2024-03-16T10:41`. */
 fun isoText(second: Long): String {
     val date = CivilDate.of(second.floorDiv(DAY))
     return "${date.year}-${twoDigits(date.month)}-${twoDigits(date.day)}T${timeOfDay(second)}"

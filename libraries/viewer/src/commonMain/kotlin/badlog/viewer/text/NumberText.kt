@@ -31,7 +31,7 @@ fun exactText(value: Double): String = when {
 
 /**
  * Returns [value] for reading. Whole numbers are in full, others have six significant digits, but no zeros in place of digits before the
- * point. Files, copies and tooltips have the [exactText].
+ * point. Files, copies and tooltips use [exactText].
  */
 fun numberText(value: Double): String = when {
     abs(value) < MAX_PLAIN && (value == floor(value) || abs(value) >= MILLION) -> fixedDigits(value, 0)

@@ -13,8 +13,8 @@ val Problem.word: String
     }
 
 /**
- * Returns the effect of [problems] on a reader of the file. For example: `Data is missing in 2 places, 1 warning.`. For a file that is not
- * a log, it is the reason. A front end may add the number of [others], its own warnings.
+ * Returns a summary of [problems] for a reader of the file: `Data is missing in 2 places, 1 warning.` For a file that is not a log, it is
+ * the reason. A front end may add [others], the number of its own warnings.
  */
 fun problemSummary(problems: List<Problem>, others: Int = 0): String {
     val unreadable = problems.firstOrNull { it.kind == ProblemKind.NOT_A_RECORDING || it.kind == ProblemKind.EMPTY_FILE }

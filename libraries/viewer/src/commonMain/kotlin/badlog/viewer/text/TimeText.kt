@@ -9,8 +9,8 @@ fun placeText(x: Double, axis: XAxis, width: Double): String = // There is nothi
     if (x.isNaN()) NO_NUMBER else fixedText(x, if (axis.isIndex) 0 else decimalsFor(width))
 
 /**
- * Returns the cursor's place: `93.740 s · Teleop 1:31`. [clocks] is the time of other clocks; if it is empty, the place is also in
- * minutes, from one minute on.
+ * Returns the cursor's place: `93.740 s · Teleop 1:31`. [clocks] is the time on other clocks; if it is empty, the place is also in minutes,
+ * from one minute on.
  */
 fun cursorText(x: Double, axis: XAxis, width: Double, clocks: String): String {
     val place = withUnit(placeText(x, axis, width), axis.unit)

@@ -4,8 +4,8 @@ package badlog.viewer.todo
 const val CHECKLIST_FILE: String = "checklist.md"
 
 /**
- * Returns the lines of the checklist in [text], each once and at most [MAX_LINES], cut after [TodoChange.MAX_TEXT] characters. Signs of a
- * list, such as `- [ ]`, are removed; headings and empty lines are skipped.
+ * Returns the lines of the checklist in [text], each once and at most [MAX_LINES], cut off after [TodoChange.MAX_TEXT] characters. List
+ * markers, such as `- [ ]`, are removed; headings and empty lines are skipped.
  */
 fun checklistOf(text: String): List<String> = text.lineSequence()
     .map { it.trim() }

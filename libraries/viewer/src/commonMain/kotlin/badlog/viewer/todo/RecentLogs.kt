@@ -7,7 +7,7 @@ import badlog.viewer.shown.folder.isOfSameMatch
 import kotlin.math.abs
 
 /**
- * Returns the [logs] that began since the fourth last match, see [TodoList.RECENT_RUNS]; without any match, the last four logs. Logs
+ * Returns the [logs] that began since the fourth-to-last match, see [TodoList.RECENT_RUNS]; without any match, the last four logs. Logs
  * without a date belong to their matches. Idle logs should not be in [logs].
  */
 fun recentOf(logs: Collection<TodoLog>): List<TodoLog> {

@@ -4,7 +4,7 @@ package badlog.viewer.todo
  * One change of a team's list: one line of a file that is only ever appended to.
  *
  * @property id identifies the change among all laptops.
- * @property time the time of the change, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
+ * @property time the time of the change, in UTC: `2026-03-07T14:05:12.345Z`; sorted as texts, such times are in order.
  * @property author the person who made the change.
  * @property subject the changed item.
  * @property deed the change.

@@ -11,7 +11,7 @@ import badlog.core.recording.Severity
  * @property done the last time that it was done; null if it never was. An open item that was done has been reopened by a person, or
  *   [isAgain].
  * @property isAgain whether it is open because the fault was found again in a log that was recorded after it was [done].
- * @property found the last place of the fault; null if no rule found it, and if the logs of the folder do not show it any more.
+ * @property found the last place of the fault; null if no rule found it, or if the logs of the folder no longer show it.
  */
 data class TodoItem(
     val task: TodoTask,

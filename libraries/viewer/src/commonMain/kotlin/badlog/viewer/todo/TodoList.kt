@@ -5,7 +5,7 @@ import badlog.signals.match.MatchOfLog
 import badlog.signals.match.NaturalOrder
 
 /**
- * A team's list of things to do. It is the union of all lines from its laptops, and the recent findings of the rules. Immutable.
+ * A team's list of things to do. It combines the lines from all laptops with the recent findings of the rules. Immutable.
  *
  * @property open the open items: the ones that came back first, then the most serious.
  * @property done the items that were done, the latest first.
@@ -31,7 +31,7 @@ class TodoList private constructor(
     fun itemOrNew(task: TodoTask): TodoItem = items[task] ?: TodoItem(task, isOpen = true, found = (task as? FaultTask)?.let(found::get))
 
     companion object {
-        /** The number of last matches that matter in a pit: their errors are on the list by themselves. */
+        /** The number of last matches that matter in a pit: their errors are put on the list automatically. */
         const val RECENT_RUNS: Int = 4
 
         /**

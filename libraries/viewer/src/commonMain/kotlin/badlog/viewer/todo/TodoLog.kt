@@ -10,7 +10,7 @@ import badlog.viewer.catalog.LogDate
  * A log of the folder with the findings of the rules.
  *
  * @property name the name of the log's file.
- * @property match the match of the log.
+ * @property match the match in which the log was recorded.
  * @property second the time when the log began, in s since 1970 on the clock of the logs.
  * @property faults the findings.
  * @property isDated whether [second] can be compared with the clocks of other logs. The time of a file differs on each laptop, and a

@@ -15,7 +15,7 @@ const val UNNAMED_MATCH: String = "the next match"
 /**
  * Returns a [typed] match, such as `q58` or `58`, as logs name it: `Qualification 58`. Other texts stay as they are.
  *
- * @param last the match that was played last, for the type of a number alone; null if unknown.
+ * @param last the match that was played last, which provides the type for a number alone; null if unknown.
  */
 fun matchText(typed: String, last: MatchOfLog? = null): String {
     val text = typed.trim()

@@ -7,7 +7,7 @@ import java.time.format.DateTimeFormatter
 import java.time.temporal.ChronoUnit
 
 /**
- * Returns the time of a change that is made now, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
+ * Returns the time of a change that is made now, in UTC: `2026-03-07T14:05:12.345Z`. Sorted as texts, such times are in order.
  *
  * @param last the time of the newest known change of the same thing; null if there is none. The result is later, even if that change was
  *   made on a laptop with its clock ahead.

@@ -47,7 +47,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         return if (own.isEmpty()) withGraph(lines) else own.fold(this) { board, graph -> board.without(graph.id) }
     }
 
-    /** Returns whether it has a graph that draws the same as [graph]. */
+    /** Returns whether this board has a graph that draws the same as [graph]. */
     fun has(graph: BoardGraph): Boolean = graphs.any { it.drawsAs(graph) }
 
     /** Adds [graph] at the end, or removes existing graphs that draw the same. */
@@ -143,7 +143,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         graph.copy(lines = listOf(y, x) + graph.lines.drop(2), xRange = graph.yRange, yRange = graph.xRange)
     }
 
-    /** Shows only [x] and [y] of the graph [id] of y over x; null shows all of it. */
+    /** Shows only the ranges [x] and [y] in graph [id], a graph of y over x; null shows all of it. */
     fun withPlane(id: Int, x: Span?, y: Span?): Board = change(id) { it.copy(xRange = x, yRange = y) }
 
     /** Treats the poses of graph [id] as measured from [origin]. */
@@ -172,7 +172,7 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
         return places
     }
 
-    /** Returns the same board with ids from 1 on, as a written and read board has them. */
+    /** Returns the same board with ids from 1 on, as after writing and reading it. */
     fun renumbered(): Board = Board(graphs.mapIndexed { i, graph -> graph.copy(id = i + 1) })
 
     /** Returns whether this board shows the same as [other], regardless of the ids. */
@@ -184,19 +184,19 @@ data class Board(val graphs: List<BoardGraph> = emptyList()) {
 /**
  * The content of one graph, by names only, so that the same graph fits every recording of a robot.
  *
- * @property id identifies the graph on its board, without another meaning. It is written only where several tabs or windows remember a
+ * @property id identifies the graph on its board, and has no other meaning. It is written only where several tabs or windows remember a
  *   board.
  * @property title the heading above the graph.
- * @property lines the names of the drawn signals, each once; a recording's missing ones are not drawn.
+ * @property lines the names of the drawn signals, each once; names that a recording lacks are not drawn.
  * @property isFilled whether the area below the lines is filled.
  * @property includesZero whether y must include 0.
- * @property yRange the part of y that a person selected, finite and wider than 0, on the left axis if there are two; null for as much as
- *   the visible samples need.
+ * @property yRange the part of y that a person selected, finite and wider than 0, on the left axis if there are two; null to fit the
+ *   visible samples.
  * @property height the height in density-independent pixels, within [HEIGHTS]; null for the default. See [GraphHeight].
  * @property rightYRange the same as [yRange] for the right axis.
  * @property sharesY whether all graphs that share y show the same part of it for each unit; a fixed range is not shared.
  * @property hidden the [lines] that are currently not drawn.
- * @property isXy whether the lines are not drawn over the common x: poses are paths on a field, others are drawn over the first line.
+ * @property isXy whether the lines are drawn without the common x: poses as paths on a field, other lines over the first one.
  * @property xRange the part of x that a person selected in such a graph, with [yRange] for y; null for all of it.
  * @property origin the origin of the poses in such a graph.
  */
@@ -229,8 +229,8 @@ data class BoardGraph(
     }
 }
 
-/** Says in a sentence why a text is not a board. */
+/** The exception for a text that is not a board; the message is a sentence with the reason. */
 class BoardException(message: String) : IllegalArgumentException(message)
 
-/** Whether this graph draws one line over another, rather than the paths of [poses]. */
+/** Returns whether this graph draws one line over another, rather than the paths of [poses]. */
 fun BoardGraph.canSwapAxes(poses: List<Pose>): Boolean = isXy && lines.size == 2 && poses.none { it.x in lines && it.y in lines }

@@ -23,8 +23,8 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
     val canRedo: Boolean get() = at < steps.lastIndex
 
     /**
-     * Shows [board], a changed copy of [shown]. That is the part of [now] that the open log can show; the rest stays. Returns this
-     * history if [board] shows the same.
+     * Shows [board], a changed copy of [shown], the part of [now] that the open log can show. The rest of [now] stays. Returns this history
+     * if [board] shows the same.
      */
     internal fun changed(board: Board, shown: Board = now): BoardHistory {
         val own = identified(board)
@@ -40,16 +40,16 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
     /** Undoes the last change. */
     internal fun undone(): BoardHistory = if (canUndo) BoardHistory(steps, at - 1, newId) else this
 
-    /** Redoes what [undone] undid. */
+    /** Redoes the change that [undone] undid. */
     internal fun redone(): BoardHistory = if (canRedo) BoardHistory(steps, at + 1, newId) else this
 
     /** Returns this history with [change] applied to each board, so that it cannot be undone. */
     internal fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map { Step(it.board.change(), it.isNew) })
 
     /**
-     * Returns this history with others' changes to the [stored] board since this one [read] it. They are in each of its boards, so that
-     * undoing does not undo them. Afterwards, [now] is the board to store, and earlier changes here no longer count as later than those
-     * from others.
+     * Returns this history merged with the changes that others made to the [stored] board since this one [read] it. All boards of the
+     * history contain them, so that undoing does not undo them. Afterwards, [now] is the board to store, and earlier changes here no longer
+     * count as later than changes by others.
      */
     internal fun mergedWith(stored: Board, read: Board): BoardHistory {
         if (stored == read) return BoardHistory(steps.map { Step(it.board, isNew = false) }, at, newId)

@@ -46,8 +46,8 @@ internal fun StringBuilder.appendSpan(key: String, span: Span?) {
 }
 
 /**
- * Returns the board in the JSON object [text]; [toJson] describes it. Other keys, such as the further ones of a layout file, are ignored.
- * Without a version, as older pages remember boards, it has version 1.
+ * Returns the board in the JSON object [text]; [toJson] describes it. Other keys, such as the further ones of a layout file, are ignored. A
+ * text without a version, as older pages stored it, has version 1.
  *
  * @throws BoardException if the text has no board, the board is damaged, or its version is from a newer badlog.
  */
@@ -59,9 +59,9 @@ fun boardOfJson(text: String): Board {
 }
 
 /**
- * Returns the board with the list [graphs].
+ * Returns the board with the graphs in the JSON list [graphs].
  *
- * @param placeText returns the place of a mistake from its index in the text, with a leading space.
+ * @param placeText returns the text for the place of a mistake, with a leading space, from its index in the JSON.
  */
 internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = try {
     val items = graphs?.items ?: throw Damage("“graphs” is not a list", graphs)
@@ -74,7 +74,7 @@ internal fun boardOf(graphs: JsonValue?, placeText: (Int) -> String): Board = tr
     throw BoardException("The graphs are damaged: ${e.what}$place; select a file that badlog has saved.")
 }
 
-/** The start of each object of JSON with graphs. */
+/** The start of each JSON object with graphs. */
 internal const val VERSIONED = "{\"${BoardLayout.VERSION_KEY}\":${BoardLayout.VERSION}"
 
 private class Damage(val what: String, place: JsonValue?) : Exception() {

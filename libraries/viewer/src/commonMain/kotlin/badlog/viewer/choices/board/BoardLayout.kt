@@ -33,8 +33,8 @@ class BoardLayout(val board: Board?, val visible: Span? = null, val formulas: Li
 }
 
 /**
- * Returns the name of the layout [steps] after the [current] one in [kept], the names in their order; wraps around. From a layout that is
- * not kept, it is the first, or the last for -1; null if none is kept.
+ * Returns the name that is [steps] after [current] in [kept], the ordered names of kept layouts, wrapping around. If [current] is not kept,
+ * 1 leads to the first name, and -1 to the last. Null if none is kept.
  */
 fun keptLayoutAfter(kept: List<String>, current: String?, steps: Int): String? {
     if (kept.isEmpty()) return null
@@ -67,8 +67,8 @@ fun boardLayoutOf(name: String, text: String): BoardLayout {
 }
 
 /**
- * Returns a sentence that says why [text] is not a layout, with the place where it stops being JSON. It is the content of the file called
- * [name].
+ * Returns the sentence that [text], the content of the file called [name], is not a layout. It has the place where the text stops being
+ * JSON.
  */
 fun layoutMistake(name: String, text: String): String {
     val place = JsonReader.mistakeIn(text)?.let { " in ${lineAndColumn(text, it)}" }.orEmpty()

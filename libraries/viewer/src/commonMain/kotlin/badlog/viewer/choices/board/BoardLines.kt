@@ -7,7 +7,7 @@ import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
 /**
- * Finds the lines of a board by their names. They are lines of topics, or of graphs that are derived from topics.
+ * The lines that a board can draw, by name. They are lines of topics, or of graphs that are derived from topics.
  *
  * @property view the log with the lines.
  * @param others graphs of other lines that can be drawn, such as those from a hook.

@@ -98,5 +98,5 @@ private fun originOf(text: String): FieldOrigin =
 private fun heightOf(text: String): Int =
     text.toIntOrNull()?.coerceIn(BoardGraph.HEIGHTS) ?: throw BoardException("“$text” is not a height; copy the whole address again.")
 
-/** Returns whether [range] can be written. It must not be empty, and JSON has only finite numbers. */
+/** Returns whether [range] can be written: it is not empty, and finite, because JSON has only finite numbers. */
 internal fun isWritable(range: Span): Boolean = range.from < range.to && range.from.isFinite() && range.to.isFinite()

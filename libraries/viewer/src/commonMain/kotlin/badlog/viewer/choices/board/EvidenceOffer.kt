@@ -5,14 +5,14 @@ import badlog.signals.LogShape
 import badlog.signals.vocabulary.SignalVocabulary
 
 /**
- * Graphs that may help, beside its evidence, to investigate a finding.
+ * Graphs that may help to investigate a finding, in addition to its evidence.
  *
  * @property label the content of the graphs, as in “+ Current”.
  * @property topics the full names of the topics.
  */
 class EvidenceOffer(val label: String, val topics: List<String>)
 
-/** Returns the topics of [view] with well-known signals of [vocabulary] that [board] does not show yet. */
+/** Returns offers for the well-known signals of [vocabulary] in [view] that [board] does not show yet. */
 fun evidenceOffers(view: LogView, vocabulary: SignalVocabulary, board: Board): List<EvidenceOffer> {
     val topics = LogShape.of(view).topicsOf(vocabulary).all
     val shown = board.placesOfLines().keys

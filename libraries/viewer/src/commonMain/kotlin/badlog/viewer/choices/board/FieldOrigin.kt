@@ -12,7 +12,7 @@ enum class FieldOrigin(val label: String) {
     /** The red alliance's wall. */
     RED("Red origin"),
 
-    /** The wall of the robot's own alliance in each match. The blue one if the log does not have the alliance. */
+    /** The wall of the robot's own alliance in each match; the blue wall if the log does not name the alliance. */
     AUTO("Auto origin"),
 
     /** The center of the field as seen from the red alliance's wall: x points towards the blue wall. */

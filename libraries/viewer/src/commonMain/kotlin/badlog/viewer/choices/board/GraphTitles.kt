@@ -3,7 +3,7 @@ package badlog.viewer.choices.board
 import badlog.core.text.UniqueNames
 import badlog.viewer.text.shortNames
 
-/** The titles of the graphs in order, each once. Equal ones except the first end with a number, as in `Speed (2)`. */
+/** The titles of the graphs in order, made unique. Repeated titles end with a number, as in `Speed (2)`. */
 val Board.titles: List<String> get() = numbered(graphs.map { it.title })
 
 /**

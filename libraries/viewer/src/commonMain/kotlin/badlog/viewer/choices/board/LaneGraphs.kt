@@ -3,8 +3,8 @@ package badlog.viewer.choices.board
 import badlog.core.analysis.Graph
 
 /**
- * Returns the [graphs] of a folder grouped by frame. Each has its own, except that neighbors with states share one, with a lane for each,
- * as many as fit on a screen.
+ * Returns the [graphs] of a folder grouped by frame. Neighbors with states share a frame, with a lane for each, as many as fit on a screen.
+ * Each other graph has its own frame.
  *
  * @param isAlone whether a graph has its own frame although it shows states.
  */
@@ -21,7 +21,7 @@ fun framesOf(graphs: List<Graph>, isAlone: (Graph) -> Boolean = { false }): List
 /** Returns the title of a frame with the states of several graphs of [folder], including the folder. */
 fun statesTitle(folder: String): String = if (folder.isEmpty()) "States" else "$folder/States"
 
-/** Returns one graph with all lanes of [frame], a result of [framesOf]. */
+/** Returns one graph with all lanes of [frame], which is one of the frames that [framesOf] returns. */
 fun laneGraphOf(frame: List<Graph>): Graph {
     val first = frame.first()
     if (frame.size == 1) return first

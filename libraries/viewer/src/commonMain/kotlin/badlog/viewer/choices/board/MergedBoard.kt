@@ -5,11 +5,11 @@ import badlog.viewer.choices.mergedWith
 
 /**
  * Returns this board merged with the changes that others made to the [stored] board since this one [read] it. Several tabs or windows
- * change such a board, and remember it in one place. It is merged graph by graph, and within a graph title by title, line by line and
- * height by height. See [mergedWith][badlog.viewer.choices.mergedWith].
+ * change such a board, and remember it in one place. Graphs are merged one by one; within a graph, title, lines and height are merged
+ * separately. See [mergedWith][badlog.viewer.choices.mergedWith].
  *
- * @param stored the board as it is remembered now.
- * @param prefersStored whether a property that both changed is as [stored], rather than as here.
+ * @param stored the currently stored board.
+ * @param prefersStored whether a property that both sides changed is taken from [stored], rather than from here.
  */
 fun Board.mergedWith(stored: Board, read: Board, prefersStored: Boolean = false): Board {
     val known = read.graphs.mapTo(HashSet()) { it.id }

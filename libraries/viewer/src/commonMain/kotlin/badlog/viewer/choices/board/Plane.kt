@@ -21,7 +21,7 @@ data class Plane(val x: Span, val y: Span) {
     /** Returns the plane moved by [right] to the right and [up] upwards. */
     fun shifted(right: Double, up: Double): Plane = Plane(Span(x.from + right, x.to + right), Span(y.from + up, y.to + up))
 
-    /** Returns the part between two points. Both are fractions of the width from the left and of the height from the top. */
+    /** Returns the part between two points, given as fractions of the width from the left and of the height from the top. */
     fun part(oneX: Double, oneY: Double, otherX: Double, otherY: Double): Plane =
         Plane(Span(xAt(minOf(oneX, otherX)), xAt(maxOf(oneX, otherX))), Span(yAt(maxOf(oneY, otherY)), yAt(minOf(oneY, otherY))))
 

@@ -9,8 +9,8 @@ import badlog.viewer.shown.outline.everChanges
 import badlog.viewer.shown.outline.outlineOf
 
 /**
- * Returns the initial graphs of a log if all of them are on the board. These are [boardAbove], then the rest of [defaultBoard]. A log with
- * more graphs than a person looks through has only [boardAbove].
+ * Returns the initial graphs of a log for a board that holds all of them: [boardAbove], then the rest of [defaultBoard]. A log with more
+ * graphs than a person looks through has only [boardAbove].
  *
  * @param pointed the evidence of the first finding; used only if not all graphs are on the board anyway.
  */
@@ -23,10 +23,10 @@ fun standardBoard(view: LogView, vocabulary: SignalVocabulary, pointed: List<Str
 }
 
 /**
- * Returns the initial graphs above all graphs of a log. A log with more graphs than a person looks through has at most 24: graphs of its
- * signals, of the topics [pointed], and of several topics together. Any other log has [pathBoard] and, if its graphs would be far apart,
- * small graphs of the topics that explain most of a match, if they change: battery and current together, modes, loop time, and the topics
- * [pointed].
+ * Returns the graphs that are initially above all other graphs of a log. A log with more graphs than a person looks through has at most 24:
+ * graphs of its signals, of the topics [pointed], and of several topics together. Any other log has [pathBoard] and, if its graphs would be
+ * far apart, small graphs of the topics that explain most of a match, if they change: battery and current together, modes, loop time, and
+ * the topics [pointed].
  *
  * @param pointed the evidence of the first finding.
  */

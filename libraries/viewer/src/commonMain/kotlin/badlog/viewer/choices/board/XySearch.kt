@@ -3,8 +3,8 @@ package badlog.viewer.choices.board
 import badlog.viewer.shown.search.Query
 
 /**
- * Returns the XY plots that a search for [text] offers beside the topics. “voltage over current” offers each match of “voltage” in
- * [names] over each match of “current”, as many as a person chooses from. None without the word “over” between two searches.
+ * Returns the XY plots that a search for [text] offers beside the topics. “voltage over current” offers each match of “voltage” in [names]
+ * over each match of “current”, as many as a person can choose from. There are none without the word “over” between two searches.
  *
  * @param names the topics with samples that are numbers, in the order of the list.
  */

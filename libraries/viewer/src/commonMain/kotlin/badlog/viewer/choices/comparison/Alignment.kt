@@ -1,7 +1,7 @@
 package badlog.viewer.choices.comparison
 
 /**
- * The moment of compared logs that is at the same x.
+ * The moment by which compared logs are aligned; it is at the same x in all of them.
  *
  * @property title the label.
  * @property hint the effect, as a sentence.

@@ -12,7 +12,7 @@ import kotlin.math.round
  * @property byHand the manual offset of each log, in units of x; only differences between them matter, and a missing log has 0.
  */
 data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand: Map<K, Double> = emptyMap()) {
-    /** Returns the number to add to the x of [log] so that it is aligned with [open]; always finite. [moments] has both logs. */
+    /** Returns the number to add to the x of [log] so that it is aligned with [open]; always finite. [moments] contains both logs. */
     fun of(log: K, open: K, moments: Map<K, LogMoments>): Double {
         if (log == open) return 0.0
         val isByHand = alignment == Alignment.MANUAL
@@ -20,15 +20,15 @@ data class LogOffsets<K>(val alignment: Alignment = Alignment.START, val byHand:
         return if (offset.isFinite()) offset else 0.0
     }
 
-    /** Aligns by [wanted]. For manual alignment, each log in [moments] stays where it is beside [open]. */
+    /** Aligns by [wanted]. For manual alignment, each log in [moments] stays where it is relative to [open]. */
     fun alignedBy(wanted: Alignment, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
         val isFirstByHand = wanted == Alignment.MANUAL && alignment != Alignment.MANUAL
         return LogOffsets(wanted, if (isFirstByHand) moments.keys.associateWith { of(it, open, moments) } else byHand)
     }
 
     /**
-     * Moves [log] to [offset] beside [open], which makes the alignment manual. The offset is rounded to six decimals, and ignored if it
-     * is not finite.
+     * Moves [log] to [offset] relative to [open], which makes the alignment manual. The offset is rounded to six decimals, and ignored if
+     * it is not finite.
      */
     fun moved(log: K, offset: Double, open: K, moments: Map<K, LogMoments>): LogOffsets<K> {
         if (!offset.isFinite() || log == open) return this

@@ -52,7 +52,7 @@ fun joined(definitions: List<String>, others: List<String>): List<String> {
     return (definitions.filter { it in others || nameIn(it) !in names } + others).distinct()
 }
 
-/** Returns [name] for an expression over [vocabulary]: quoted if necessary. */
+/** Returns [name] as written in an expression over [vocabulary], quoted if necessary. */
 fun nameInExpression(name: String, vocabulary: Vocabulary): String {
     val alone = Expression.parse("changed($name)", vocabulary)
     val isPlain = alone is Expression && alone.topics == listOf(name)

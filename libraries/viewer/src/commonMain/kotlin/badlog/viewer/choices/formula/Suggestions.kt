@@ -13,7 +13,8 @@ import badlog.expression.signals.Vocabulary
 class Suggestions(val from: Int, val until: Int, val names: List<String>) {
     companion object {
         /**
-         * Returns the suggestions for the definition [text] with the text cursor at [cursor]. None while the topic's own name is typed.
+         * Returns the suggestions for the definition [text] with the text cursor at [cursor]. There are none while a person types the
+         * topic's own name.
          */
         fun of(text: String, cursor: Int, vocabulary: Vocabulary): Suggestions {
             val equals = text.indexOf('=')

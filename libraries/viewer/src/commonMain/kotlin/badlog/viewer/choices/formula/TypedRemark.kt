@@ -9,7 +9,7 @@ import badlog.expression.ExpressionError
  */
 class TypedRemark(val text: String, val isError: Boolean)
 
-/** Returns the remark on this mistake. At the end of the text, it may be gone with the next letter. */
+/** Returns the remark on this mistake. A mistake at the end of the text may disappear with the next letter. */
 fun ExpressionError.whileTyping(): TypedRemark = when {
     until < text.trimEnd().length -> TypedRemark(message, isError = true)
     isFunctionAlone -> TypedRemark("Type on for a name, or “(” for the function ${text.substring(from, until)}.", isError = false)

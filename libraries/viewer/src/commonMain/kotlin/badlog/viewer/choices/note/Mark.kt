@@ -1,6 +1,6 @@
 package badlog.viewer.choices.note
 
-/** Returns these notes with a mark at [x]. It is a note with the next number, `Mark 3`, as its text, which can be changed later. */
+/** Returns these notes with a mark at [x]. The mark is a note with a numbered text, such as `Mark 3`, which can be changed later. */
 fun Notebook.marked(x: Double): Notebook {
     val last = notes.mapNotNull { MARK.matchEntire(it.text)?.groupValues?.get(1)?.toInt() }.maxOrNull() ?: 0
     return with(notes + Note(x, "Mark ${last + 1}"))

@@ -7,23 +7,24 @@ package badlog.viewer.choices.note
  * The moment of a note, which never changes, and its [origin][NoteChange.origin] identify it.
  */
 class NoteHistory private constructor(private val last: Map<NoteName, NoteChange>, private val named: Map<Note, NoteName>) {
-    /** Whether there never was a note. */
+    /** Whether there has never been a note. */
     val isEmpty: Boolean get() = last.isEmpty()
 
     /** The notes, in the order of x; notes of one moment in the order of writing. */
     val notes: List<Note>
         get() = last.values.filter { !it.isRemoved }.map { it.note }.distinct().sortedBy { it.x }.take(Note.MAX_NOTES)
 
-    /** The notes that are as they were at the beginning. Together with [changes], they are all of this history. */
+    /** The notes that have not changed since the beginning. Together with [changes], they make up this history. */
     val unchanged: List<Note> get() = last.values.filter { it.time.isEmpty() }.map { it.note }
 
-    /** The last change of each note that is not as it was at the beginning. Removed notes are without their text. */
+    /** The last change of each note that has changed since the beginning. Removed notes have no text. */
     val changes: List<NoteChange> get() = last.values.filter { it.time.isNotEmpty() }
 
     /**
      * Returns the changes that turn the notes [before], which were read from this history or an earlier one, into [notes].
      *
-     * @param timeAfter returns the current time, which must be after the last change of the same note, unless that is null.
+     * @param timeAfter returns the current time. It must be later than the argument, the time of the note's last change, unless that is
+     *   null.
      * @param newId returns an id that no other change has.
      */
     fun changesTo(
@@ -64,7 +65,7 @@ class NoteHistory private constructor(private val last: Map<NoteName, NoteChange
     }
 
     companion object {
-        /** Returns the history of the notes at the [beginning] with [changes]. */
+        /** Returns the history that begins with the notes [beginning] and continues with [changes]. */
         fun of(beginning: List<Note>, changes: Collection<NoteChange>): NoteHistory {
             val last = LinkedHashMap<NoteName, NoteChange>()
             val named = HashMap<Note, NoteName>()

@@ -11,11 +11,11 @@ import badlog.viewer.choices.AppendedLines
  * One change of the notes of a log: one line of a file that is only ever appended to.
  *
  * @property id identifies the change among all laptops.
- * @property time the time of the change, in UTC: `2026-03-07T14:05:12.345Z`; such times are in order as texts.
+ * @property time the time of the change, in UTC: `2026-03-07T14:05:12.345Z`; sorted as texts, such times are in order.
  * @property author the person who made the change.
  * @property note the note that was written, or removed.
  * @property isRemoved whether the note was removed.
- * @property origin distinguishes the note from others of its moment, whatever its text was before; null if it began with this text.
+ * @property origin distinguishes the note from others at its moment, even if its text has changed; null if it began with this text.
  */
 data class NoteChange(
     val id: String,

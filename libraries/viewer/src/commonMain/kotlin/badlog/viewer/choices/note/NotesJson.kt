@@ -4,7 +4,7 @@ import badlog.core.json.JsonReader
 import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 
-/** Says in a sentence why a text is not a log's notes, or why they could not be read. */
+/** The exception for a text that is not a log's notes, or for notes that cannot be read; the message is a sentence with the reason. */
 class NotesException(message: String) : Exception(message)
 
 /** Returns these notes in the order of x, as JSON: `{"version":1,"notes":[{"x":93.7,"text":"…"}]}`. Keys may be added, never removed. */

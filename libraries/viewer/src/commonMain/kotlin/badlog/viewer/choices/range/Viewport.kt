@@ -79,7 +79,7 @@ data class Viewport(
     /** Shows the whole range. */
     internal fun reset(): Viewport = if (isZoomed) remembered().copy(visible = full) else this
 
-    /** Shows the time from the first to the last of [enabled]; nothing changes without one. */
+    /** Shows the time from the first to the last of [enabled]; nothing changes if that is empty. */
     internal fun showingEnabled(enabled: List<EnabledSpan>): Viewport {
         if (enabled.isEmpty()) return this
         val from = enabled.minOf { it.span.from }

@@ -18,10 +18,7 @@ enum class AxisSide {
     NONE,
     ;
 
-    /**
-     * Returns the note in a legend for a line in [unit] on this axis. It has the unit, and the side of the numbers, unless that is the
-     * left.
-     */
+    /** Returns the legend's note on a line in [unit] on this axis. It has the unit, and the side of the numbers unless that is the left. */
     fun legendOf(unit: String): String = when (this) {
         LEFT -> unit
         RIGHT -> if (unit.isEmpty()) "right" else "$unit, right"
@@ -38,8 +35,8 @@ enum class AxisSide {
 class GraphAxis(val unit: String, val side: AxisSide, val lines: List<Int>)
 
 /**
- * Returns the y axes for lines with [units]. Null for a line that is not drawn, so that its axis is free for another unit. The first unit
- * is on the left, the second on the right; further ones have no numbers.
+ * Returns the y axes for lines with [units]. The unit of a line that is not drawn is null, so that its axis is free for another unit. The
+ * first unit is on the left, the second on the right; further ones have no numbers.
  */
 fun graphAxes(units: List<String?>): List<GraphAxis> {
     val linesOf = LinkedHashMap<String, ArrayList<Int>>()

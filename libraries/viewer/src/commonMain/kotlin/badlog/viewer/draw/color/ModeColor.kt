@@ -3,8 +3,8 @@ package badlog.viewer.draw.color
 import badlog.viewer.draw.mark.RobotMode
 
 /**
- * Returns the shade of [mode]. Amber for autonomous and blue for teleop, which everybody can distinguish; gray if the log does not have the
- * mode.
+ * Returns the shade of [mode]. It is amber for autonomous and blue for teleop, which everybody can distinguish, and gray if the log does
+ * not name the mode.
  */
 fun modeShade(mode: RobotMode): Shade = when (mode) {
     RobotMode.AUTONOMOUS -> Shade.AUTONOMOUS

@@ -20,7 +20,7 @@ class PenColors private constructor(val isDark: Boolean) {
     companion object {
         private const val OPAQUE = 0xFF shl 24
 
-        /** The light theme, which paper also has. */
+        /** The light theme, which is also used on paper. */
         val LIGHT: PenColors = PenColors(isDark = false)
 
         val DARK: PenColors = PenColors(isDark = true)

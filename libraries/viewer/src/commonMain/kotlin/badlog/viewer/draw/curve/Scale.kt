@@ -4,7 +4,7 @@ import badlog.core.analysis.Span
 import kotlin.math.abs
 
 /**
- * Maps the values of an axis to the screen. [from] is at the pixel [start], and [to] is [length] pixels further on.
+ * The mapping from the values of an axis to the screen. [from] is at the pixel [start], and [to] is [length] pixels further.
  *
  * @property farthest the maximum distance of a place from 0, because coordinates far outside the screen would be too large for drawing.
  */

@@ -82,7 +82,7 @@ class Strokes {
         points[size++] = y
     }
 
-    /** Maps strokes with logged values of y by the scale [y]. It may be known only after other curves were traced. */
+    /** Maps the logged y of all strokes by the scale [y], which may be known only after other curves were traced. */
     fun place(y: Scale) {
         for (i in 1 until (if (count == 0) 0 else ends[count - 1]) step 2) points[i] = y.placeOf(points[i])
         for (i in 1 until dotsSize step 2) dots[i] = y.placeOf(dots[i])

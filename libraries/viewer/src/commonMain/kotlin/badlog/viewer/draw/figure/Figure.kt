@@ -5,8 +5,8 @@ import badlog.viewer.draw.color.Shade
 import badlog.viewer.text.countText
 
 /**
- * Draws a self-explanatory figure. At the top is the [title], usually the log's name, with the visible range and the cursor; then the
- * [parts], which draw themselves one below the other; at the bottom the findings in the range.
+ * Draws a self-explanatory figure. At the top is the [title], usually the log's name, with the visible range and the cursor. The [parts]
+ * follow, which draw themselves one below the other. At the bottom are the findings in the range.
  */
 fun Sheet.figure(title: String, notes: FigureNotes, parts: List<(Sheet) -> Unit>) {
     line(HEADING)

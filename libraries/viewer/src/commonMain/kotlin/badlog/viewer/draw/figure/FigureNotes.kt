@@ -26,7 +26,7 @@ class FigureNotes private constructor(val place: String, val findings: List<Name
         const val MAX_NAMED: Int = 8
 
         /**
-         * Returns the notes of a figure of [visible] on [axis]. [fileName] is empty if the title already has it, [found] null if the
+         * Returns the notes of a figure of [visible] on [axis]. [fileName] is empty if the title already has it; [found] is null if the
          * findings are unknown.
          */
         fun of(

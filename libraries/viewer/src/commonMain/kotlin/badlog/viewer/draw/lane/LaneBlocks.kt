@@ -11,7 +11,7 @@ class LaneBlocks {
     var left: DoubleArray = DoubleArray(0)
         private set
 
-    /** The end of each block likewise. */
+    /** The end of each block, in pixels from the frame's left edge, in the first [size] entries. */
     var right: DoubleArray = DoubleArray(0)
         private set
 
@@ -26,9 +26,9 @@ class LaneBlocks {
     private var slivers = IntArray(0)
 
     /**
-     * Finds the visible blocks of [runs] in [span] on [width] physical pixels; a CSS pixel or dp has [density]. No state is lost. One
-     * that is shorter than [LaneLook.MIN_BLOCK] is that wide, on top of its longer neighbors; if several compete, the state that is
-     * rarest in the recording is shown.
+     * Finds the visible blocks of [runs] in [span] on [width] physical pixels; a CSS pixel or dp is [density] of them. Every state is
+     * visible: a block shorter than [LaneLook.MIN_BLOCK] is drawn that wide, on top of its longer neighbors. If several compete, the state
+     * that is rarest in the recording is shown.
      */
     fun place(runs: StateRuns, span: Span, width: Double, density: Double) {
         val shortest = ceil(LaneLook.MIN_BLOCK * density).toInt()

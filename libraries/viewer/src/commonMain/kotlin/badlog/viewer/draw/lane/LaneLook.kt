@@ -2,7 +2,7 @@ package badlog.viewer.draw.lane
 
 /** The tone of a block of a lane. */
 enum class LaneTone {
-    /** Hardly colored, so that the time when a switch is pressed stands out. */
+    /** An almost colorless tone, so that the time when a switch is pressed stands out. */
     OFF,
 
     /** The state's color, muted enough for a name on top of it. */
@@ -39,8 +39,8 @@ object LaneLook {
     const val MARGIN: Double = 5.0
 
     /**
-     * Returns whether [room] pixels are enough for a name, or for its beginning and `…`. A few letters mean nothing, or look like another
-     * state's name.
+     * Returns whether [room] pixels are enough for a name, or for its beginning and `…`. Only a few letters would mean nothing, or look
+     * like another state's name.
      */
     fun hasRoom(room: Double, isWhole: Boolean): Boolean = room >= if (isWhole) LETTERS else PART
 

@@ -4,9 +4,9 @@ import badlog.core.analysis.Span
 import kotlin.math.floor
 
 /**
- * The marks of events on a time line, each for one or more events that share a pixel. A mark is a head with a line below it, or a tick
- * for events that crowd behind another one, so that a chatty robot does not hide its graphs. Errors and warnings keep their heads in any
- * crowd. The arrays are reused for the next drawing.
+ * The marks of events on a time line, each for one or more events that share a pixel. A mark is a head with a line below it, or a tick for
+ * events that crowd behind another one, so that a chatty robot does not hide its graphs. Errors and warnings always have heads. The arrays
+ * are reused for the next drawing.
  */
 class EventMarks {
     private var pixels = DoubleArray(0)
@@ -28,8 +28,8 @@ class EventMarks {
     fun hasLine(index: Int): Boolean = looks[index] and LINE != 0
 
     /**
-     * Finds the marks of the [events] in [span], over [width] physical pixels; a CSS pixel or dp has [onePixel]. The cost depends on the
-     * number of pixels, not of events.
+     * Finds the marks of the [events] in [span], over [width] physical pixels; a CSS pixel or dp is [onePixel] of them. The cost depends on
+     * the number of pixels, not of events.
      */
     fun place(events: EventTimeline, span: Span, width: Double, onePixel: Double) {
         size = 0

@@ -23,7 +23,7 @@ class EventTimeline private constructor(
 ) {
     val size: Int get() = x.size
 
-    /** The number of events with an x, which are the first ones. */
+    /** The number of events with an x; these events come first. */
     val placedCount: Int = x.size - x.count { it.isNaN() }
 
     private val places = x.copyOf(placedCount).let { Series(it, it) }

@@ -35,8 +35,9 @@ enum class FindingGlyph(val outline: DoubleArray, val isHollow: Boolean) {
 }
 
 /**
- * The marks of findings on a time axis, in drawing order, the worst last. Places begin with a glyph, one for all of a severity that would
- * hide each other, some with a line; findings that last have runs of pixels. The arrays are reused for the next drawing.
+ * The marks of findings on a time axis, in drawing order, the worst last. The start of a place has a glyph, sometimes with a line; glyphs
+ * of one severity that would hide each other are merged. Findings that last also have runs of pixels. The arrays are reused for the next
+ * drawing.
  */
 class FindingMarks {
     private var pixels = DoubleArray(0)
@@ -69,7 +70,7 @@ class FindingMarks {
     /** Returns the worst severity found over run [index]; null if nothing was found there. */
     fun runSeverity(index: Int): Severity? = Severity.entries.getOrNull(worst[runEnds[index] - 1] - 1)
 
-    /** Finds the marks of the [findings] in [span], over [width] physical pixels; a CSS pixel or dp has [onePixel]. */
+    /** Finds the marks of the [findings] in [span], over [width] physical pixels; a CSS pixel or dp is [onePixel] of them. */
     fun place(findings: FindingTimeline<*>, span: Span, width: Double, onePixel: Double) {
         this.onePixel = onePixel
         size = 0
@@ -124,8 +125,8 @@ class FindingMarks {
 
     private companion object {
         /**
-         * The distance below which two glyphs are merged, in CSS pixels or dp. A thousand of them would take a frame, and show nothing
-         * more.
+         * The distance below which two glyphs are merged, in CSS pixels or dp. Drawing a thousand of them would take a whole frame, and
+         * show nothing more.
          */
         const val CROWDED = 4
 

@@ -34,8 +34,8 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     private fun placesOf(finding: F): List<FindingPlace<F>> = places.filter { it.finding == finding }
 
     /**
-     * Returns the place that begins at [x]. It is one with a finding for which [isPreferred] is true, otherwise with the worst finding;
-     * null if there is none.
+     * Returns the place that begins at [x]; null if there is none. Of several, a finding for which [isPreferred] is true comes first, then
+     * the worst finding.
      */
     fun placeAt(x: Double, isPreferred: (F) -> Boolean): FindingPlace<F>? =
         places.filter { it.span.from == x }.maxWithOrNull(compareBy({ isPreferred(it.finding) }, { it.severity }))
@@ -52,8 +52,8 @@ class FindingTimeline<F>(all: List<F>, private val severityOf: (F) -> Severity, 
     }
 
     /**
-     * Returns the place of [finding] that is [steps] after the one that begins at [x]. If none does, it counts from the first place. The
-     * steps end at the first and last place. Null if the finding has no place.
+     * Returns the place of [finding] that is [steps] after the one that begins at [x]. If none begins there, the steps are counted from the
+     * first place. They end at the first and last place. Null if the finding has no place.
      */
     fun within(finding: F, x: Double, steps: Int): FindingPlace<F>? {
         val own = placesOf(finding)

@@ -24,17 +24,17 @@ enum class RobotMode(val title: String) {
     /** A driver controls the robot. */
     TELEOP("Teleop"),
 
-    /** The robot is tested; until 2026. */
+    /** The robot is being tested, in seasons until 2026. */
     TEST("Test"),
 
-    /** The robot is tested; from 2027 on. */
+    /** The robot is being tested, in seasons from 2027 on. */
     UTILITY("Utility"),
 
-    /** The robot is in any of these modes; the log does not say which. */
+    /** The robot is in one of these modes; the log does not say which. */
     ENABLED("Enabled"),
 }
 
-/** A part of x over which the robot was in [mode], and ran the op mode [opMode], null for none. */
+/** A part of x over which the robot was in [mode], and ran the op mode [opMode]; that is null if there was none. */
 class ModeSpan(val span: Span, val mode: RobotMode, private val opMode: String? = null) {
     /** The name of the phase: `Teleop`, or with an op mode `Auto (Two pieces)`. */
     internal val title: String get() = if (opMode == null) mode.title else "${mode.title} ($opMode)"

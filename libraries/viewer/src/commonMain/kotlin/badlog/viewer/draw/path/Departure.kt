@@ -9,8 +9,8 @@ import badlog.viewer.text.fixedText
  * The moment at which a robot left its planned path.
  *
  * @property time the time.
- * @property index the index of the sample of the driven path.
- * @property farthest the largest distance before the robot came back, or the plan ended; in meters.
+ * @property index the index of the driven path's sample at that time.
+ * @property farthest the largest distance from the plan before the robot came back or the plan ended, in meters.
  */
 internal class Departure(val time: Double, val index: Int, val farthest: Double) {
     /** Returns a sentence about the departure; [moment] is the text of its time. */

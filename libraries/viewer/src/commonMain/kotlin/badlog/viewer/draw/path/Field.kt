@@ -51,7 +51,9 @@ class FieldImage internal constructor(
     internal val right: Double,
     internal val bottom: Double,
 ) {
-    /** Returns the plane that the whole picture of [width] by [height] pixels shows; the corners belong to [field]. */
+    /**
+     * Returns the plane that the whole picture of [width] by [height] pixels shows; the field's corners in it are the corners of [field].
+     */
     fun plane(field: Field, width: Int, height: Int): Plane {
         val across = field.length / (right - left)
         val up = field.width / (bottom - top)

@@ -20,8 +20,8 @@ internal fun FieldOrigin.flipIn(view: LogView, field: Field = Field.PLAIN): Fiel
 }
 
 /**
- * Swaps the alliances' halves of the field, which are symmetric: mirrored, or rotated around the center. Applied twice, it changes
- * nothing.
+ * The flip that swaps the alliances' halves of the field, which are symmetric: mirrored, or rotated around the center. Applied twice, it
+ * changes nothing.
  *
  * @param isFromCenter whether (0, 0) is the center of the field for the poses that it maps.
  */

@@ -5,7 +5,7 @@ import badlog.core.json.JsonReader
 import badlog.core.json.JsonValue
 import badlog.core.json.quotedJson
 
-/** Says in a sentence why a text is not a field. */
+/** The exception for a text that is not a field; the message is a sentence with the reason. */
 class FieldException(message: String) : IllegalArgumentException(message)
 
 /**

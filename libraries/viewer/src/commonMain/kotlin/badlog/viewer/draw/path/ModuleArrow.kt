@@ -11,7 +11,8 @@ import kotlin.math.sin
 /**
  * The direction and speed of a wheel at a moment.
  *
- * @property places an arrow from the wheel, as long as its travel in a quarter of a second: alternating x and y.
+ * @property places the points of an arrow from the wheel, alternating x and y. It is as long as the wheel's travel in a quarter of a
+ *   second.
  */
 internal class ModuleArrow(val places: DoubleArray, val isTarget: Boolean) {
     fun flipped(flip: FieldFlip): ModuleArrow =

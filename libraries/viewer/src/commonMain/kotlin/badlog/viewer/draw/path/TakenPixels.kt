@@ -8,8 +8,8 @@ import kotlin.math.floor
 /**
  * The pixels of a picture that are already drawn.
  *
- * Each pixel is a cell, with [AROUND] more on each side. The outermost cells stand for everything further out; they are always taken, so
- * nothing is drawn there.
+ * Each pixel is a cell, with [AROUND] more cells on each side of the picture. The outermost cells stand for everything further out; they
+ * are always taken, so nothing is drawn there.
  */
 internal class TakenPixels {
     private var words = IntArray(0)
@@ -58,7 +58,7 @@ internal class TakenPixels {
     private fun isOut(first: Int, last: Int, cells: Int) = last == 0 || first == cells - 1
 
     /**
-     * Returns whether all pixels between [left] and [right], [top] and [bottom] are taken. Also returns false if finding out takes longer
+     * Returns whether all pixels between [left] and [right], [top] and [bottom] are taken. Also returns false if checking would take longer
      * than drawing [count] samples.
      */
     fun isDone(left: Double, right: Double, bottom: Double, top: Double, count: Int): Boolean {
@@ -95,7 +95,7 @@ internal class TakenPixels {
      * Takes all visible pixels on the way from ([fromX], [fromY]) to ([toX], [toY]), which is in [cell]. Returns whether any of them was
      * free.
      *
-     * @param isInside whether both ends are.
+     * @param isInside whether both ends are in inner cells.
      */
     fun takeSegment(fromX: Double, fromY: Double, toX: Double, toY: Double, cell: Int, isInside: Boolean): Boolean {
         var isNew = take(cell)

@@ -4,8 +4,8 @@ import badlog.signals.pose.Trail
 import kotlin.math.abs
 
 /**
- * Bounding boxes of blocks of a trail's samples. Whole blocks can be skipped by them: invisible ones, ones within a pixel, and ones too far
- * from the pointer. For the smallest blocks, it also has their straightness, by which most of their samples can be skipped.
+ * The bounding boxes of blocks of a trail's samples. They make it possible to skip whole blocks that are invisible, within a pixel, or too
+ * far from the pointer. The smallest blocks also have their straightness, which makes it possible to skip most of their samples.
  *
  * A block consists of [BLOCK] steps from sample to sample, so it shares its last sample with the next block; a block of the next level
  * consists of [BLOCK] blocks. All levels together take a sixth of the memory that the trail takes.
@@ -100,7 +100,7 @@ internal class TrailPyramid(val trail: Trail) {
      * Calls [visit] with the samples from [start] until [end], in order, except those within blocks for which [isSkipped] is true.
      *
      * @param isSkipped receives a box and its number of steps. The box is an array and the index of its least x, which is followed by its
-     *   greatest x, least y and greatest y. Its first sample was visited or skipped before.
+     *   greatest x, least y and greatest y. The block's first sample was visited or skipped before.
      * @param onSkip is called with the last sample of each skipped block.
      * @param strideOf returns the stride with which samples of the smallest block with the given index are visited.
      */

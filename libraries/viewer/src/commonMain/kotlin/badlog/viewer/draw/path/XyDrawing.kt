@@ -65,7 +65,7 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
     }
 
     /**
-     * Draws [traces] of the plot: their part in [visible], and on a field faintly the rest unless this [isAll].
+     * Draws the part of [traces] in [visible]. On a field, it also draws the rest faintly, unless the visible part [isAll].
      *
      * @param strokes are reused: allocating arrays for a million places in each frame takes long.
      * @param colorOf returns the index of the color of a trace.
@@ -98,7 +98,10 @@ internal class XyDrawing(frame: XyFrame, private val plot: XyPlot) {
         }
     }
 
-    /** Draws the line [fit] through the samples, with its values as [text] in the corner. Above it is room for [others] other texts. */
+    /**
+     * Draws the line [fit] through the samples, with its values as [text] in the corner. It leaves room above the text for [others] other
+     * ones.
+     */
     fun fit(fit: LineFit, text: String, others: Int) = clipped {
         fun at(value: Double) = fit.offset + fit.slope * value
         val ends = doubleArrayOf(seen.x.from, at(seen.x.from), seen.x.to, at(seen.x.to))

@@ -27,7 +27,7 @@ internal fun XyPlot.shown(hidden: Set<String>): List<XyTrace> = traces.filter { 
 
 /**
  * Returns the marks of everything that is not [hidden] at [time], in drawing order. Robots are outlines with a dot at their center, other
- * places dots, the plan in an array a line; the arrows of the driven robot's modules follow.
+ * places are dots, and a plan in an array is a line; the arrows of the driven robot's modules follow.
  */
 internal fun XyPlot.marksAt(time: Double, hidden: Set<String>): List<XyMark> = shown(hidden).flatMap { trace ->
     val index = trace.indexAt(time)

@@ -27,10 +27,10 @@ class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val
     /** Returns the palette's index for the [color] of a plot: as in other graphs, colors distinguish the logs first. */
     internal fun colorOf(color: Int): Int = colorOf(color, index, count)
 
-    /** Returns the range of the log's own x that is visible if [visible] is. */
+    /** Returns the visible range on the log's own x; [visible] is on the x that all logs share. */
     internal fun own(visible: Span): Span = Span(visible.from - log.offset, visible.to - log.offset)
 
-    /** Draws the traces that are not [hidden]: their part in [visible], and on a field faintly the rest. */
+    /** Draws the traces that are not [hidden], in [visible]. On a field, it also draws the rest faintly. */
     internal fun drawTraces(frame: XyFrame, hidden: Set<String>, visible: Span, strokes: Strokes) {
         val own = own(visible)
         val isAll = whole.from in own && whole.to in own
@@ -38,7 +38,7 @@ class XyPart internal constructor(internal val log: XyLog, val plot: XyPlot, val
     }
 
     /**
-     * Draws the resets of the pose, and the result. It is the fitted line, or the place where the robot left its plan.
+     * Draws the resets of the pose, and the fitted line or the place where the robot left its plan.
      *
      * @param momentOf returns the text of a time on the x that all logs share.
      */

@@ -51,7 +51,7 @@ class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
     }
 
     /**
-     * Draws the picture in [frame]: its part in [visible], and on a field faintly the rest.
+     * Draws the part of the picture in [visible] into [frame]. On a field, it also draws the rest faintly.
      *
      * @param hidden the names of the lines that are not drawn.
      * @param ground the picture of the field; null if there is none.
@@ -82,8 +82,8 @@ class XyPicture(lines: List<String>, origin: FieldOrigin, logs: List<XyLog>) {
         .map { LegendEntry("${it.title} ${it.textAt(cursors)}".trim(), it.color) }
 
     /**
-     * Returns the time when the first log passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]. Null if it never
-     * did. If it passed more than once, it is the time nearest to [before].
+     * Returns the time when the first log passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]. The result is null
+     * if it never did. If it passed more than once, the result is the time nearest to [before].
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */

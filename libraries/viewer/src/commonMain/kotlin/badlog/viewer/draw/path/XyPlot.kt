@@ -62,8 +62,8 @@ class XyPlot internal constructor(
     private fun traceOf(pose: Pose) = traces.find { it.pose == pose }
 
     /**
-     * Returns the moment at which the robot of [view] left its plan, according to [planDistance]. Null if it never did, or without a
-     * plan.
+     * Returns the moment at which the robot of [view] left its plan, according to [planDistance]. The result is null if it never did, or if
+     * there is no plan.
      */
     internal fun departure(view: LogView): Departure? = departure(planSpans(view), 1 / (Units.secondsIn(view.xAxis.unit) ?: 1.0))
 
@@ -102,8 +102,8 @@ class XyPlot internal constructor(
     internal fun textOf(fit: LineFit): String = fit.text(xUnit, yUnit)
 
     /**
-     * Returns the time when a trace passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]. NaN if it never did. If
-     * it passed more than once, it is the time nearest to [before].
+     * Returns the time when a trace passed nearest to ([x], [y]), at most [reach] pixels away, within [visible]. The result is NaN if none
+     * did. If one passed more than once, the result is the time nearest to [before].
      *
      * @param pixelX the length of a pixel along x, and [pixelY] along y: distances are measured on the screen.
      */
@@ -120,7 +120,7 @@ class XyPlot internal constructor(
  *
  * @param modules the modules of the robot with the driven path.
  * @param flip maps poses onto [field]; null to leave them as logged.
- * @param secondsPerX the length of the unit of x, in s: a jump faster than any robot is a reset of the pose.
+ * @param secondsPerX the length of one unit of x, in s, to recognize resets of the pose: jumps faster than any robot.
  * @param line finds a line by its name.
  */
 internal fun xyPlotOf(

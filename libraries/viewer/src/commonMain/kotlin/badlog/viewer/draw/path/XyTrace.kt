@@ -46,7 +46,7 @@ class XyTrace internal constructor(
 
     /**
      * Draws the part of the trace in [span] into [strokes], on [width] by [height] pixels that show [plane]. Draws lines if it [isJoined],
-     * otherwise dots. Very many dots are not single: each stroke is a row of them, from its left pixel to its right one.
+     * otherwise dots. If there are very many dots, each stroke is a row of them, from its left pixel to its right one.
      */
     fun draw(span: Span, plane: Plane, width: Int, height: Int, strokes: Strokes) {
         val x = plane.xScale(width.toDouble())
@@ -55,8 +55,7 @@ class XyTrace internal constructor(
     }
 
     /**
-     * Returns the index of the sample that a cursor at [time] reads. -1 if the trace has no place then, as before and after the
-     * recording.
+     * Returns the index of the sample that a cursor at [time] reads; -1 if the trace has no place then, as before and after the recording.
      */
     fun indexAt(time: Double): Int = indexIn(trail, time)
 
@@ -86,8 +85,8 @@ class XyTrace internal constructor(
     }
 
     /**
-     * Returns the corners of a robot at [time], alternating x and y. Its bow is last, unless its heading is unknown. Empty if the robot
-     * has no place.
+     * Returns the corners of a robot at [time], alternating x and y. The tip at its front is last, unless its heading is unknown. Empty if
+     * the robot has no place.
      */
     fun robotAt(time: Double): DoubleArray {
         val index = indexAt(time)

@@ -69,14 +69,14 @@ interface Pen {
      * Draws a layer that many graphs share. A pen may draw it once and copy it while [key] stays the same.
      *
      * @param name identifies the layer among the shared ones.
-     * @param draw receives a pen and a height, and draws the layer at the pen's origin in that height; of a higher drawing, the bottom is
-     *   shown.
+     * @param draw receives a pen and a height, and draws the layer at the pen's origin in that height; if the drawing is higher, only its
+     *   bottom is shown.
      */
     fun layer(name: String, left: Double, top: Double, width: Double, height: Double, key: List<Any?>, draw: (Pen, Double) -> Unit): Unit =
         moved(left, top) { draw(this, height) }
 }
 
-/** The side of a place on which a text is. */
+/** The side of a place on which a text is written. */
 enum class TextSide {
     /** The text ends at the place. */
     LEFT,

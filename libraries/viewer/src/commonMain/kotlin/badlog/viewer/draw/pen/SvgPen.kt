@@ -8,9 +8,9 @@ import kotlin.math.roundToLong
  * Writes a drawing as SVG, in CSS pixels.
  *
  * @param ruler returns the width of a text from its font size and whether it is bold: SVG has no font before it is displayed.
- * @param prefix begins the names of the drawing's parts, which must differ from other drawings in the same document.
- * @param cssOf returns a color, by its red, green and blue only, in the notation of style sheets: a drawing inside a page can name the
- *   page's colors, which follow its theme.
+ * @param prefix the start of the names of the drawing's parts; must differ from other drawings in the same document.
+ * @param cssOf returns a color's notation for style sheets, from its red, green and blue only. A drawing inside a page can name the page's
+ *   colors, which follow its theme.
  */
 class SvgPen(
     private val ruler: (String, Double, Boolean) -> Double,

@@ -39,8 +39,8 @@ fun Pen.drawXNumbers(frame: PlotFrame, width: Double, height: Double, colors: Pe
 }
 
 /**
- * Draws the axis of x as a bar in [frame], below graphs. It has marks at the ticks, their numbers, and [title] at the right end. Numbers
- * leave room for the title.
+ * Draws the x axis as a bar in [frame], below graphs. It has marks at the ticks, their numbers, and [title] at the right end. Numbers leave
+ * room for the title.
  */
 fun Pen.drawXBar(frame: PlotFrame, title: String, colors: PenColors) {
     val ticks = xTicks(frame)
@@ -57,7 +57,7 @@ fun Pen.drawXBar(frame: PlotFrame, title: String, colors: PenColors) {
     writeNumbers(ticks, places, frame.top, colors, room)
 }
 
-/** Draws [text] about the place [x] on the bar of the x axis in [frame], as a flag in [shade]. */
+/** Draws a flag in [shade] at the place [x] on the bar of the x axis in [frame], with [text] about it. */
 fun Pen.drawFlag(frame: PlotFrame, x: Double, text: String, shade: Shade, colors: PenColors) {
     val margin = FLAG_MARGIN * density
     val width = widthOf(text, AXIS_LETTERS * density) + 2 * margin
@@ -70,8 +70,8 @@ fun Pen.drawFlag(frame: PlotFrame, x: Double, text: String, shade: Shade, colors
 /**
  * Draws the numbers of [axes] at the sides of [frame].
  *
- * @param hasRoom whether there is room to the right of the frame. Otherwise the right axis is within, with an outline: beside the frame
- *   it would take width from all graphs, because their x axes must be aligned, although only a few graphs need it.
+ * @param hasRoom whether there is room to the right of the frame. Otherwise the right axis is inside, with an outline: beside the frame it
+ *   would take width from all graphs, because their x axes must be aligned, although only a few graphs need it.
  */
 fun Pen.drawYNumbers(frame: PlotFrame, axes: List<PlotAxis>, colors: PenColors, hasRoom: Boolean = false) {
     for (axis in axes) {

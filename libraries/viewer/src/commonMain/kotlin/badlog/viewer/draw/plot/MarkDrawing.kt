@@ -13,8 +13,8 @@ import badlog.viewer.draw.pen.Pen
 import badlog.viewer.draw.pen.Points
 
 /**
- * Shades the parts of [frame] in which the robot was enabled, by its mode. If this [hasNames], each mode's name is written where there is
- * room.
+ * Shades the parts of [frame] in which the robot was enabled, by its mode. If [hasNames] is true, each mode's name is written where there
+ * is room.
  */
 fun Pen.drawModes(frame: PlotFrame, modes: ModeTimeline, colors: PenColors, hasNames: Boolean = false) {
     if (modes.spans.isEmpty()) return
@@ -30,8 +30,8 @@ fun Pen.drawModes(frame: PlotFrame, modes: ModeTimeline, colors: PenColors, hasN
 }
 
 /**
- * Draws the marks of [events] along the top of [frame]: heads and, in crowds, ticks. Heads have lines down to the bottom if this
- * [hasLines].
+ * Draws the marks of [events] along the top of [frame]: heads and, in crowds, ticks. If [hasLines] is true, heads have lines down to the
+ * bottom.
  */
 fun Pen.drawEventMarks(frame: PlotFrame, events: EventTimeline, colors: PenColors, hasLines: Boolean = true) {
     if (events.placedCount == 0) return

@@ -29,7 +29,7 @@ class PlotMarks(val modes: ModeTimeline, val events: EventTimeline, val findings
  *
  * @param xHeight the room for the numbers of x below it; 0 if they are not drawn.
  * @param hasRoom whether there is room for a y axis to the right of it.
- * @param made the frame for which [plot] was made, if another one.
+ * @param made the frame for which [plot] was made, if it is not [frame].
  * @param lines draws the lines in their part of the frame.
  */
 fun Pen.drawPlot(

@@ -27,11 +27,11 @@ interface GraphLine {
 }
 
 /**
- * Returns the plot of the graph [look] in [frame]. It has its visible [lines], each on the axis of its unit, and [lanes] below. The axes
- * fit the visible samples of their lines, unless a person has selected a range.
+ * Returns the plot of the graph [look] in [frame]. It has the graph's visible [lines], each on the axis of its unit, and [lanes] below. The
+ * axes fit the visible samples of their lines, unless a person has selected a range.
  *
- * @param strokes the strokes of each of [lines], with y as logged. They are placed here, because a scale is known only when all lines
- *   are.
+ * @param strokes the strokes of each of [lines], with y as logged. They are placed here, because a scale is known only when all its lines
+ *   are known.
  * @param density the number of physical pixels per CSS pixel or dp.
  * @param shared the visible range of each unit in all graphs that share their y limits with this one.
  */
@@ -65,8 +65,8 @@ private fun laneShareOf(lanes: Int, hasLines: Boolean, height: Double): Double =
 }
 
 /**
- * Returns the place of a cursor's dot on [line] in [frame], x and y, for a cursor at [x]. This plot draws the line as the one at [index].
- * Null if the dot is not in the frame, or the line has no sample there.
+ * Returns the x and y in [frame] of the dot on [line] for a cursor at [x]. [index] is the line's index in this plot. Null if the dot is not
+ * in the frame, or the line has no sample there.
  */
 fun Plot.dotAt(index: Int, line: GraphLine, x: Double, frame: PlotFrame): Pair<Double, Double>? {
     val sample = line.series.indexAt(x - line.offset)
@@ -77,7 +77,10 @@ fun Plot.dotAt(index: Int, line: GraphLine, x: Double, frame: PlotFrame): Pair<D
     return if (left in frame.left..frame.right && top in lineFrame.top..lineFrame.bottom) left to top else null
 }
 
-/** Draws a dot on each of [lines], which [plot] draws, where a cursor at [x] reads it. It is at the sample, or where its value holds. */
+/**
+ * Draws a dot on each of [lines], which [plot] draws, where a cursor at [x] reads it. The dot is at the sample, or at the cursor if the
+ * value holds.
+ */
 fun Pen.drawSamples(frame: PlotFrame, plot: Plot, lines: List<GraphLine>, x: Double, colors: PenColors) {
     if (x !in frame.shown) return
     lines.forEachIndexed { i, line -> plot.dotAt(i, line, x, frame)?.let { (left, top) -> drawSample(left, top, line.color, colors) } }

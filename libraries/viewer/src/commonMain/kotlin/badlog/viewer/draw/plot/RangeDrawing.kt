@@ -18,7 +18,7 @@ fun Pen.drawSelection(frame: PlotFrame, range: Span, colors: PenColors) {
     segments(edges, colors[Shade.ACCENT], density)
 }
 
-/** Draws a selected part of y as a band over the width of [frame], with its edges. It is from [top] to [bottom], in pixels. */
+/** Draws a selected part of y, from [top] to [bottom] in pixels, as a band over the width of [frame], with its edges. */
 fun Pen.drawSelectedHeights(frame: PlotFrame, top: Double, bottom: Double, colors: PenColors) {
     rectangle(frame.left, top, frame.width, bottom - top, faded(colors[Shade.ACCENT], SELECTED_OPACITY))
     val edges = Points().line(frame.left, top, frame.right, top).line(frame.left, bottom, frame.right, bottom)

@@ -10,7 +10,7 @@ import badlog.viewer.shown.swerve.SwerveDrive
 
 /**
  * The picture of a [drive]: the robot from above with the arrows of its modules. Below it are [errors] over the visible range. It caches
- * what only depends on the log.
+ * everything that depends only on the log.
  *
  * @param errors the drive's errors; null to draw the robot alone.
  */

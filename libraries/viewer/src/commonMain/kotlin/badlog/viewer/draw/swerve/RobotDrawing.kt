@@ -12,7 +12,8 @@ import kotlin.math.hypot
 
 /**
  * Draws the robot of [drive] from above, its front up, in the middle of [width] by [height]. Each module has an outlined arrow for its
- * target at [time], and a solid one for its measured motion. The arrow of the drive's fastest speed just fits; none is longer.
+ * target at [time], and a solid one for its measured motion. The arrow of the drive's fastest speed just fits; faster speeds have an arrow
+ * of the same length.
  */
 internal fun Pen.drawRobot(drive: SwerveDrive, time: Double, width: Double, height: Double, colors: PenColors) {
     val side = minOf(width, height)

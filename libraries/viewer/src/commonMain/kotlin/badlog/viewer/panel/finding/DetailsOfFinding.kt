@@ -15,8 +15,8 @@ import badlog.viewer.state.FindingAction
 import badlog.viewer.state.FindingRequest
 
 /**
- * Returns the parts below the visited [finding]. They are its to-do item, its places, what to look at next, its caveats and other graphs to
- * show.
+ * Returns the parts below the visited [finding]. They are its to-do item, its places, the next thing to look at, its caveats and other
+ * graphs to show.
  */
 internal fun detailsOf(shown: FindingsShown, finding: Finding): List<Part> {
     val details = checkNotNull(shown.details)

@@ -52,7 +52,7 @@ class FindingDetails(val hasGraphs: Boolean, val offers: List<EvidenceOffer>)
 
 /**
  * Returns whether a list above graphs has a fixed height, in which it scrolls. The graphs thus stay where they are when the rules have run.
- * A log in which the robot was enabled mostly has findings. A person who [isInside] the list has all of it.
+ * A log in which the robot was enabled usually has findings. For a person who [isInside] the list, it is shown in full.
  */
 fun PanelRoom.isFixed(hasRules: Boolean, wasEnabled: Boolean, isInside: Boolean): Boolean =
     this == PanelRoom.SHARED && hasRules && wasEnabled && !isInside

@@ -108,8 +108,8 @@ abstract class Gestures internal constructor(private val target: GestureTarget) 
     fun giveUp() = stop(isGivenUp = true)
 
     /**
-     * Handles a turn of the wheel, or of two fingers on a touch pad. It is [right] and [down] in CSS pixels or dp. Returns false if the
-     * turn scrolls instead.
+     * Handles a turn of the wheel, or of two fingers on a touch pad. The turn is [right] and [down] in CSS pixels or dp. Returns false if
+     * it scrolls instead.
      */
     abstract fun wheel(at: PlotPointer, right: Double, down: Double): Boolean
 

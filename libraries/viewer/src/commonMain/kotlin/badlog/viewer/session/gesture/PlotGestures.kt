@@ -13,7 +13,7 @@ import kotlin.math.abs
 
 /** The state that gestures over a plot change. */
 interface PlotTarget : GestureTarget {
-    /** The current drag, for display; null if there is none, also after it was canceled here. */
+    /** The current drag, for display; null if there is none, or if it was canceled here. */
     var drag: PlotDrag?
 
     /** The part of the plot’s height, from the top, that has lines; 0 if y has no meaning. */

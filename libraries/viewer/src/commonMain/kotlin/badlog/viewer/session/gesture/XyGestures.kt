@@ -31,8 +31,8 @@ interface XyTarget : GestureTarget {
 }
 
 /**
- * The gestures of a mouse or of fingers over a graph of y over x. They put the cursor where the path passes them, zoom and pan, as over
- * other graphs.
+ * The gestures of a mouse or of fingers over a graph of y over x. They move the cursor to the time when the path passes them, and zoom and
+ * pan as over other graphs.
  */
 class XyGestures(private val target: XyTarget) : Gestures(target) {
     override fun kindOf(at: PlotPointer): DragKind {

@@ -5,7 +5,7 @@ import badlog.viewer.text.addressText
 import badlog.viewer.text.nameOfAddress
 
 /**
- * Distinguishes a finding from others that begin at the same moment.
+ * The name that distinguishes a finding from others that begin at the same moment.
  *
  * @property rule the name of the rule or the hook that found it.
  * @property topic the topic of the finding; null if there is none.

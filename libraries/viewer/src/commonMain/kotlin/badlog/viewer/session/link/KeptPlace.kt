@@ -7,8 +7,7 @@ import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.WantedFinding
 
 /**
- * The pinned cursors and the selected finding, each as the end of an address. They are for the next time that the log is opened; may be
- * empty.
+ * The pinned cursors and the selected finding, each as the end of an address. They are restored when the log is opened again; may be empty.
  */
 val Place.keptText: String
     get() {

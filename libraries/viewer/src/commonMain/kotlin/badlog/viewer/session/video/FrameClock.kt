@@ -43,8 +43,8 @@ class FrameClock {
     }
 
     /**
-     * Returns the position to seek for the frame [count] after the one that begins at [time]. If [count] is negative, before it. Both are
-     * in seconds from the video's start. It is the middle of that frame, because players round, and never before the start.
+     * Returns the position to seek for the frame [count] after the one that begins at [time], or before it if negative. Both times are in
+     * seconds from the video's start. It is the middle of that frame, because players round, and never before the start.
      */
     fun step(time: Double, count: Int): Double = maxOf(0.0, time + (count + MIDDLE) * frameSeconds)
 

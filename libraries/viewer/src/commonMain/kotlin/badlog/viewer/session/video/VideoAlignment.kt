@@ -46,7 +46,7 @@ fun alignmentHint(hasEnabled: Boolean): String = if (hasEnabled) {
 }
 
 /**
- * Returns the time of a frame in which the robot becomes enabled. It is the start of the first span of [enabled] that begins in [visible],
- * otherwise of the very first. [enabled] is in the order of x. Null if the log does not show when the robot was enabled.
+ * Returns the x at which the robot becomes enabled, to align a video. It is the start of the first span of [enabled] that begins in
+ * [visible], otherwise of the very first. [enabled] is in the order of x. Null if the log does not show when the robot was enabled.
  */
 fun enabledStart(enabled: List<Span>, visible: Span): Double? = (enabled.firstOrNull { it.from in visible } ?: enabled.firstOrNull())?.from

@@ -19,7 +19,8 @@ fun videoNoteOf(text: String): VideoNote? {
 }
 
 /**
- * Returns [notes] with this note, which replaces another one about its video. They are the stored notes about a log's videos, one a line.
+ * Returns [notes], the stored notes about a log's videos, with this one. It replaces an older note about the same video. Each note is one
+ * line.
  */
 fun VideoNote.within(notes: String): String =
     (notes.lines().filter { line -> videoNoteOf(line).let { it != null && it.name != name } } + toText()).joinToString("\n")

@@ -158,7 +158,7 @@ enum class BatteryStep(val label: String, internal val before: String, internal 
     CHECK("Check", "Check ", " and its charger"),
 }
 
-/** Returns `20.7 ± 0.4 mΩ`. */
+/** Returns [resistance] with its uncertainty, such as `20.7 ± 0.4 mΩ`. */
 fun resistanceText(resistance: Resistance): String =
     "${fixedText(resistance.milliohms, 1)} ± ${fixedText(maxOf(resistance.uncertainty, MIN_SHOWN), 1)} mΩ"
 

@@ -27,7 +27,7 @@ class BatteryMatch(val title: String, val paths: List<String>, val second: Long,
  *
  * @property battery the battery; null for the matches with an unknown battery.
  * @property matches the matches with the battery in the robot, the latest first.
- * @property age the age in months at the last match of all batteries; null if the date of purchase is unknown.
+ * @property age the age in months at the last match with any battery; null if the date of purchase is unknown.
  */
 class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, val age: Int? = null) {
     /** The displayed name. */
@@ -48,7 +48,7 @@ class BatterySeason(val battery: TeamBattery?, val matches: List<BatteryMatch>, 
     /** The median voltage at rest after a match, in volts. */
     val restAfter: Double? = medianOf(matches.mapNotNull { it.use.restAfter })
 
-    /** The mean energy used in a match, in watt-hours; over the other runs if there are no matches. Null if unknown. */
+    /** The mean energy used in a match, or in another run if there are no matches, in watt-hours; null if unknown. */
     val energy: Double? = matches.filter {
         it.isMatch
     }.ifEmpty { matches }.mapNotNull { it.use.energy }.let { if (it.isEmpty()) null else it.average() }

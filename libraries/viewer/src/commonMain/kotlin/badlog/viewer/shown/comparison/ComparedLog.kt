@@ -23,7 +23,7 @@ class ComparedLog(val name: String, val lines: BoardLines, val offset: Double) {
  * A graph of a log with lines of others among its own.
  *
  * @property lines the board's name of each line.
- * @property names the same with the line's log, if that is not the open one.
+ * @property names the same names, each with the line's log unless that is the open one.
  * @property colors the index of each line's color.
  */
 class ComparedGraph(val graph: Graph, val lines: List<String>, val names: List<String>, val colors: List<Int>)
@@ -34,7 +34,7 @@ class ComparedGraph(val graph: Graph, val lines: List<String>, val names: List<S
  */
 fun colorOf(place: Int, index: Int, count: Int): Int = place * count + index
 
-/** Returns [graph] with the same lines of [logs]; the board calls its lines [lines]. */
+/** Returns [graph] with the same lines of [logs] added. [lines] has the board's names for its lines. */
 fun comparedGraph(graph: Graph, lines: List<String>, logs: List<ComparedLog>): ComparedGraph {
     if (logs.isEmpty()) return ComparedGraph(graph, lines, lines, lines.indices.toList())
     val series = ArrayList<GraphSeries>()

@@ -45,7 +45,7 @@ data class Cursors(val pinned: Double? = null, val second: Double? = null, val h
         else -> copy(second = x)
     }
 
-    /** Pins A where values are read, and puts B at the same place, for [moved]; removes an existing B. */
+    /** Pins A where values are read, and puts B at the same place, for [moved] to move it; if B exists, removes it instead. */
     internal fun withSecond(): Cursors = if (second == null) copy(pinned = x, second = x) else copy(second = null)
 
     /** Moves B by [step] if there is one; otherwise moves and pins A. Without a place, A starts at [start]. */

@@ -6,7 +6,7 @@ import badlog.viewer.choices.range.wholeRange
 import badlog.viewer.text.numberText
 
 /**
- * Returns the index of the sample that a cursor at [x] reads on this line. -1 before and after the line's recording, and if [x] is NaN.
+ * Returns the index of the sample that a cursor at [x] reads on this line; -1 outside the line's recording, or if [x] is NaN.
  *
  * All front ends share this rule. Values that hold until they change, such as states and topics with times of their own, are read from
  * the last sample at or before the cursor, so nothing is read before the first sample. Numbers that were measured row by row, and

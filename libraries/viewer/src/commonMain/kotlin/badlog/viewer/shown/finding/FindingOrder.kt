@@ -35,9 +35,10 @@ class FindingOrder(private val timeline: FindingTimeline<Finding>, incidents: Li
     private val all = ofIncidents + others
 
     /**
-     * Returns the step that is [steps] after the one to [current], if the cursor is still at its place [x]. Otherwise it is the first
-     * step. After incidents, or without them, it is the next one after x, or the last one before it for a negative number. The steps end
-     * at the last and first one; null if there are none. An x that is NaN is not a place.
+     * Returns the step that is [steps] after the one to [current], or before it if negative. If [current] is null, or outside incidents and
+     * the cursor at [x] has left it, the steps are counted from x among the findings outside incidents. If x is NaN, or [current] is null
+     * and there are incidents, they are counted from the start, or from the end if negative. They end at the first and last step; null if
+     * there are none.
      */
     fun beside(current: Finding?, x: Double, steps: Int): FindingStep? {
         val index = all.indexOfFirst { step ->

@@ -57,7 +57,7 @@ class SearchedFindings internal constructor(private val whole: FindingSearch, va
         }
 
     companion object {
-        /** The text of a list of findings, in place of [counts], after rules that found nothing. */
+        /** The text of a list of findings, in place of [counts], if the rules found nothing. */
         const val NOTHING: String = "Nothing was found."
     }
 }

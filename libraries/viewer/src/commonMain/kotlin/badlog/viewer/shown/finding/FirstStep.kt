@@ -7,8 +7,8 @@ import badlog.rules.incident.mainFinding
 import badlog.viewer.draw.mark.FindingPlace
 
 /**
- * Returns the step to the first thing to see among [findings] and [incidents], see [mainFinding]. Both have the worst first. Null if
- * nothing was found. A finding about the whole log has the place NaN.
+ * Returns the step to the first thing to see among [findings] and [incidents], see [mainFinding]. Both begin with the worst. The result is
+ * null if nothing was found. A finding about the whole log has the place NaN.
  */
 fun firstStep(findings: List<Finding>, incidents: List<Incident>): FindingStep? {
     val first = mainFinding(findings, incidents) ?: return null

@@ -5,8 +5,8 @@ import badlog.rules.Finding
 import badlog.viewer.text.countText
 
 /**
- * The places of the finding in the order in which a person steps through them. That is the order of x, even if another one is to look at
- * first.
+ * The places of the finding in the order in which a person steps through them. That is the order of x, even if another place is the one to
+ * look at first.
  */
 val Finding.placesInOrder: List<Span> get() = places.sortedBy { it.from }
 

@@ -13,10 +13,12 @@ import badlog.viewer.shown.search.Query
  *
  * @param found the findings.
  * @property skipped the rules that did not run.
- * @property incidents the findings that belong together, with their order; the worst first.
- * @property ran the number of rules that ran; null while they run, or if they could not. Then all [found] are from others.
+ * @property incidents the groups of related findings, each with its order; the worst group first.
+ * @property ran the number of rules that ran; null while they run, or if they could not. In that case, all of [found] come from sources
+ *   other than rules.
  * @property rules the name of the file with the rules; null for the built-in ones.
- * @property trouble the reason why a file of rules is not used, or the rules could not run, as a sentence; null if all is well.
+ * @property trouble the reason why a file of rules is not used, or the rules could not run, as a sentence; null if there is no such
+ *   problem.
  */
 class RuleResults(
     found: List<Finding> = emptyList(),

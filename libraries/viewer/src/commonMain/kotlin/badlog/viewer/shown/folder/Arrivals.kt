@@ -19,7 +19,7 @@ class Arrivals<E : ListedLog> private constructor(private val known: Map<String,
     /** The latest match with a waiting log; null if no log waits. */
     val latest: MatchRun<E>? get() = waiting.lastOrNull()?.let { last -> MatchRun(waiting.filter { it === last || isOfSameRun(it, last) }) }
 
-    /** Returns the arrivals after the earlier files are known: their [sizes] by their paths. */
+    /** Returns the arrivals once the earlier files are known; [sizes] has their sizes by path. */
     fun begun(sizes: Map<String, Long>): Arrivals<E> = Arrivals(sizes, waiting)
 
     /** Returns whether [log] is new or has another size than before, and has not arrived yet. */
@@ -46,13 +46,14 @@ class Arrivals<E : ListedLog> private constructor(private val known: Map<String,
     }
 
     private companion object {
-        /** Replaces the size of a file that has arrived, which does not arrive again. */
+        /** The stand-in for the size of a file that has arrived, and does not arrive again. */
         const val ARRIVED = -1L
     }
 }
 
 /**
- * Returns `Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33.`, followed by the number of [others] that arrived, too.
+ * Returns a message such as `Qualification 78 arrived: 1 error, 2 warnings. Browned out at 1:33.` The number of [others] that arrived, too,
+ * follows.
  */
 fun arrivalText(log: ListedLog, others: Int = 0): String {
     val rest = if (others == 0) "" else " ${countText(others, "other log", "other logs")} arrived, too."

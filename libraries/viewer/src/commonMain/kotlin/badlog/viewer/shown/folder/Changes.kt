@@ -10,20 +10,20 @@ import badlog.viewer.catalog.ListedLog
  * The differences between a log and the matches before it in its folder.
  *
  * @property differences the unusual values, as findings of the rules' comparisons, the largest first.
- * @property previous the last match before with the same number, for each of [differences].
+ * @property previous for each of [differences], the last earlier match that has the compared number.
  */
 data class Changes<out E : ListedLog>(val differences: List<Finding> = emptyList(), val previous: Map<Finding, E> = emptyMap()) {
     companion object {
         /** The heading of [differences]. */
         const val TITLE: String = "Unlike the matches before"
 
-        /** Returns the hint for a click on [difference]: its effect, and what to look at next. */
+        /** Returns the hint for a click on [difference]: its effect, and the next thing to look at. */
         fun hintOf(difference: Finding): String = "Draw it over the previous match. ${difference.next}".trim()
     }
 }
 
 /**
- * Returns the [logs] of matches before the match of [log], in the order of time. It returns only as many of the last ones as may be needed.
+ * Returns the [logs] of matches before the match of [log], in the order of time. It returns only the latest ones, as many as may be needed.
  */
 fun <E : ListedLog> earlierThan(log: E, logs: List<E>): List<E> = logs.filter {
     it.summary.date.second < log.summary.date.second && !isOfSameRun(it, log)

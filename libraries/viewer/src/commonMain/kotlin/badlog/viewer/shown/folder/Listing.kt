@@ -21,7 +21,7 @@ import badlog.viewer.text.isoText
  * @property onlyErrors whether only logs with an error found by the rules are listed.
  * @property groupsEvents whether the logs of each event are together: first the event with the log that is sorted first.
  * @property folder the folder of the logs; its own name is not searched.
- * @property pages the number of pages of badlog among its files, which are not listed.
+ * @property pages the number of badlog's own pages among the files of the folder; they are not listed.
  */
 data class Listing<E : ListedLog>(
     val entries: List<E> = emptyList(),
@@ -73,7 +73,7 @@ data class Listing<E : ListedLog>(
             }
         }
 
-    /** Returns the logs sorted by [column]; in the opposite order if they are already. */
+    /** Returns the logs sorted by [column]; in the opposite order if they already are. */
     fun sorted(column: LogColumn): Listing<E> = if (column == this.column) {
         copy(isDescending = !isDescending)
     } else {

@@ -28,7 +28,8 @@ fun durationText(log: ListedLog): String? {
 }
 
 /**
- * Returns the lowest battery voltage as `6.73 V`; null if no topic shows it. Rounded down, so that it does not look better than it was.
+ * Returns the lowest battery voltage as `6.73 V`; null if no topic shows it. It is rounded down, so that it does not look better than it
+ * was.
  */
 fun batteryText(log: ListedLog): String? = log.summary.batteryMinimum?.let { "${fixedText(floor(it * 100 + 1e-6) / 100, 2)} V" }
 
@@ -61,8 +62,8 @@ fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.su
 private fun counted(count: Int, what: String) = if (count == 0) null else countText(count, what)
 
 /**
- * Returns `Browned out +3`: the worst finding, and the number of others. Null if nothing was found or the log is idle, `…` until rules
- * have run, `–` if they cannot run.
+ * Returns the worst finding, and the number of others: `Browned out +3`. It is null if nothing was found or the log is idle, `…` until the
+ * rules have run, and `–` if they cannot run.
  */
 fun foundText(log: ListedLog): String? {
     if (log.isGray) return null

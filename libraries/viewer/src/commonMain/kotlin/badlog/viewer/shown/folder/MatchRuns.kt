@@ -17,7 +17,7 @@ class MatchRun<E : ListedLog>(val logs: List<E>) {
     val second: Long get() = logs.maxOf { it.summary.date.second }
 }
 
-/** Returns [logs] by their runs, the latest run first. A replayed match, or one with the same number at another event, is another run. */
+/** Returns [logs] grouped by run, the latest run first. A replayed match, or one with the same number at another event, is another run. */
 fun <E : ListedLog> runsOf(logs: List<E>): List<MatchRun<E>> {
     val (ofMatches, others) = logs.partition { it.summary.match.match != null }
     val runs = ofMatches.groupBy { it.summary.match.type to it.summary.match.number }.values.flatMap(::runsOfMatch)
@@ -48,6 +48,7 @@ fun isOfSameMatch(one: MatchOfLog, other: MatchOfLog): Boolean {
 }
 
 /**
- * The maximum time between two logs of a run, in s. A robot is switched on long before its match, and no match is played twice within it.
+ * The maximum time between two logs of a run, in s. A robot is switched on long before its match, and no match is played twice within this
+ * time.
  */
 internal const val LONGEST_RUN = 3600L

@@ -46,8 +46,8 @@ fun sameMatches(logs: List<ListedLog>): Set<String> =
     runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }
 
 /**
- * Returns the readable [logs] of robots. Tables of numbers count only without other logs: they may be about anything, and
- * usually only the file's time shows how old they are.
+ * Returns the readable [logs] of robots. Tables of numbers count only if there are no other logs: they may be about anything, and usually
+ * only the file's time shows how old they are.
  *
  * @param isOnlyOfLogs returns whether only logs have such a name.
  */

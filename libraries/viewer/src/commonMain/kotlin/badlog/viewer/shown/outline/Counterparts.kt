@@ -4,7 +4,7 @@ import badlog.core.analysis.LogView
 
 /**
  * Returns the topic [name] of [view] with its counterpart, the target or actual value of the same thing. They are in the order in which
- * they share a graph: actual, then target. Only the name if no counterpart exists.
+ * they share a graph: actual, then target. Without a counterpart, the result is only the name.
  */
 fun withCounterparts(view: LogView, name: String): List<String> {
     val all = view.recording.topics.map { TopicGroup(it.name, listOf(view.seriesOf(it))) }

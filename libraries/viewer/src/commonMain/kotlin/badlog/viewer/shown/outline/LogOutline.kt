@@ -12,7 +12,8 @@ import badlog.viewer.text.numberText
 import badlog.viewer.text.withUnit
 
 /**
- * The initially drawn and the only listed topics of a log. Every topic that a graph or a list of events would show is among them.
+ * The topics of a log that are initially drawn, and the ones that are only listed. Every topic that a graph or a list of events would show
+ * is among them.
  *
  * @property folders the drawn and listed content by folder, the root folder first, in the order of the view.
  * @property constants the topics that never change, with their values, in the order of the file.

@@ -7,8 +7,8 @@ import badlog.core.recording.Topic
 /**
  * Returns the name of the graph that the part [topic] of an array or struct belongs to. It is the topic's own name if it is not a part:
  *
- * - The elements of an array share one graph: `axes[0]` and `axes[1]` become `axes`. The same applies to topics with own names that are
- *   just numbers.
+ * - The elements of an array share one graph: `axes[0]` and `axes[1]` become `axes`. The same applies to the topics of a folder with
+ *   numbers as their names.
  * - The fields of a struct share one: x, y and angle of a pose, three speeds of a chassis.
  * - The same field of all swerve modules of a folder shares one: their speeds, their angles, their distances.
  */

@@ -13,7 +13,7 @@ import badlog.viewer.text.shortNames
 import badlog.viewer.text.withUnit
 
 /**
- * The load of a channel of the power distribution over a part of x. If a log does not show the channels, it is a motor.
+ * The load of a power distribution channel over a part of x. If a log does not show the channels, it is the load of a motor.
  *
  * @property topic the topic of the current.
  * @property name the shortest name that distinguishes it from the others.

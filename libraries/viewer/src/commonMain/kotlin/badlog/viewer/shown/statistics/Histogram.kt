@@ -7,7 +7,7 @@ import badlog.core.analysis.Span
 import badlog.viewer.choices.range.holdsUntil
 
 /**
- * The duration of each value of a line; each value counts as long as it holds, as for the statistics.
+ * The distribution of a line's values over time. Each value counts as long as it holds, as for the statistics.
  *
  * @property values the values from the smallest to the largest, which the bins divide evenly.
  * @property shares the share of the time in each bin, 0 to 1, together 1.

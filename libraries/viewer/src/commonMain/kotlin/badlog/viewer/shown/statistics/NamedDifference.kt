@@ -19,7 +19,7 @@ import kotlin.math.abs
  * @param width the length of the examined part of x.
  */
 class NamedDifference(val one: GraphSeries, val other: GraphSeries, private val difference: LineDifference, private val width: Double) {
-    /** Returns the displayed values, under [TITLES]; [offset] is added to the place. */
+    /** Returns the displayed values, in the order of [TITLES]; [offset] is added to the place. */
     fun texts(axis: XAxis, offset: Double = 0.0): List<String> = with(difference) {
         listOf(
             withUnit(numberText(mean), one.unit),

@@ -36,8 +36,8 @@ class StateTime(val state: String, val time: Double, val share: Double, val coun
 }
 
 /**
- * Returns the time in each of [states], the names of these runs' states, in all [parts] together. Gaps between them do not count; longest
- * first, without states that did not occur. A state that spans two parts counts twice.
+ * Returns the time in each of [states], the names of these runs' states, in all [parts] together. Gaps between them do not count. The
+ * longest time is first; states that did not occur are omitted. A state that spans two parts counts twice.
  */
 fun StateRuns.timesOf(states: List<String>, parts: List<Span>): List<StateTime> {
     val times = HashMap<Int, Double>()

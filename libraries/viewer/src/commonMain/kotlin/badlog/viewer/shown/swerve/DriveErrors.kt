@@ -13,7 +13,7 @@ import kotlin.math.round
  */
 class DriveErrors private constructor(val modules: List<Lines>, private val knowsEnabled: Boolean) {
     /**
-     * The errors of the module [label] over x. Each holds until the next one, NaN where it does not count.
+     * The errors of the module [label] over x. Each error holds until the next one; it is NaN where it does not count.
      *
      * @property angle the angle minus its target, in degrees, -90 to 90: a module that runs backward instead of turning by half a turn
      *   follows its target.

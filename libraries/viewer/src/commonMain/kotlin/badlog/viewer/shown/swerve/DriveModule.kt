@@ -31,8 +31,8 @@ class DriveModule internal constructor(
 /**
  * The velocity of a wheel over the ground, relative to the robot, in m/s. A wheel that points back and runs backward moves ahead.
  *
- * @property ahead the part toward the robot's front.
- * @property left the part toward its left.
+ * @property ahead the component toward the robot's front.
+ * @property left the component toward its left.
  */
 class WheelVector internal constructor(val ahead: Double, val left: Double)
 

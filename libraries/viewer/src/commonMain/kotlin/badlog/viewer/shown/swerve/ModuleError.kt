@@ -23,7 +23,7 @@ internal enum class ErrorUnit(private val text: String, private val decimals: In
 
     fun textOf(value: Double): String = fixedText(value, decimals) + text
 
-    /** Returns the texts of both ends of a range, with the unit once. */
+    /** Returns the range from [least] to [most] as text, with the unit once. */
     fun textOf(least: Double, most: Double): String {
         val number = fixedText(least, decimals)
         return if (number == fixedText(most, decimals)) textOf(most) else "$number to ${textOf(most)}"

@@ -18,8 +18,8 @@ internal class ModulePlace(val ahead: Double, val left: Double)
 internal val SwerveModules.places: List<ModulePlace> get() = corners?.map(CORNER_PLACES::get) ?: modulePlacesOf(labels.size)
 
 /**
- * Returns the places of [count] modules, in their order, which logs do not contain. Four modules are at the corners, front before back,
- * left before right. Three form a triangle with two in front; more are around a circle, clockwise from the front left.
+ * Returns the assumed places of [count] modules, in their order, because logs do not contain them. Four modules are at the corners, front
+ * before back, left before right. Three form a triangle with two in front; more are around a circle, clockwise from the front left.
  */
 internal fun modulePlacesOf(count: Int): List<ModulePlace> = when (count) {
     TRIANGLE.size -> TRIANGLE

@@ -1,8 +1,8 @@
 package badlog.viewer.shown.swerve
 
 /**
- * The moments in which something changes. A robot sends the values of a loop one after the other, so that their times differ by parts of
- * a millisecond. All changes of a loop are one moment; otherwise a new target would be compared with an old measurement.
+ * The moments at which something changes. A robot sends the values of a loop one after the other, so that their times differ by fractions
+ * of a millisecond. All changes of a loop are one moment; otherwise a new target would be compared with an old measurement.
  *
  * @property from the start of each moment, ascending.
  * @property until the last change of each moment.

@@ -16,7 +16,7 @@ import badlog.signals.swerve.SwerveModules
 class SwerveDrive private constructor(private val view: LogView, val modules: List<DriveModule>, private val withoutTarget: List<String>) {
     private val isOrdered get() = modules.all { module -> listOfNotNull(module.actual, module.target).all { it.isOrdered } }
 
-    /** The displayed reason why there are no [errors], a sentence; null if there are. */
+    /** The displayed reason why there are no [errors], as a sentence; null if there are any. */
     val errorsLack: String? by lazy {
         when {
             withoutTarget.size == modules.size -> "This log has no targets of its modules, so their errors are not known."

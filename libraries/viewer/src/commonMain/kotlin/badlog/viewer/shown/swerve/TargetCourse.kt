@@ -12,7 +12,7 @@ internal class TargetCourse(private val x: DoubleArray, private val second: Doub
     private var size = 0
     private var wasCounting = false
 
-    /** Adds the next moment, in which the target has turned by [degrees], NaN if unknown. Errors count from then on if [counts]. */
+    /** Adds the next moment, at which the target has turned by [degrees]; NaN if unknown. Errors count from then on if [counts]. */
     fun add(counts: Boolean, degrees: Double) {
         val i = size++
         if (i > 0) {
@@ -42,6 +42,6 @@ internal class TargetCourse(private val x: DoubleArray, private val second: Doub
  *
  * @property time the time in which errors count, in s; more than 0 if they count at all.
  * @property turned the turning in both directions together, in degrees.
- * @property net the turning in the end, in degrees.
+ * @property net the net turning, in degrees: opposite directions cancel out.
  */
 internal class Turning(val time: Double, val turned: Double, val net: Double)

@@ -78,7 +78,7 @@ class CsvDraft private constructor(private val view: LogView, private val span: 
     }
 
     companion object {
-        /** Begins a table of each topic of [view] that has samples, within [span]; null for all rows. */
+        /** Begins a table of all topics of [view] that have samples, within [span]; null for all rows. */
         fun ofAll(view: LogView, span: Span? = null): CsvDraft {
             val topics = view.recording.topics.filter { it !== view.xAxis.topic }
             val (events, others) = topics.partition { it.kind == TopicKind.EVENT || "log" in it.attributes }

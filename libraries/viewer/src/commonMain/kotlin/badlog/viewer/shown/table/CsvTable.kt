@@ -9,7 +9,7 @@ import badlog.core.analysis.Span
  * rows are the log's; topics with times of their own have in each row the last value at or before it.
  *
  * @property rowCount the number of rows below the titles.
- * @property remark the choice of rows if the log has none, to append to a sentence; otherwise empty.
+ * @property remark the way the rows were made, to append to a sentence; empty if the log has rows of its own.
  */
 class CsvTable internal constructor(
     xTitle: String,
@@ -42,7 +42,7 @@ class CsvTable internal constructor(
     }
 
     companion object {
-        /** Returns a table of each topic of [view] that has samples, within [span]; null for all rows. */
+        /** Returns a table of all topics of [view] that have samples, within [span]; null for all rows. */
         fun ofAll(view: LogView, span: Span? = null): CsvTable = CsvDraft.ofAll(view, span).finished()
 
         /** Returns a table of [lines], which belong to [view], within [span]; null for all rows. */

@@ -5,15 +5,15 @@ import badlog.core.analysis.periodicTimes
 import kotlin.math.floor
 
 /**
- * Rows made for topics that share none.
+ * The rows of a table for topics that do not share rows.
  *
  * @property remark the way they were made, to append to a sentence.
  */
 class TableRows(val times: DoubleArray, val remark: String) {
     companion object {
         /**
-         * Makes rows in [range] for [columns] topics: one every 20 ms, as often as a robot's program runs. If there are more [samples], the
-         * times of the topic [densest], makes one at each of these.
+         * Makes rows in [range] for [columns] topics: one every 20 ms, as often as a robot's program runs. If [samples], the times of the
+         * topic [densest], are more, makes a row at each of them.
          */
         fun of(range: Span, columns: Int, densest: String?, samples: DoubleArray): TableRows {
             // Many topics over many hours would be more than any spreadsheet can open, and need more memory than there is.

@@ -23,8 +23,8 @@ class FolderLayout private constructor(val file: Path?, val text: String?, val l
         const val NAME: String = "default${BoardLayout.ENDING}"
 
         /**
-         * Returns the layout for [log]. It is the one of the nearest file in the log's folder, or in a folder above it up to [top], which
-         * is null for only its own folder. A file for a type of match (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`)
+         * Returns the layout for [log]. It is in the nearest file in the log's folder, or in a folder above it up to [top]; if that is
+         * null, only in its own folder. A file for a type of match (`practice.badlog-layout.json`, `qualification.…`, `elimination.…`)
          * comes before [NAME] in the same folder.
          *
          * @param matchType returns the type of the log's match, such as `Qualification`, or null if unknown; called only if there is such

@@ -19,15 +19,15 @@ import java.util.Base64
  */
 class FieldFile private constructor(val file: Path?, val json: String?, val field: Field, val picture: ByteArray?, val problem: String?) {
     companion object {
-        /** The absence of a file. */
+        /** The result if there is no file. */
         val NONE: FieldFile = FieldFile(null, null, Field.PLAIN, null, null)
 
         /** The name of the file beside logs. */
         const val NAME: String = "field.json"
 
         /**
-         * Returns the field for [log]. It is the one of the nearest [NAME] in the log's folder, or in a folder above it up to [top],
-         * which is null for only its own folder.
+         * Returns the field for [log]. It is in the nearest file [NAME] in the log's folder, or in a folder above it up to [top]; if that
+         * is null, only in its own folder.
          */
         fun of(log: Path, top: Path? = null): FieldFile {
             val nearest = NearestFile.of(log, top, { folder -> folder.resolve(NAME).takeIf(Files::isRegularFile) }, ::fieldOfJson)
