@@ -8,7 +8,7 @@ import java.util.zip.CRC32
  * Writes bytes to [out] as base64, regardless of how they are split into pieces. One or two bytes that do not fill a group of three wait
  * for the next piece, so that padding is only at the end of a line. Lines end only where [endLine] is called.
  *
- * Also calculates the CRC-32 of the bytes of each line, by which the page detects changes.
+ * It also calculates the CRC-32 of each line's bytes, so that the page can detect changes.
  */
 internal class Base64Stream(private val out: OutputStream) {
     private val encoder = Base64.getEncoder()
@@ -21,7 +21,7 @@ internal class Base64Stream(private val out: OutputStream) {
     /** The CRC-32 of the bytes of each complete line. */
     val lineSums: List<Int> get() = sums
 
-    /** Writes the bytes from [from] until [until] of [bytes]. Keeps no reference. */
+    /** Writes [bytes] from index [from] until [until]; keeps no reference to the array. */
     fun write(bytes: ByteArray, from: Int = 0, until: Int = bytes.size) {
         crc.update(bytes, from, until - from)
         var at = from

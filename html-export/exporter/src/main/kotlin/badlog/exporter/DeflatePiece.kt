@@ -5,37 +5,37 @@ import java.util.concurrent.Future
 import java.util.zip.Deflater
 
 /**
- * One piece of a file on its way into a gzip stream. It is deflated independently of its neighbors, so that several can be deflated in
- * parallel. It uses the bytes before it as a dictionary and ends on a byte boundary, so that the pieces in sequence are one deflate stream,
- * except for its [END]. A piece without a dictionary begins a part of the stream that can be inflated by itself.
+ * One piece of a file that is compressed into a gzip stream. It is deflated independently of its neighbors, so that several can be deflated
+ * in parallel. It uses the bytes before it as a dictionary and ends on a byte boundary, so that the pieces in sequence are one deflate
+ * stream, except for its [END]. A piece without a dictionary begins a part of the stream that can be inflated by itself.
  *
- * Created once and reused, because its buffers are the memory that an export needs.
+ * Pieces are reused, because their buffers are the memory that an export needs.
  */
 internal class DeflatePiece {
     private val deflater = Deflater(LEVEL, true)
     private var dictionarySize = 0
 
-    /** Whether it can be inflated without the pieces before it. */
+    /** Whether the piece can be inflated without the pieces before it. */
     var beginsPart = true
         private set
 
-    /** The dictionary, then the piece's own bytes, which are in [[from], [until]). */
+    /** The dictionary, followed by the piece's own bytes, from index [from] until [until]. */
     val bytes = ByteArray(DICTIONARY + SIZE)
     val from: Int get() = dictionarySize
     var until = 0
         private set
     val isLast: Boolean get() = until - from < SIZE
 
-    /** The result of [deflate], in [[0], [deflatedSize]). */
+    /** The result of [deflate], from index 0 until [deflatedSize]. */
     var deflated = ByteArray(SIZE / 2)
         private set
     var deflatedSize = 0
         private set
 
-    /** The work on this piece in other threads. */
+    /** The tasks for this piece that run in other threads. */
     var work: List<Future<*>> = emptyList()
 
-    /** Reads the next bytes of [source], which follow the bytes of [before]; null begins a new part. */
+    /** Reads the next bytes of [source]. They follow the piece [before]; if it is null, they begin a new part. */
     fun fill(source: InputStream, before: DeflatePiece?) {
         beginsPart = before == null
         dictionarySize = 0

@@ -16,7 +16,7 @@ class EmptyPage(private val parts: PageParts = PageParts.bundled()) {
     /**
      * Writes the page to [output]; creates its folder if necessary.
      *
-     * @param network the servers that the page may ask.
+     * @param network the servers to which the page may send requests.
      * @throws ExportException if it cannot be written.
      */
     fun write(output: Path, network: PageNetwork = PageNetwork.NONE) {

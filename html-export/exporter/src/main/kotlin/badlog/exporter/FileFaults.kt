@@ -10,7 +10,7 @@ import java.io.InputStream
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** A stream of [file]. Its exceptions name this file as unreadable. */
+/** A stream that reads [file]; its exceptions report that this file is unreadable. */
 internal class ReadGuard(private val file: Path, stream: InputStream) : FilterInputStream(stream) {
     override fun read(bytes: ByteArray, from: Int, size: Int): Int = reading(file) { super.read(bytes, from, size) }
 }

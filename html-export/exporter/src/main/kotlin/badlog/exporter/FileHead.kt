@@ -14,7 +14,7 @@ import badlog.signals.vocabulary.SignalVocabulary
  * @property refusal the reason why the file is certainly not a recording, whatever follows; null if it may be one.
  */
 internal class FileHead private constructor(val isGzip: Boolean, private val recording: Recording, val refusal: String?) {
-    /** Whether it is text in lines. */
+    /** Whether the file consists of lines of text. */
     val hasLines: Boolean get() = recording.format.hasRows
 
     /** Returns the title of the match, according to these bytes or the file's [name]; null if it is unknown. */
@@ -27,7 +27,7 @@ internal class FileHead private constructor(val isGzip: Boolean, private val rec
         /** The number of bytes that [of] needs; pass fewer only if the file is shorter. */
         const val BYTES = 1 shl 18
 
-        /** Examines the beginning of a file. */
+        /** Returns the facts in [bytes], the beginning of a file. */
         fun of(bytes: ByteArray): FileHead {
             val isGzip = GzipReader.isGzip(bytes)
             val parser = RecordingParser(LOG_FORMATS, keepSamples = false)

@@ -4,7 +4,7 @@ import badlog.files.GzipReader
 import java.io.InputStream
 import java.util.concurrent.Future
 
-/** Embeds a file that is already gzip. The page contains its exact bytes, which are inflated only for parsing. */
+/** Embeds a file that is already compressed with gzip. The page contains its exact bytes, which are inflated only for parsing. */
 internal class GzipEmbedding(
     private val threads: ExportThreads,
     private val out: Base64Stream,

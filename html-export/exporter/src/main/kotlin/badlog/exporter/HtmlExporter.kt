@@ -21,13 +21,13 @@ import java.nio.file.Path
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Turns recordings into HTML pages that need nothing else. Each page contains the file's exact bytes, and the program that shows them.
- * Works on all cores, in memory that does not grow with the file. Reusable for any number of exports, also concurrently.
+ * Exports recordings as self-contained HTML pages. Each page contains the file's exact bytes, and the program that shows them. It uses all
+ * cores, and memory that does not grow with the file. One exporter can make any number of pages, also concurrently.
  *
  * @param attachments files to put into every page beside the recording.
  * @param compared logs that every page draws over its own; a page's own log is skipped.
  * @param parts the program and the styles of the pages.
- * @param maker makes one log of a file with several in it; null if there is no page of such a file.
+ * @param maker merges the logs in a file that contains several; null if such files are not exported.
  */
 class HtmlExporter(
     private val attachments: List<Path> = emptyList(),
@@ -39,9 +39,9 @@ class HtmlExporter(
     private val readable = ConcurrentHashMap.newKeySet<Path>()
 
     /**
-     * Makes the page [output] from the log [input]. That is a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed with
-     * gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced only by
-     * a complete page; its folder is created if necessary.
+     * Makes the page [output] from the log [input]. The log is a bag, a CSV file, a WPILOG or a Driver Station log, optionally compressed
+     * with gzip. If a log has two files, the page contains both. Problems are listed in the report and on the page. [output] is replaced
+     * only by a complete page; its folder is created if necessary.
      *
      * To cancel, interrupt the calling thread or throw from [progress].
      *

@@ -20,7 +20,7 @@ import java.nio.file.Path
 import java.util.UUID
 
 /**
- * The files with the notes of one log, beside it. Each computer appends lines to its own file, such as `q42.bag.notes-pit-3f2a.jsonl` for
+ * The files beside a log that contain its notes. Each computer appends lines to its own file, such as `q42.bag.notes-pit-3f2a.jsonl` for
  * `q42.bag`, and all files are read, so that a synced folder or git has no conflicts to resolve. Older versions wrote `q42.bag.notes.json`;
  * its notes come first.
  */
@@ -31,10 +31,13 @@ object NotesFile {
     /** Returns the path of the notes that older versions wrote for [log]; the file need not exist. */
     fun beginningOf(log: Path): Path = log.resolveSibling("${log.fileName}.notes.json")
 
-    /** Returns the path to which this computer appends the notes of [log]. */
+    /** Returns the path of the file to which this computer appends the notes of [log]. */
     fun of(log: Path): Path = log.resolveSibling("${log.fileName}.notes-$computerName.jsonl")
 
-    /** Returns the notes of [log]; none if it has no such file. Only the notes in damaged or unreadable files are missing. */
+    /**
+     * Returns the notes of [log]; none if there is no file with notes. Notes that are damaged or unreadable are missing, and reported as
+     * problems.
+     */
     fun read(log: Path): ReadNotes {
         val problems = ArrayList<String>()
         val beginning = try {
@@ -47,9 +50,10 @@ object NotesFile {
     }
 
     /**
-     * Stores [notes] as the notes of [log], merged with changes that others made since they were [read]. Returns the stored notes.
+     * Stores [notes] as the notes of [log], merged with changes by others. [read] holds the notes as they were read before. Returns the
+     * stored notes.
      *
-     * @throws IOException with a sentence for the user, if it cannot be written.
+     * @throws IOException if the file cannot be written; the message is a sentence for the user.
      */
     fun update(log: Path, notes: List<Note>, read: List<Note>): ReadNotes {
         val author = System.getProperty("user.name").orEmpty()
@@ -105,6 +109,6 @@ object NotesFile {
  * @property problems the parts that could not be read, each as a sentence.
  */
 class ReadNotes(val history: NoteHistory, val problems: List<String>) {
-    /** The notes, in the order of x. */
+    /** The notes, ordered by x. */
     val notes: List<Note> = history.notes
 }

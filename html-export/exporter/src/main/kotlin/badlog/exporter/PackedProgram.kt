@@ -5,7 +5,7 @@ import java.util.Base64
 import java.util.zip.Deflater
 import java.util.zip.GZIPOutputStream
 
-/** Separates the style sheet from the program in the packed text; no style sheet may contain it. */
+/** The character between the style sheet and the program in the packed text; no style sheet may contain it. */
 internal const val SEPARATOR = '\u0000'
 
 /**

@@ -1,10 +1,10 @@
 package badlog.exporter
 
 /**
- * The servers that a page may ask. Pages with a log, and files on a disk, may ask none.
+ * The servers to which a page may send requests. Pages with a log, and pages on a disk, may use none.
  *
- * @property policy the part of the page's policy that allows it.
- * @property word the name in the page's facts, for the page's program; null for [NONE].
+ * @property policy the part of the page's policy that allows these requests.
+ * @property word the name of the network in the page's facts, which the page's program reads; null for [NONE].
  */
 enum class PageNetwork(internal val policy: String, internal val word: String?) {
     /** No server, ever. */

@@ -34,7 +34,7 @@ class PageParts private constructor(
 
     /**
      * Returns the Content-Security-Policy of a page with these parts. It allows no other script or style, and only the servers of
-     * [network]. A video may be one that the reader opens or, if [hasVideo], one from the page's own location.
+     * [network]. It allows videos that the reader opens and, if [hasVideo], a video from the page's own location.
      */
     internal fun policy(hasVideo: Boolean, network: PageNetwork = PageNetwork.NONE): String {
         val scripts = "script-src '${hash(UNPACKING)}' '${hash(program)}'; worker-src blob:; "

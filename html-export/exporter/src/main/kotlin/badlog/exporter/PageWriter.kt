@@ -53,8 +53,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     /**
      * Writes the recording from the file [name]; [embed] passes its gzip stream to the base64 stream.
      *
-     * @param lineBytes the length of the file if its rows can be read line by line while the page loads; otherwise null. Then each line of
-     * the base64, except the first and the last, contains some of the rows.
+     * @param lineBytes the length of the file in bytes if its rows can be read while the page loads; null otherwise. If it is given, each
+     * line of the base64 contains some of the rows, except the first and the last.
      */
     fun recording(name: String, lineBytes: Long?, embed: (Base64Stream) -> EmbeddedFile): Embedded {
         val bytes = if (lineBytes == null) "" else " data-bytes=\"$lineBytes\""
@@ -81,8 +81,8 @@ internal class PageWriter(private val out: OutputStream, private val parts: Page
     }
 
     /**
-     * Writes the end of a page, with facts about the recording. [name] is the name of its file, [second] the second file of a log of two. A
-     * page without this end is incomplete.
+     * Writes the end of a page, with facts about the recording. [name] is the name of the recording's file, [second] the log's second file
+     * if there is one. A page without this end is incomplete.
      */
     fun end(name: String, embedded: Embedded, isGzip: Boolean, second: SecondPart? = null) {
         val file = embedded.file

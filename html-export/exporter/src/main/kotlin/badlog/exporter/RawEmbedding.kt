@@ -77,7 +77,7 @@ internal class RawEmbedding(
         /** The number of pieces in a part. The first piece is a separate part, because all others wait for the header in it. */
         const val PIECES_OF_PART = 4
 
-        /** Deflate, no name, no time, unknown system. */
+        /** The header of the gzip member: deflate, no name, no time, unknown system. */
         val HEADER = byteArrayOf(0x1F, 0x8B.toByte(), 8, 0, 0, 0, 0, 0, 0, -1)
 
         /** The number of pieces besides those being deflated: read ahead, or waiting to be written. */

@@ -34,7 +34,10 @@ import org.w3c.dom.HTMLElement
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** Starts the page: reads its recording and shows it, or the reason why it cannot be shown. A page without a recording opens others. */
+/**
+ * Starts the page: reads its recording and shows it, or the reason why it cannot be shown. A page without a recording opens logs from
+ * elsewhere.
+ */
 internal class Startup {
     private val main = checkNotNull(document.getElementById("page")).unsafeCast<HTMLElement>()
     private val root = PageRoot(main)

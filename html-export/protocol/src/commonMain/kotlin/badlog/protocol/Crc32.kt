@@ -2,7 +2,7 @@ package badlog.protocol
 
 /**
  * The CRC-32 of gzip and PNG (reflected, 0xEDB88320), calculated from bytes that arrive in pieces. The exporter writes it beside each line
- * of an embedded file, and the page checks it. Pages may have hundreds of megabytes, so it handles eight bytes at a time, with eight
+ * of an embedded file, and the page checks it. Pages may contain hundreds of megabytes, so it processes eight bytes at a time, with eight
  * tables.
  */
 class Crc32 {
@@ -11,7 +11,7 @@ class Crc32 {
     /** The checksum of all bytes so far. */
     val value: Int get() = state.inv()
 
-    /** Adds the bytes from [from] until [until] of [bytes]. */
+    /** Adds [bytes] from index [from] until [until]. */
     fun update(bytes: ByteArray, from: Int = 0, until: Int = bytes.size) {
         val table = TABLE
         var crc = state

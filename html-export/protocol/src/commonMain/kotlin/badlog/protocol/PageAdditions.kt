@@ -65,8 +65,8 @@ class PageAdditions(
     fun ofAnyLog(): PageAdditions = PageAdditions(rules = rules, rulesProblem = rulesProblem, field = field)
 
     /**
-     * Returns these rules and field with the notes of [page], the page that contains the shown log. These additions belong to no particular
-     * log.
+     * Returns the rules and the field of these additions, which belong to no particular log, with the notes of [page]. [page] holds the
+     * additions of the page that contains the shown log.
      */
     fun withNotesOf(page: PageAdditions): PageAdditions = PageAdditions(
         rules = rules,
@@ -77,7 +77,7 @@ class PageAdditions(
         noteChanges = page.noteChanges,
     )
 
-    /** Reads what [toJson] wrote. */
+    /** The receiver of [fromJson], which reads the text that [toJson] wrote. */
     companion object
 }
 
@@ -86,7 +86,7 @@ class PageAdditions(
  *
  * @property name the program's name for people.
  * @property error the reason why it returned nothing, or not everything; null if it succeeded.
- * @property values the values it calculated, in its order.
+ * @property values the values that it calculated, in the program's order.
  * @property findings the findings; their [rule][Finding.rule] is usually [name].
  * @property series the lines that it calculated.
  * @property figures the pictures that it drew.

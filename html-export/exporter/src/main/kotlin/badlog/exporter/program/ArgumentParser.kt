@@ -30,15 +30,15 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 internal class ArgumentParser {
-    /** The request of a command line: to make pages, or to print a text and exit. */
+    /** The result of parsing a command line: make pages, or print a text and exit. */
     sealed interface Result {
-        /** Make pages. */
+        /** A request to make pages. */
         class Run(val arguments: Arguments) : Result
 
-        /** Print the requested [text]. */
+        /** A request to print [text]. */
         class Say(val text: String) : Result
 
-        /** Print why the arguments are invalid. */
+        /** Invalid arguments; [text] is the message for the user. */
         class Refuse(val text: String) : Result
     }
 

@@ -12,9 +12,9 @@ import java.nio.file.Path
  * @property attachments files to put into each page.
  * @property compared logs that each page draws over its own.
  * @property hasRules whether the pages run rules.
- * @property field the field of all pages, a file in the format of WPILib's dashboards; null to use the files beside the logs.
+ * @property field the file with the field of all pages, in the format of WPILib's dashboards; null to use the files beside the logs.
  * @property video a video of the match for the only page; null if there is none.
- * @property emptyPages the networks of the pages without a log to make as well, by the pages' names.
+ * @property emptyPages the pages without a log to make as well: the network of each, by the page's name.
  * @property opensPage whether to open a page in the browser.
  */
 internal class Arguments(
@@ -28,6 +28,6 @@ internal class Arguments(
     val emptyPages: Map<String, PageNetwork>,
     val opensPage: Boolean,
 ) {
-    /** Returns the path of the page without a log named [name]. */
+    /** Returns the path of the empty page called [name], a page without a log. */
     fun emptyPage(name: String): Path = (out?.takeIf { it.isFolder }?.path ?: Path.of("")).resolve(name).toAbsolutePath().normalize()
 }

@@ -7,6 +7,6 @@ import java.nio.file.Path
  *
  * @property input the file to read.
  * @property page the file to write; neither another job's page nor any job's input.
- * @property isFound whether [input] was found in a folder, so that it may not be a log.
+ * @property isFound whether [input] was found in a folder; such a file is not necessarily a log.
  */
 internal class ExportJob(val input: Path, val page: Path, val isFound: Boolean)

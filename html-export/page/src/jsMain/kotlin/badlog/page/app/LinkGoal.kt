@@ -13,7 +13,7 @@ internal class LinkGoal(private val board: BoardSection, private val inSight: Gr
     /** The element that has the keyboard's focus because a link points at it. */
     private var focused: Element? = null
 
-    /** Brings the target of [address] into sight and focuses it; [isAgain] if that was done before. */
+    /** Scrolls to the target of [address] and focuses it. [isAgain] is whether that was done before. */
     fun go(address: PageAddress, isAgain: Boolean) {
         if (address.board != null && address.finding == null) {
             board.bringIntoSight()

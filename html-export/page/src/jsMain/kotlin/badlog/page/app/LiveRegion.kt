@@ -20,7 +20,7 @@ internal class LiveRegion(private val scene: Scene, private val lines: () -> Lis
         element.showText(spokenAt(lines(), x, scene.xText(x)))
     }
 
-    /** Lets screen readers say [text], which replaces one that they have not said yet. */
+    /** Announces [text]; it replaces a text that screen readers have not read yet. */
     fun announce(text: String) = element.showText(text)
 
     /** Announces [found], the finding at the cursor. */

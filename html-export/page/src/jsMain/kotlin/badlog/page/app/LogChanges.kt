@@ -12,7 +12,7 @@ import org.w3c.dom.HTMLElement
 /**
  * The differences between the shown log and the matches before it.
  *
- * @param page the page of the log, which is left when another log is opened.
+ * @param page returns the element of the log's page, which is removed when another log is opened.
  * @param onShow shows the graph of a difference.
  */
 internal class LogChanges(
@@ -28,7 +28,9 @@ internal class LogChanges(
     /** The differences known so far. */
     val differences: List<Finding> get() = now.differences
 
-    /** Finds the differences, again whenever more of the list is known. [onChange] is called when they change. */
+    /**
+     * Finds the differences now, and again when the rules have run over the log in its folder's list. Calls [onChange] when they change.
+     */
     fun start(onChange: () -> Unit) {
         fun find() {
             val before = now

@@ -79,7 +79,7 @@ import org.w3c.files.Blob
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** Puts together the page of a recording. */
+/** Assembles the page of a recording. */
 internal class LogPage(
     private val formulas: Formulas,
     private val about: About,
@@ -242,13 +242,13 @@ internal class LogPage(
         Keyboard(search, evidence, help, store::send)
     }
 
-    /** What stays of it when the log has grown. */
+    /** The part of the page that stays when the log has grown. */
     val left: PageSnapshot
         get() = PageSnapshot(with(link.now) { PageAddress(visible = visible, video = video, opened = opened) }, rules.found, rules.ranAt)
 
     /**
-     * Goes to the newest moment if something is [left] of the page of this log. Otherwise goes to the place in the address. Then it draws
-     * the graphs on the screen. Call it when [element] is on the page.
+     * Goes to the place in the address, and draws the graphs on the screen. If [left] is the state of an earlier page of this log, goes to
+     * the newest moment instead. Call it when [element] is on the page.
      */
     fun start(left: PageSnapshot? = null) {
         left?.let(rules::continueFrom)
@@ -294,7 +294,7 @@ internal class LogPage(
         zoomBar.repaint()
     }
 
-    /** Redraws everything that has its own colors. */
+    /** Redraws everything with the current colors. */
     fun repaint() {
         graphs.repaint()
         modules.repaint()
@@ -332,7 +332,7 @@ internal class LogPage(
     }
 
     private companion object {
-        /** Hardly any graph is lower than this, in pixels. */
+        /** The minimum height of almost all graphs, in pixels. */
         const val LOWEST = 100
     }
 }

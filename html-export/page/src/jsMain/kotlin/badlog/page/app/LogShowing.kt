@@ -47,10 +47,10 @@ internal class LogShowing(private val root: PageRoot, private val source: PageSo
     /** The formulas of the log that is shown, or will be shown once they are calculated. */
     private var calculating: Formulas? = null
 
-    /** The theme, one for all logs. */
+    /** The theme, which all logs share. */
     val theme: ThemeSwitch = ThemeSwitch { page?.repaint() }
 
-    /** Shows [log], which has grown since it was shown, at its newest moment, and otherwise as the reader left it. */
+    /** Shows [log], which has grown, at its newest moment. The rest of the page stays as the reader left it. */
     fun showGrown(log: ShownLog, additions: PageAdditions?) {
         val left = page?.left
         val top = window.scrollY

@@ -10,7 +10,7 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Copies of the page with the logs that it compares.
+ * Saves copies of the page, including the logs that it compares.
  *
  * @param copyWith makes a copy with the compared files, without the removed ones.
  */

@@ -22,10 +22,10 @@ import org.w3c.dom.HTMLElement
  * Follows the page's address, see [PageAddress], when the page opens and when the address changes. Also has the button that copies an
  * address for the current view.
  *
- * @param onFormulas called with the formulas of an address; when they are calculated, it passes on sentences about mistakes in them.
- * @param onJump called when the cursor and the board are as the address demands; for the same address again when the findings are known.
+ * @param onFormulas calculates the formulas of an address, then calls `then` with sentences about mistakes in them.
+ * @param onJump called when the cursor and the board match the address; called again for the same address when the findings are known.
  * @param opened returns the panels that the reader has opened.
- * @param open opens what an address asks for.
+ * @param open opens the panels that an address names.
  */
 internal class PageLink(
     private val scene: Scene,
@@ -43,7 +43,10 @@ internal class PageLink(
         addIconButton("", Icon.LINK, "Copy a link to this time, range and board") { copy() }.id = "copy-link"
     }
 
-    /** Starts following the address; [begin] is called with the board in it. If the reader comes from a [place], that comes first. */
+    /**
+     * Follows [place], or the current address if it is null, and then each change of the address. Calls [begin] with the first board; null
+     * if there is none.
+     */
     fun start(place: PageAddress?, begin: (Board?) -> Unit) {
         follow(place ?: pageAddressOf(window.location.hash), begin)
         PageEvents.on(window, "hashchange") { follow(pageAddressOf(window.location.hash)) { asked -> asked?.let(scene.board::visit) } }
@@ -60,7 +63,7 @@ internal class PageLink(
         if ("f=" in hash || "board=" in hash) showAddress("")
     }
 
-    /** Follows the address again, unless the reader has looked elsewhere: the findings there are known only now. */
+    /** Follows the address again when the findings are known, unless the reader has moved to another place. */
     fun followAgain() {
         val (address, there) = followed ?: return
         val moment = address.moment?.let { scene.range.full.run { it.coerceIn(from, to) } }

@@ -23,7 +23,7 @@ internal class PageRequests(
     private val live: LiveRegion,
     private val onFinding: (FindingRequest) -> Unit,
 ) {
-    /** Does what [request] asks for. */
+    /** Carries out [request]. */
     fun perform(request: Request): Unit = when (request) {
         is FindingRequest -> onFinding(request)
 

@@ -29,11 +29,11 @@ internal class PageRules(
     var found: LogFindings? = null
         private set
 
-    /** The time when the rules had run, on the browser's clock, in ms. */
+    /** The time at which the last run of the rules ended, on the browser's clock, in ms. */
     var ranAt: Double = 0.0
         private set
 
-    /** Continues from the findings in the log before it had grown. */
+    /** Continues with the findings of [left], the page from before the log had grown. */
     fun continueFrom(left: PageSnapshot) {
         left.found?.let(::take)
         ranAt = left.ranAt

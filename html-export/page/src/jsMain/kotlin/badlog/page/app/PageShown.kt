@@ -9,7 +9,7 @@ import badlog.viewer.shown.cursor.CursorSteps
 import badlog.viewer.shown.finding.RuleResults
 import badlog.viewer.state.Shown
 
-/** The content of the page's log. Each part of the page is asked for when it exists. */
+/** The content of the page's log. The parts of the page are passed as functions, because they may not exist yet. */
 internal class PageShown(private val scene: () -> Scene, private val findings: () -> FindingsSection, private val keys: () -> BoardKeys) :
     Shown {
     override val samples: CursorSteps by lazy { CursorSteps(scene().xAxis.clocks) }

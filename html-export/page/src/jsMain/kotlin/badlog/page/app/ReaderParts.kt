@@ -6,7 +6,7 @@ import badlog.page.panel.CursorPanel
 import badlog.page.panel.ModulesPanel
 import badlog.viewer.session.link.OpenedParts
 
-/** The parts of the page that a reader opens and closes, as a link shows them. */
+/** The parts of the page that a reader can open and close, in the form used by links. */
 internal class ReaderParts(
     private val search: SearchBox,
     private val values: CursorPanel,

@@ -61,7 +61,7 @@ internal class BoardItem(spec: BoardGraph, private val scene: Scene, private val
         element.isHidden = cards.all { it.element.isHidden }
     }
 
-    /** Shows [wanted], which [fits]. */
+    /** Shows [wanted], for which [fits] is true. */
     fun show(wanted: BoardGraph) {
         if (wanted == spec) return
         spec = wanted

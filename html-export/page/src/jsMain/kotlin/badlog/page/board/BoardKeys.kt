@@ -7,9 +7,9 @@ import badlog.viewer.state.GraphChange
 import badlog.viewer.state.Request
 import kotlinx.browser.document
 
-/** What keys do with the board, and with the graph that has the keyboard focus or is under the mouse. */
+/** Applies keys to the board, and to the graph that has the keyboard focus or is under the mouse. */
 internal class BoardKeys(private val board: PageBoard, private val graphs: VisibleGraphs, private val section: BoardSection) {
-    /** The graph of the board that keys apply to; null for none. */
+    /** The graph of the board to which keys apply; null if there is none. */
     val current: Int? get() = graph()?.let { section.itemOf(it.element) }?.spec?.id
 
     /** Adds the graph to the board, or removes it. */

@@ -41,7 +41,7 @@ internal class PageComparison(private val formulas: Formulas, file: String) {
     var drawn: List<ComparedLog> = emptyList()
         private set
 
-    /** The name of the page's own log beside the others. */
+    /** The name under which the page's own log is shown beside the others. */
     var openName = ""
         private set
 

@@ -5,8 +5,8 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 
 /**
- * Scrolls to this element, again once the page is laid out. Elements in between are laid out only when they come near, and may be taller
- * than estimated. Scrolls only this page, not a page that shows it in a frame.
+ * Scrolls to this element, and again once the page is laid out. Elements in between are laid out only near the screen, and may be taller
+ * than estimated. Only this page scrolls, not a page that shows it in a frame.
  */
 internal fun Element.bringIntoSight() {
     fun scroll() {

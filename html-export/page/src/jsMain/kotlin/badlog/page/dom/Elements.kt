@@ -11,7 +11,7 @@ internal val isNarrow: Boolean get() = window.innerWidth <= 760
 /** The room for a panel above the graphs. */
 internal val panelRoom: PanelRoom get() = if (isNarrow) PanelRoom.NARROW else PanelRoom.SHARED
 
-/** Makes an element. [text] becomes a text node, so that nothing in a file can become markup. */
+/** Returns a new element. [text] becomes a text node, so that nothing in a file can become markup. */
 internal fun element(tag: String, className: String = "", text: String = "", build: HTMLElement.() -> Unit = {}): HTMLElement {
     val element = document.createElement(tag).unsafeCast<HTMLElement>()
     if (className.isNotEmpty()) element.className = className
@@ -20,7 +20,7 @@ internal fun element(tag: String, className: String = "", text: String = "", bui
     return element
 }
 
-/** Makes an element as the last child of this one. */
+/** Adds an element as the last child of this one. */
 internal fun HTMLElement.add(tag: String, className: String = "", text: String = "", build: HTMLElement.() -> Unit = {}): HTMLElement {
     val child = element(tag, className, text, build)
     appendChild(child)
@@ -35,7 +35,7 @@ internal fun HTMLElement.addName(name: String = "", className: String = ""): HTM
     // Within its own direction, a slash at the beginning stays there.
     add("span", "cut-name $className".trim()).add("bdi", "", name)
 
-/** Makes a button as the last child of this one. */
+/** Adds a button as the last child of this one. */
 internal fun HTMLElement.addButton(className: String, text: String, hint: String = "", onClick: () -> Unit): HTMLElement =
     add("button", className, text) {
         setAttribute("type", "button")
@@ -43,7 +43,7 @@ internal fun HTMLElement.addButton(className: String, text: String, hint: String
         addEventListener("click", { onClick() })
     }
 
-/** Makes a button that shows only an icon; [hint] is its accessible name. */
+/** Adds a button that shows only an icon; [hint] is its accessible name. */
 internal fun HTMLElement.addIconButton(className: String, icon: Icon, hint: String, onClick: () -> Unit): HTMLElement =
     addButton("icon-button $className", "", hint, onClick).apply {
         setAttribute("aria-label", hint)

@@ -8,7 +8,7 @@ import org.w3c.dom.events.KeyboardEvent
 internal val KeyboardEvent.isTyped: Boolean
     get() = target.unsafeCast<Element?>()?.closest("dialog, input:not([type=checkbox], [type=radio]), textarea, select") != null
 
-/** The key outside the graphs that was pressed. Null for other keys, and for one that is typed into a field. */
+/** The pressed key if it is a shortcut outside the graphs; null for other keys, and for keys typed into a field. */
 internal val KeyboardEvent.screenKey: ScreenKey?
     get() = if (isTyped || ctrlKey || metaKey) null else ScreenKey.onPage(PAGE_KEYS[key] ?: key.uppercase(), shiftKey, altKey)
 

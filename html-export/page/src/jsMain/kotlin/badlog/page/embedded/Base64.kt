@@ -11,8 +11,8 @@ internal object Base64 {
     }
 
     /**
-     * Returns the bytes of [text], which may end with a line feed. Only whole groups of four characters are decoded; the rest of a cut
-     * text is dropped. Other characters give wrong bytes.
+     * Returns the bytes of [text], which may end with a line feed. Only whole groups of four characters are decoded; the rest of a cut text
+     * is dropped. Characters outside the alphabet result in wrong bytes.
      */
     fun decode(text: String): ByteArray {
         if (text.endsWith('\n')) return decode(text.substring(0, text.length - 1))
@@ -26,7 +26,7 @@ internal object Base64 {
         return Int8Array(bytes.buffer, bytes.byteOffset, bytes.length).unsafeCast<ByteArray>()
     }
 
-    /** Returns the same as [decode] without the browser's decoder, which browsers before 2025 lack. */
+    /** Returns the same as [decode], but without the browser's decoder, which is missing in browsers before 2025. */
     fun decodeByTable(text: String): ByteArray {
         var characters = text.length
         while (characters > 0 && text[characters - 1] == '=') characters--

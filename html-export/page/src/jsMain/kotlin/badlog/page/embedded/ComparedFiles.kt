@@ -6,7 +6,7 @@ import org.w3c.dom.asList
 import org.w3c.files.File
 import kotlin.js.Promise
 
-/** Returns the files in this page of the logs compared with its own; rejected if one was damaged. */
+/** Promises the files of the compared logs that this page contains; rejected if one was damaged. */
 internal fun comparedFiles(): Promise<List<File>> {
     val files = document.querySelectorAll("script.compared").asList().map { node ->
         val element = node.unsafeCast<Element>()
@@ -16,7 +16,7 @@ internal fun comparedFiles(): Promise<List<File>> {
     return Promise.all(files.toTypedArray()).then { it.toList() }
 }
 
-/** The script of this page that holds the file; null for any other file. */
+/** The script element of this page that contains the file; null for a file from elsewhere. */
 internal var File.carrier: Element?
     get() = asDynamic().carrier as Element?
     set(value) {

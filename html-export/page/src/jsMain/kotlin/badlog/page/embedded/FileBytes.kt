@@ -17,13 +17,13 @@ internal const val END: String = "</script>"
 /** The number of bytes read at once; a multiple of three, so that base64 pads only the last piece. */
 internal const val PIECE: Int = 3 shl 20
 
-/** Returns the bytes from [from] until [until] of [file], or until its end. */
+/** Returns the bytes of [file] from index [from] until [until], or until its end. */
 internal fun bytesOf(file: Blob, from: Double, until: Double): Promise<ByteArray> {
     val part = file.asDynamic().slice(from, until)
     return part.arrayBuffer().unsafeCast<Promise<ArrayBuffer>>().then { Int8Array(it).unsafeCast<ByteArray>() }
 }
 
-/** Returns the gzip stream of [content]. */
+/** Returns [content], compressed with gzip. */
 internal fun packed(content: Blob): Promise<Blob> {
     val stream = content.asDynamic().stream().pipeThrough(js("new CompressionStream('gzip')"))
     return Response(stream).blob()

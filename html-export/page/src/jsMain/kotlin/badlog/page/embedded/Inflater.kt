@@ -1,8 +1,8 @@
 package badlog.page.embedded
 
 /**
- * Inflates gzip (RFC 1951 and 1952) where the browser's `DecompressionStream` fails. That is for streams of several members, and for the
- * readable part of cut streams. Needs the whole compressed file in memory.
+ * Inflates gzip (RFC 1951 and 1952) where the browser's `DecompressionStream` fails. It reads streams of several members, and the readable
+ * part of cut streams. It needs the whole compressed file in memory.
  *
  * @param sink receives the inflated bytes, in pieces.
  */

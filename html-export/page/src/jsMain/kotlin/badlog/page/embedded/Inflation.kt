@@ -7,8 +7,8 @@ import kotlin.js.Promise
 /**
  * Inflates a gzip stream that arrives in pieces, with the browser's own `DecompressionStream`.
  *
- * Reads while it writes, and never needs a clean end: robots never close their streams, and a stream closed too early discards its buffer.
- * If the browser stops within a stream of several members, [Inflater] does the rest.
+ * It reads while it writes, and never needs a clean end: robots never close their streams, and a stream closed too early discards its
+ * buffer. If the browser stops within a stream of several members, [Inflater] does the rest.
  *
  * @param expectedBytes the number of bytes to inflate; reading stops there.
  * @param isWhole whether the stream is known to be a single, complete member, so that it may be closed.

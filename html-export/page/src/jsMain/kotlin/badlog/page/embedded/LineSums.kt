@@ -7,7 +7,7 @@ internal class LineSums {
     private val crc = Crc32()
     private val sums = ArrayList<Int>()
 
-    /** The sum of each complete line. */
+    /** The checksum of each complete line. */
     val all: List<Int> get() = sums
 
     /** Adds [bytes], the next piece of a line; [isLast] ends the line. */
@@ -18,11 +18,11 @@ internal class LineSums {
         crc.reset()
     }
 
-    /** Adds the [sum] of the next line, if it was calculated elsewhere. */
+    /** Adds [sum], the checksum of the next line, if it was calculated elsewhere. */
     fun add(sum: Int) {
         sums += sum
     }
 
-    /** Returns whether the sums equal those [expected], so that no line is missing or changed. */
+    /** Returns whether the checksums equal [expected]; if so, no line is missing or changed. */
     fun fit(expected: Array<Int>): Boolean = sums == expected.asList()
 }

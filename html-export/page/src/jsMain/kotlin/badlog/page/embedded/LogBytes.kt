@@ -16,7 +16,7 @@ internal interface LogBytes {
     fun toMarkup(): Promise<Blob>?
 }
 
-/** The log [element] of this page, with the facts [about] it. */
+/** The log in [element] of this page, with the facts [about] it. */
 internal class EmbeddedLog(private val about: About, element: Element) : LogBytes {
     private val file = EmbeddedFile(element)
 

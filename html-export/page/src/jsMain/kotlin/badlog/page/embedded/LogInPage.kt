@@ -8,12 +8,12 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Returns the files of the log in [page], a page of badlog. The first has its [additions]; null if it contains none. Rejected if the log
- * was changed since it was exported. Only a piece of the log is in memory at a time.
+ * Promises the files of the log in [page], a page made by badlog; null if it contains no log. The first file has the page's [additions].
+ * The promise is rejected if the log was changed since it was exported. Only a piece of the log is in memory at a time.
  */
 internal fun logIn(page: File): Promise<List<File>?> = PageScan(page).run()
 
-/** The additions of the page that the file comes from. Null for a file that does not come from a page. */
+/** The additions of the page from which the file comes; null for a file that does not come from a page. */
 internal var File.additions: PageAdditions?
     get() = asDynamic().additions as PageAdditions?
     set(value) {
@@ -120,7 +120,7 @@ private class PageScan(private val page: File) {
         const val ABOUT = "id=\"about\">"
         const val DAMAGED = "the log in it was damaged in copying"
 
-        /** Longer than the facts about any log. */
+        /** The number of characters to keep, more than the facts about any log. */
         const val LONGEST = 1 shl 20
 
         /** The number of base64 characters for three bytes. */

@@ -37,7 +37,7 @@ internal fun imageEntries(scene: Scene, name: String, parts: () -> List<(Sheet) 
 internal fun pictureOf(scene: Scene, parts: List<(Sheet) -> Unit>, onReady: (Blob) -> Unit) =
     pngOf(WIDTH, { figure(scene.view.title ?: scene.fileName, scene.figureNotes, parts) }, onReady)
 
-/** Returns the drawing of [draw] as SVG. */
+/** Returns the picture that [draw] draws, as SVG. */
 internal fun svgOf(width: Int, draw: Sheet.() -> Unit): String {
     val ruler = CanvasPen(newCanvas())
     // A page may show several drawings, and the names of their parts must differ.
@@ -64,7 +64,7 @@ private fun pngOf(width: Int, draw: Sheet.() -> Unit, onReady: (Blob) -> Unit) {
 private fun newCanvas(): CanvasRenderingContext2D =
     document.createElement("canvas").unsafeCast<HTMLCanvasElement>().getContext("2d").unsafeCast<CanvasRenderingContext2D>()
 
-/** Returns the name of a file with the [part] of a log. */
+/** Returns the name of a file for a [part] of the log. */
 internal fun fileNameOf(scene: Scene, part: String, ending: String): String {
     val stem = scene.fileName.removeSuffix(".gz").substringBeforeLast('.')
     // Slashes make folders, and some systems forbid the other characters in names.

@@ -12,8 +12,8 @@ import org.w3c.files.FilePropertyBag
 import kotlin.js.Promise
 
 /**
- * Sends [text] with a picture of [parts] in the first way that works. The ways are the system's own dialog, as on phones; the clipboard;
- * and saving the picture as a file.
+ * Sends [text] with a picture of [parts] in the first way that works. It tries the system's own dialog, as on phones, then the clipboard,
+ * and finally saves the picture as a file.
  */
 internal fun sendMoment(scene: Scene, text: String, parts: List<(Sheet) -> Unit>) = pictureOf(scene, parts) { picture ->
     val name = fileNameOf(scene, "moment", ".png")

@@ -18,7 +18,7 @@ import kotlin.js.Promise
  */
 internal fun fileOf(draft: CsvDraft, notice: Notice): Promise<Blob?> = Promise { resolve, _ -> TableSlices(draft, notice, resolve).next() }
 
-/** Saves the table of [draft] under [name], and shows how its rows were made if the log has none. */
+/** Saves the table of [draft] under [name]. If the log itself has no rows, shows how these were made. */
 internal fun saveTable(scene: Scene, name: String, draft: CsvDraft) {
     fileOf(draft, scene.notice).then { file ->
         if (file == null) return@then
@@ -64,7 +64,7 @@ private class TableSlices(private val draft: CsvDraft, private val notice: Notic
     }
 
     private companion object {
-        /** In milliseconds. */
+        /** The duration of a slice, in milliseconds. */
         const val SLICE = 40
         const val FAST_MILLISECONDS = 5
         const val TENTHS = 10.0

@@ -113,7 +113,7 @@ internal class EvidenceSection(
         element.bringIntoSight()
     }
 
-    /** Hides it. */
+    /** Hides the section. */
     fun close() {
         draw(Board())
         element.isHidden = true

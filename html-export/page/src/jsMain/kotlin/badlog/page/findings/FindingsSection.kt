@@ -23,9 +23,9 @@ import org.w3c.dom.HTMLElement
  * The findings of the log, see [findingsPanel]. Hidden while there is nothing to show.
  *
  * @param signals the signals that a reader assigned to topics.
- * @param embedded the findings from before the page was made.
+ * @param embedded the findings that were known when the page was made.
  * @param hasRules whether rules will run.
- * @param differences returns how the log differs from those before it.
+ * @param differences returns the differences between the log and the logs before it.
  * @param send lets an action change the state.
  */
 internal class FindingsSection(
@@ -74,22 +74,22 @@ internal class FindingsSection(
         found = RuleResults(found.all, found.skipped, found.incidents, found.ran, trouble = trouble)
     }
 
-    /** The number of findings that the search finds; none without a search. */
+    /** The number of findings that match the search; 0 without a search. */
     val hits: Int get() = if (state.query.isBlank()) 0 else found.foundBy(state.query).findings.size
 
-    /** Goes to what to see first of [findings], as a list of logs and the window do, see [firstStep]. */
+    /** Goes to the place that a reader should see first among [findings]. Lists of logs and the window do the same, see [firstStep]. */
     fun goToWorst(findings: List<Finding>) {
         firstStep(findings, found.incidents)?.let { send(FindingAction.GoTo(it.place, it.incident, isWhole = it.incident != null)) }
     }
 
-    /** Goes to the finding that begins at [x] and is called [name], or else to the worst one there. Returns whether there is one. */
+    /** Goes to the finding named [name] that begins at [x], otherwise to the worst one there. Returns whether there is one. */
     fun visitAt(x: Double, name: FindingName?): Boolean {
         val place = scene.findings.placeAt(x) { name?.isOf(it) == true } ?: return false
         send(FindingAction.GoTo(place, found.incidentOf(place.finding)))
         return true
     }
 
-    /** Gives the keyboard's focus to the link of the finding that the reader has gone to. Nothing scrolls. Returns whether it is listed. */
+    /** Focuses the link of the finding that the reader has gone to, without scrolling. Returns whether the finding is listed. */
     fun focusCurrent(): Boolean {
         val finding = scene.visited?.finding ?: return false
         val row = element.querySelector(".finding[aria-current]") ?: element.querySelector("[aria-current]") ?: return false
@@ -101,10 +101,10 @@ internal class FindingsSection(
         return true
     }
 
-    /** Lists more on paper, where nothing can be unfolded, than on the screen. */
+    /** Lists more findings if [isOnPaper], because nothing can be unfolded on paper. */
     fun print(isOnPaper: Boolean) = send(if (isOnPaper) FindingAction.ListMore else FindingAction.ListFew)
 
-    /** Shows it as it is now. */
+    /** Updates the section to the current state. */
     fun show() {
         val isGone = drawn !== scene.visited
         drawn = scene.visited

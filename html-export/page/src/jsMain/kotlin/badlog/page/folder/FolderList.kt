@@ -55,7 +55,7 @@ internal class FolderList(
         appendChild(folded.element)
     }
 
-    /** Lays out the folders with the first [graphs] graphs, but not those below, because all layout delays the first graphs. */
+    /** Lays out the folders with the first [graphs] graphs. Laying out the folders below would delay the first graphs. */
     fun layOut(graphs: Int) {
         var above = 0
         for (section in sections) {

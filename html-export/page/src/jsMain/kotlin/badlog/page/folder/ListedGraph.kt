@@ -47,7 +47,7 @@ internal class ListedGraph(private val graph: Graph, private val scene: Scene, p
     /** Returns whether [query] matches the graph, and no person has selected it. */
     fun isFoundBy(query: Query): Boolean = !isWanted && searched.isFoundBy(query)
 
-    /** Shows the graph if [query] matches it, drawn if [draws]. Returns whether it matches. */
+    /** Shows the graph if [query] matches it, and draws it if [draws]. Returns whether it matches. */
     fun filter(query: Query, draws: Boolean): Boolean {
         val isFound = searched.isFoundBy(query)
         element.isHidden = !isFound

@@ -74,7 +74,7 @@ internal class FormulaDialog(
         })
     }
 
-    /** Opens the dialog for a new formula, with the list of the reader's own; nothing if it is open. */
+    /** Opens the dialog for a new formula, with the list of the reader's own; does nothing if it is open. */
     fun open() {
         if (dialog.isOpen) return
         dialog.open()

@@ -49,7 +49,7 @@ internal class FormulaGraphs(
         }
     }
 
-    /** Adds the valid ones of [definitions], from a link or a layout. Then calls [then] with the reasons why others are skipped. */
+    /** Adds the valid [definitions] of a link or a layout, then calls [then] with the reasons why others are skipped. */
     fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<String>) -> Unit) {
         val others = definitions.filterNot(formulas::has)
         formulas.addAll(others, isRemembered) { mistakes ->
@@ -59,7 +59,7 @@ internal class FormulaGraphs(
         }
     }
 
-    /** Replaces the definition [from] by [to], which must be valid. */
+    /** Replaces the definition [from] with [to], which must be valid. */
     fun change(from: String, to: String) {
         onChange()
         formulas.finish()

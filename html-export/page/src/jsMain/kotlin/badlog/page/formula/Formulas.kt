@@ -86,7 +86,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
         running?.cancel()
     }
 
-    /** The definitions of the reader and of links, in order of arrival. */
+    /** The definitions of the reader and of links, in the order in which they were added. */
     val own: List<String> get() = persons
 
     /** Returns whether [definition] belongs to the page or the reader. */
@@ -117,8 +117,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     }
 
     /**
-     * Calculates the valid ones of [definitions], then calls [then] with the mistakes of the others. If [isRemembered], stores them with
-     * all others.
+     * Calculates the valid [definitions], then calls [then] with the mistakes in the others. If [isRemembered], also stores all of [own].
      */
     fun addAll(definitions: List<String>, isRemembered: Boolean, then: (List<ExpressionError>) -> Unit) = extend(definitions) { mistakes ->
         formulas.removeAll { it.topic == null && it.definition in definitions }
@@ -164,7 +163,7 @@ internal class Formulas(val logged: LogView, val signals: SignalVocabulary, priv
     /** Returns the view of another log, from a file named [fileName], with the same names for signals. */
     fun viewOf(recording: Recording, fileName: String): LogView = LogView.of(recording).withSignals(signals, fileName)
 
-    /** Returns [other] with the same formulas where it has their topics. */
+    /** Returns [other] with the same formulas, as far as it has their topics. */
     fun extended(other: LogView): LogView =
         (ofPage + persons).let { if (it.isEmpty()) other else other.withVirtualTopics(it, signals).view }
 

@@ -21,7 +21,7 @@ internal class CardLines(own: Graph, lines: List<String>, scene: Scene, onToggle
     /** The graph with the lines of all logs. */
     val graph: Graph = compared.graph
 
-    /** For each line, whether it is drawn. */
+    /** Whether each line is drawn, in the order of the lines. */
     val isShown: BooleanArray = BooleanArray(graph.series.size)
 
     /** The index of each line's color. */
@@ -30,13 +30,13 @@ internal class CardLines(own: Graph, lines: List<String>, scene: Scene, onToggle
     val statistics: StatisticsTable = StatisticsTable(compared, scene)
     val legend: Legend = Legend(compared, statistics::hintOf) { onToggle(compared.lines.slice(it..it)) }
 
-    /** Draws all lines except those that are [hidden], or that a search did not find. */
+    /** Draws all lines except [hidden] lines and lines that a search did not find. */
     fun show(hidden: Set<String>) {
         for (i in isShown.indices) isShown[i] = compared.lines[i] !in hidden && found?.get(i) != false
         legend.show(isShown)
     }
 
-    /** Keeps those lines that [query] finds by themselves, if there are any, for [show]. Returns whether they are others than before. */
+    /** Limits [show] to the lines that [query] matches by themselves, if there are any. Returns whether these lines have changed. */
     fun search(query: Query): Boolean {
         val lines = searched.linesFoundBy(query)
         val wanted = lines.takeIf { found -> found.any { it } && !found.all { it } }
@@ -46,6 +46,6 @@ internal class CardLines(own: Graph, lines: List<String>, scene: Scene, onToggle
         return true
     }
 
-    /** Returns whether [query] finds the graph. */
+    /** Returns whether [query] matches the graph. */
     fun isFoundBy(query: Query): Boolean = searched.isFoundBy(query)
 }

@@ -30,11 +30,11 @@ import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 
 /**
- * A graph with its title, legend and tools. It is drawn while it is near the screen. Its samples are not touched before that:
- * derived ones are calculated on first use.
+ * A graph with its title, legend and tools. It is drawn while it is near the screen. Its samples are not read before that, because derived
+ * samples are calculated on first use.
  *
- * @param origin what calculated it, if that was not the recording's own attributes; otherwise empty.
- * @param look its initial settings: which lines are hidden, which part of y is shown, and its height.
+ * @param origin the origin of a calculated graph; empty for a logged graph, and for one derived by the recording's own attributes.
+ * @param look its initial settings: the hidden lines, the visible part of y, and the height.
  * @param lines the board's names for the lines of [graph], in order.
  * @param onLook called with the settings that a person wants; the receiver stores them and calls [show]. Null if they are not
  * stored.
@@ -51,7 +51,7 @@ internal class GraphCard(
     var look: BoardGraph = look
         private set
 
-    /** Its heading; on a board, as much of its path as tells it from the other graphs. */
+    /** Its heading. On a board, it contains as much of the path as distinguishes the graph from the others. */
     var title: String = graph.title
         set(value) {
             field = value
@@ -153,13 +153,13 @@ internal class GraphCard(
 
     private fun showPlane(plane: Plane?) = change(look.copy(xRange = plane?.x, yRange = plane?.y))
 
-    /** Returns whether [query] finds it; of several lines, draws only those that are found by themselves, if there are any. */
+    /** Returns whether [query] matches it. If some of its lines match by themselves, draws only these lines. */
     fun filter(query: Query): Boolean {
         if (drawn.search(query)) show(look)
         return drawn.isFoundBy(query)
     }
 
-    /** Draws it again with the lines of the logs that are compared now. */
+    /** Redraws it with the lines of the currently compared logs. */
     fun renew() {
         val before = drawn
         drawn = CardLines(graph, lines, scene, ::toggle)
@@ -175,7 +175,7 @@ internal class GraphCard(
     /** Gives it the keyboard focus. */
     fun focus() = host.focus()
 
-    /** Gives it the keyboard focus where it is; nothing scrolls. */
+    /** Gives it the keyboard focus without scrolling. */
     fun focusInPlace() = host.focusInPlace()
 
     /** Draws it on [sheet], with its current settings and the values at the cursor. It need not be near the screen. */
@@ -242,5 +242,5 @@ internal class GraphCard(
     }
 }
 
-/** The unit beside its title; empty if its lines have several units, which the legend then shows for each line. */
+/** The unit beside the title; empty if its lines have several units, which the legend then shows for each line. */
 internal val Graph.titleUnit: String get() = if (series.all { it.unit == unit }) unitText(unit) else ""

@@ -68,7 +68,7 @@ internal class Legend(compared: ComparedGraph, private val statesOf: (Int) -> St
         for (axis in axes) for (line in axis.lines) units[line].showText(axis.side.legendOf(axis.unit))
     }
 
-    /** Lists only the lines that are [found]; null lists all. */
+    /** Lists only the lines for which [found] is true; null lists all lines. */
     fun list(found: List<Boolean>?) = entries.forEachIndexed { index, entry -> entry.isHidden = found?.get(index) == false }
 
     /** Shows the values at [cursor], with x in [xUnit]; compares them if there is a second cursor. */

@@ -25,7 +25,9 @@ internal class PlotCanvas(private val scene: Scene, private val content: GraphCo
     private var columns = PixelColumns(1)
     private lateinit var frame: PlotFrame
 
-    /** The frame in CSS pixels, relative to its own corner. Calculated, because the browser would lay out the whole page to answer. */
+    /**
+     * The frame in CSS pixels, relative to its own corner. It is calculated, because the browser would lay out the whole page to answer.
+     */
     val frameOver: PlotFrame get() = PlotFrame(0.0, 0.0, frame.width / ratio, frame.height / ratio, scene.range.now)
 
     init {

@@ -34,7 +34,7 @@ import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
-/** Statistics of each line of a graph between the cursors A and B, or else over the visible range. */
+/** The statistics of each line of a graph, between the cursors A and B or otherwise over the visible range. */
 internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene) {
     private val graph = compared.graph
     private val colors = compared.colors
@@ -201,7 +201,7 @@ internal class StatisticsTable(compared: ComparedGraph, private val scene: Scene
 
     private fun idOf(order: ChannelOrder) = "channels-${graph.name}-${order.name}"
 
-    /** Returns the time of the lane [index] in each state over the current range, as lines of text. */
+    /** Returns how long lane [index] was in each state over the current range, as lines of text. */
     fun hintOf(index: Int): String = runs[index].textOf(graph.series[index].states.orEmpty(), wanted, scene.xAxis)
 
     /** Adds how long and how often each lane was in each state. */

@@ -10,9 +10,7 @@ import kotlinx.browser.window
 import org.w3c.dom.Element
 import org.w3c.dom.events.EventTarget
 
-/**
- * All graphs of the page. Draws those near the screen, and makes all of them follow the visible range and the cursor.
- */
+/** All graphs of the page. It draws the graphs near the screen, and makes all of them follow the visible range and the cursor. */
 internal class VisibleGraphs(private val scene: Scene) {
     private val cardOf = HashMap<Element, GraphCard>()
     private val near = LinkedHashSet<GraphCard>()
@@ -77,7 +75,7 @@ internal class VisibleGraphs(private val scene: Scene) {
         draw(near)
     }
 
-    /** Draws everything again, with the lines of the logs that are compared now. */
+    /** Redraws everything with the lines of the currently compared logs. */
     fun renew() {
         for (card in cardOf.values) card.renew()
     }

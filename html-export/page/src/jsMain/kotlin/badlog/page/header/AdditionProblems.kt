@@ -6,7 +6,10 @@ import badlog.page.formula.Formulas
 import badlog.protocol.PageAdditions
 import badlog.viewer.panel.Trouble
 
-/** Returns all problems with [additions], [layout], and the definitions of [formulas]; the recording itself is complete. The additions are null if they cannot be read. */
+/**
+ * Returns all problems with [additions], [layout], and the definitions of [formulas]; the recording itself is complete. [additions] is null
+ * if the additions cannot be read.
+ */
 internal fun additionProblems(formulas: Formulas, additions: PageAdditions?, layout: GivenLayout): List<Trouble> {
     val problems = ArrayList<Trouble>()
     fun add(message: String, pointer: String = "") {

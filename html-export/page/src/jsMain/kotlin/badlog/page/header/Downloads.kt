@@ -31,7 +31,7 @@ import kotlin.js.Promise
 internal class Downloads(private val about: About, private val bytes: LogBytes, private val read: Recording, isDamaged: Boolean = false) {
     private val exactness = if (isDamaged) "as much as this damaged page still has" else "byte for byte"
 
-    /** Shows the progress of longer work. */
+    /** The notice that shows the progress of longer work. */
     val notice: Notice = Notice()
 
     val element: HTMLElement = element("div", "downloads") {

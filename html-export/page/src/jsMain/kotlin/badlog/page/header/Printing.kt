@@ -14,7 +14,7 @@ import org.w3c.dom.HTMLElement
 
 /**
  * Prints the page in light colors, findings and the graphs of the board first. The graphs are redrawn for the width of the paper and never
- * split between two pages. The other graphs follow on request, or if there are no graphs on board and evidence.
+ * split between two pages. The other graphs follow on request, or if neither board nor evidence has graphs.
  *
  * @param first returns the graphs of board and evidence.
  * @param others returns the graphs of the folders.

@@ -10,10 +10,10 @@ import badlog.viewer.choices.board.boardLayoutOf
  * other's layouts.
  */
 internal class KeptLayouts {
-    /** The name of the layout that was shown or kept last; null if there is none. */
+    /** The name of the layout that was shown or stored last; null if there is none. */
     var shown: String? = null
 
-    /** Their names, in order. */
+    /** The names of the stored layouts, in alphabetical order. */
     val names: List<String> get() = LocalStorage.keys(KEY).map { it.removePrefix(KEY) }.sortedBy { it.lowercase() }
 
     /** Returns the layout named [name]; null if it was removed or cannot be read. */

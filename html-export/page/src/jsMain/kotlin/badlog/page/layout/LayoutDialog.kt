@@ -56,7 +56,7 @@ internal class LayoutDialog(
         })
     }
 
-    /** Opens the dialog with the stored layouts, and the name of the one shown last; nothing if it is open. */
+    /** Opens the dialog with the stored layouts, and the name of the one shown last; does nothing if it is open. */
     fun open() {
         if (dialog.isOpen) return
         list()

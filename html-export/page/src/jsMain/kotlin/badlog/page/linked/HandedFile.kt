@@ -8,8 +8,8 @@ import org.w3c.files.Blob
 import org.w3c.files.File
 
 /**
- * A log that another program, which opened this page, hands over by Perfetto's protocol. The program sends `PING` until it receives `PONG`,
- * then an object `{badlog: {buffer, fileName}}`. Nothing else is ever sent back, and nothing is read before a person has agreed.
+ * A log that another program, which opened this page, passes to it by Perfetto's protocol. The program sends `PING` until it receives
+ * `PONG`, then an object `{badlog: {buffer, fileName}}`. Nothing else is ever sent back, and nothing is read before a person has agreed.
  *
  * @property origin the origin of the program, as reported by the browser.
  */
@@ -18,7 +18,7 @@ internal class HandedFile private constructor(val origin: String, private val by
     fun file(): File = File(arrayOf(bytes), name)
 
     companion object {
-        /** Calls [onHanded] with each log handed over, until something else is shown. */
+        /** Calls [onHanded] with each log that arrives this way, until something else is shown. */
         fun await(onHanded: (HandedFile) -> Unit) = PageEvents.on(window, "message") { event ->
             val message = event.unsafeCast<MessageEvent>()
             val sender: dynamic = message.source

@@ -70,7 +70,7 @@ internal class LinkedFile private constructor(private val address: URL) {
         private const val TOO_LARGE = "It is larger than 500 MB. Download it, and open it here."
         private const val KEY = "url="
 
-        /** Returns the file in the page's own address. Null if there is none, or if its host may not be asked. */
+        /** Returns the file named in the page's own address; null if there is none, or if the page may not request it. */
         fun inAddress(): LinkedFile? {
             val named = window.location.hash.removePrefix("#").split('&').firstOrNull { it.startsWith(KEY) } ?: return null
             return try {

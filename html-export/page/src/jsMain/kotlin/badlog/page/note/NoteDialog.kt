@@ -55,7 +55,7 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
         })
     }
 
-    /** Begins a note at [x]. */
+    /** Opens the dialog for a new note at [x]. */
     fun write(x: Double) = open { begun(x) }
 
     /** Adds a mark at [x]. */
@@ -65,7 +65,7 @@ internal class NoteDialog(private val scene: Scene, private val notes: PageNotes
         scene.notice.say(markedText(scene.xText(x)))
     }
 
-    /** Begins to change [note]. */
+    /** Opens the dialog for changing [note]. */
     fun edit(note: Note) = open { changing(note) }
 
     /** Removes [note], and offers to restore it. */

@@ -26,7 +26,7 @@ internal class PageNotes(fileKey: String, private val given: PageAdditions) {
     var history: NoteHistory = withStored(given.noteChanges)
         private set
 
-    /** The notes, and the draft of one. */
+    /** The notes, and the draft of a note if there is one. */
     var now: Notebook = Notebook(history.notes)
         private set
 
@@ -69,13 +69,13 @@ internal class PageNotes(fileKey: String, private val given: PageAdditions) {
     }
 
     private companion object {
-        /** JSON never contains it. */
+        /** A separator that JSON never contains. */
         const val SEPARATOR = '\u0000'
 
         /** The start of the ids of changes stored by an older badlog, which may still change them. */
         const val BEFORE = "before-"
 
-        /** The end of the years with four digits. */
+        /** The last moment of the years with four digits, in ms since 1970. */
         const val LATEST = 253_402_300_799_999.0
 
         /** Returns the time [now], in ms; or the time after [last] if another computer's clock is ahead. */

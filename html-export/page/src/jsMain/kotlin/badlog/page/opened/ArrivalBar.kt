@@ -82,7 +82,7 @@ internal class ArrivalBar(private val onShow: () -> Unit, onLater: () -> Unit) {
     }
 
     private companion object {
-        /** The height of the bar, for which the rest of the page leaves room. */
+        /** The CSS property with the height of the bar, for which the rest of the page leaves room. */
         const val HEIGHT = "--arrival"
         val page: HTMLElement get() = document.documentElement.unsafeCast<HTMLElement>()
     }

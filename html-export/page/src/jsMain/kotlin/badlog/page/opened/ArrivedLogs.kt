@@ -5,7 +5,7 @@ import badlog.page.served.Download
 /**
  * Fetches new logs from the page's server, one after the other, so that rules can run over them.
  *
- * @param onFetched called with each log once its bytes are here.
+ * @param onFetched called with each log once its bytes have arrived.
  */
 internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
     private val waiting = LinkedHashMap<String, OpenedLog>()
@@ -21,7 +21,9 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         waiting.remove(path)
     }
 
-    /** Fetches the waiting logs, again those that the server refused, as the server of an enabled robot does. */
+    /**
+     * Fetches the waiting logs, including logs that the server refused before. A robot's server refuses them while the robot is enabled.
+     */
     fun fetch() {
         val log = waiting.values.firstOrNull() ?: return
         if (download != null) return
@@ -46,7 +48,7 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
         })
     }
 
-    /** Leaves the network to the logs that a person opens, until the next [fetch]. */
+    /** Stops fetching until the next [fetch], to leave the network to the logs that a person opens. */
     fun pause() {
         val started = download ?: return
         download = null
@@ -54,7 +56,7 @@ internal class ArrivedLogs(private val onFetched: (OpenedLog) -> Unit) {
     }
 
     private companion object {
-        /** The bytes that a robot's server sends in some 20 s. */
+        /** The maximum size of a log, in bytes: a robot's server sends it in about 20 s. */
         const val MAX_BYTES = 20_000_000L
     }
 }

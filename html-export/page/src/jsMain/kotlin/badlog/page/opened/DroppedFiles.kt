@@ -9,8 +9,8 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Accepts files and folders dropped anywhere on the page. [onFolder] is called with a folder alone if the browser lets the page look into
- * it again, otherwise [onDrop] with the files, including those in the folders.
+ * Accepts files and folders dropped anywhere on the page. Calls [onFolder] if a single folder is dropped, and the browser lets the page
+ * look into it again. Otherwise calls [onDrop] with the files, including files in folders.
  */
 internal fun acceptFiles(onFolder: ((WatchedFolder) -> Unit)? = null, onDrop: (List<File>) -> Unit) {
     PageEvents.on(document, "dragover") { event -> if (hasFile(event)) event.preventDefault() }

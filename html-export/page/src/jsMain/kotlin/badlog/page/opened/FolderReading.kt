@@ -31,7 +31,7 @@ internal class FolderReading(
     private var turn = 0
     private var isReadingHere = false
 
-    /** Starts reading, or continues because there are more logs or after [stop]. */
+    /** Starts reading; continues if there are more logs, or after [stop]. */
     fun start() {
         repeat((window.navigator.hardwareConcurrency.toInt() - 1).coerceIn(1, MAX_WORKERS) - workers.size) { startWorker() }
         readHereIfAlone()

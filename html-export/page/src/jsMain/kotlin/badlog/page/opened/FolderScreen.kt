@@ -26,12 +26,12 @@ import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * The list of a folder's logs: the facts in their names at once, the rest as they are read.
+ * The list of a folder's logs. It shows the facts in their names at once, and other facts as the logs are read.
  *
  * @param logs the logs; files that turn out not to be logs are not listed.
  * @param rules the rules that run over each log.
  * @param settings returns the settings that every page has.
- * @param again the same folder; null if the page can look into it only once.
+ * @param again the folder, for later looks; null if the page can look into it only once.
  * @param onLeave called to open something else.
  * @param onRead called with each log when the rules have run over it.
  * @param onOpen called with the log to open, the logs to compare with it, and whether to show the worst finding.
@@ -177,7 +177,7 @@ internal class FolderScreen(
         return changesOf(own, earlierThan(own, others.filter { it.path != own.path }), rules) { it.numbers }
     }
 
-    /** Records that a person sees [log], which is then not new, even if rules have not run over it. */
+    /** Records that a person sees [log]. It then does not count as new, even if rules have not run over it. */
     fun see(log: OpenedLog) {
         if (arrivals.isNew(latest(log))) seen += log.path
         change(arrivals.without(log.path))

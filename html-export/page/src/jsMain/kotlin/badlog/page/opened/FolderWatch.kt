@@ -6,9 +6,9 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Looks into a folder regularly.
+ * Checks a folder for changes regularly.
  *
- * @param known returns the log at a path as it was at the last look; null if there was none.
+ * @param known the logs at the last look, by path.
  * @param onLook called after each look.
  */
 internal class FolderWatch(
@@ -74,11 +74,11 @@ internal class FolderWatch(
 internal class FolderPolling(val pause: Int, val files: () -> Promise<List<File>>)
 
 /**
- * The changes of a folder since the last look.
+ * The changes in a folder since the last look.
  *
  * @property changed the new and changed logs, which may still grow.
  * @property gone the paths of removed logs.
- * @property complete the paths of logs that had changed before the last look, and have not since.
+ * @property complete the paths of logs that had changed at the last look, but have not changed since.
  */
 internal class FolderChanges(val changed: List<OpenedLog>, val gone: Set<String>, val complete: Set<String>) {
     val isSame: Boolean get() = changed.isEmpty() && gone.isEmpty() && complete.isEmpty()

@@ -18,11 +18,11 @@ import org.w3c.files.File
 import kotlin.js.Promise
 
 /**
- * Follows [log], which is being written on the page's server. It pauses when a person goes elsewhere in it, see [EndFollowing], or begins
- * something that the page of the grown log would not have: it is another page.
+ * Follows [log], which is being written on the page's server. It ends when a person goes elsewhere in the log, see [EndFollowing], or
+ * begins something that would be lost. The grown log is shown on a new page.
  *
- * @param onGrown called with the log and its new content, once the page has finished with the content before.
- * @param onEnd called when it has ended; with a sentence if it ended by itself.
+ * @param onGrown called with the log and its new content, once the page has finished with the previous content.
+ * @param onEnd called when following has ended; with the reason as a sentence if it ended by itself.
  */
 internal class Following(
     private var log: OpenedLog,
@@ -51,7 +51,7 @@ internal class Following(
     private val listeners = listOf("pointerdown" to onPress, "keydown" to onKey) +
         listOf("pointerup", "pointercancel", "contextmenu").map { it to onRelease }
 
-    /** Starts in [store], where the reader is. */
+    /** Starts with [store], the state of the page that the reader sees. */
     fun start(store: PageStore) {
         for ((type, listener) in listeners) document.addEventListener(type, listener, true)
         // Only of the window: elements that lose the focus do so because something is pressed.
@@ -61,14 +61,14 @@ internal class Following(
         ask()
     }
 
-    /** The reader stays in [store] at the end of the shown log. */
+    /** Continues with [store], the state of the page that shows the end of the log. */
     fun stayAt(store: PageStore) {
         followed = store
         following = following.begun(store.place)
         store.onChange { if (store === followed && store.place !== it.place && !following.isAt(store.place)) stop() }
     }
 
-    /** Ends it. */
+    /** Stops following. [why] is the reason if it ends by itself; otherwise null. */
     fun stop(why: String? = null) {
         if (isOver) return
         isOver = true
@@ -121,19 +121,18 @@ internal class Following(
         const val PAUSE = 10
 
         /**
-         * The growth of the pause, in ms, with each question that was not answered. Then the number of such questions that ends it, after 7
-         * s.
+         * The growth of the pause, in ms, after each request without an answer. Following ends after [MAX_MISSES] such requests, about 7 s.
          */
         const val GAP = 150
         const val MAX_MISSES = 10
 
-        /** Bytes that are read in a fraction of a frame's patience. */
+        /** The maximum size, in bytes, of a log that is read without a worker. */
         const val SMALL = 4e6
 
         /** The elements that respond to a press. */
         const val PRESSED = "button, a, input, select, textarea, summary"
 
-        /** What stays, or is decided by the place to which it leads. */
+        /** The elements that stay, or lead to a place that decides whether following ends. */
         const val KEPT = "#live, .pin, .zoom-buttons, #values-button, #modules-button, #board :is(.legend-entry, .statistics-toggle)"
 
         /** The elements with unsaved input. */

@@ -15,8 +15,8 @@ import kotlin.js.Promise
 /** Reads logs for lists, and runs [rules] over them. Used in a worker, or on the page if there is none. */
 internal class LogExamination(private val rules: RuleSet) {
     /**
-     * Examines [log]. [onKnown] is called with its summary and, unless lists show it in gray, again with its findings. Rejected if it
-     * cannot be read.
+     * Examines [log]. [onKnown] is called with its summary and, unless lists show it in gray, again with its findings. The promise is
+     * rejected if the log cannot be read.
      */
     fun of(log: OpenedLog, onKnown: (OpenedLog) -> Unit): Promise<Unit> = LogFileReader(log.files) {}.read().then { read ->
         val name = log.fileName

@@ -35,7 +35,7 @@ import kotlin.js.Promise
  *
  * @param rules returns the rules of this page.
  * @param settings returns the settings that every page has.
- * @param goToStart shows the screen from before any log was opened.
+ * @param goToStart goes back to the screen that was there before any log was opened.
  * @param show shows a log that was read, with others to compare.
  * @param showGrown shows a log that is already shown, at its newest moment.
  */
@@ -54,7 +54,7 @@ internal class LogOpening(
     private var again: (() -> Unit)? = null
     private val history = PageHistory({ if (it == Visit.LIST) folder != null else again != null }, ::showAgain)
 
-    /** Follows the shown log while it grows. */
+    /** The button that follows the shown log while it grows. */
     val live: LiveButton = LiveButton({ log }) { grown, read ->
         log = grown
         showGrown(grown, read)
@@ -116,7 +116,7 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
-    /** Calls [work] when the rules have also run over the shown log in the list, until something else is shown. */
+    /** Calls [work] when the rules have run over the shown log in its folder's list, until something else is shown. */
     fun onRead(work: () -> Unit) {
         onRead = work
         PageEvents.onEnd { onRead = {} }
@@ -125,7 +125,7 @@ internal class LogOpening(
     /** Returns the differences between the shown log and the matches before it in its folder. */
     fun changes(): Changes<OpenedLog> = log?.let { folder?.changesOf(it) } ?: Changes()
 
-    /** Promises the log [listed] with its bytes, downloaded if necessary; rejected with a sentence. */
+    /** Promises the log [listed] with its bytes, downloaded if necessary; rejected with a sentence for the user. */
     fun withBytes(listed: OpenedLog): Promise<OpenedLog> {
         val log = folder?.latest(listed) ?: listed
         if (log.isHere) return Promise.resolve(log)
@@ -275,7 +275,7 @@ internal class LogOpening(
         acceptFiles(::open, ::open)
     }
 
-    /** Lists the logs in [watched], and those that appear there later. */
+    /** Lists the logs in [watched], and logs that appear there later. */
     fun open(watched: WatchedFolder) {
         watched.files().then { list(OpenedLog.logsIn(it), watched.name, watched.again, watched.pages) }
             .catch { root.failUnexpectedly(it, back()) }

@@ -24,7 +24,7 @@ import kotlin.math.roundToInt
  * @property few the topics that are signals, or that rules use.
  */
 internal class MemoryEstimate private constructor(val bytes: Double, val fewBytes: Double, val few: WantedTopics) {
-    /** Whether this browser may not have that much memory. */
+    /** Whether this browser may have too little memory for the whole log. */
     val isTooMuch: Boolean get() = bytes > most
 
     companion object {

@@ -46,11 +46,11 @@ internal class OpenedLog(
     /** The log's key in the browser's storage. A log on a server keeps its key when it grows. */
     val key: String get() = if (origin != null) path else "$fileName:${files.sumOf { it.size.toDouble() }}"
 
-    /** Returns this log with more known about it. */
+    /** Returns this log with more facts about it. */
     fun with(summary: LogSummary, found: FindingSummary?, numbers: LogNumbers = LogNumbers.NONE): OpenedLog =
         OpenedLog(files, summary, found, numbers, origin)
 
-    /** Returns this log with [file], which has more of it. */
+    /** Returns this log with [file], its file after it has grown. */
     fun growing(file: File): OpenedLog = OpenedLog(listOf(file), summary, found, numbers, origin)
 
     /** Returns this log with the files in [fetched] in place of the empty ones. */
@@ -94,7 +94,7 @@ internal class OpenedLog(
         /** Returns whether names like [name] belong only to logs; tables of all kinds end in `.csv`. */
         fun isOnlyOfLogs(name: String): Boolean = !name.removeSuffix(".gz").endsWith(".csv", ignoreCase = true)
 
-        /** Returns when [file] was last written, in ms since 1970. */
+        /** Returns the time at which [file] was last written, in ms since 1970. */
         fun modifiedOf(file: File): Long = (file.asDynamic().lastModified as Double).toLong()
 
         // A file that was dropped alone has no folder.

@@ -77,7 +77,7 @@ internal class PageHistory(private val canShow: (Visit) -> Boolean, private val 
         /** The number of entries that Chromium and Firefox keep for a tab. */
         const val FULL = 50
 
-        /** Differs each time the page is loaded, because its earlier screens are gone then. */
+        /** A text that differs each time the page is loaded, because its earlier screens are then gone. */
         val LOADED = "badlog ${window.performance.asDynamic().timeOrigin} "
     }
 }

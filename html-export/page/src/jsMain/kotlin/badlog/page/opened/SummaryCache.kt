@@ -60,7 +60,7 @@ internal class SummaryCache(rules: String) {
         const val STORE = "logs"
         const val END = 16
 
-        /** The milliseconds after which logs are read instead. */
+        /** The milliseconds to wait for stored results; after that, logs are read instead. */
         const val PATIENCE = 1000
     }
 }

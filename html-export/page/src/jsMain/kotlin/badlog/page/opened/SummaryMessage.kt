@@ -21,7 +21,7 @@ import badlog.viewer.catalog.ProblemCounts
 import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.catalog.Verdict
 
-/** A worker's result for a log as a message: the facts in lists, as plain arrays. */
+/** A worker's result for a log as a message: the facts that lists show, as plain arrays. */
 internal object SummaryMessage {
     private val reader = LogNumbersReader()
 

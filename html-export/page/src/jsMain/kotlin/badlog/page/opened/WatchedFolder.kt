@@ -23,7 +23,8 @@ internal class WatchedFolder(private val handle: dynamic) {
     /**
      * Promises the current files named like logs, in the folder and its folders. Entries that could never be read are skipped.
      *
-     * Rejected if the folder, or an entry that could be read at first, cannot be read, because its logs would seem to be gone.
+     * The promise is rejected if the folder, or an entry that could be read at first, cannot be read. Otherwise its logs would seem to be
+     * gone.
      */
     fun files(): Promise<List<File>> {
         pages = 0
@@ -77,7 +78,7 @@ internal class WatchedFolder(private val handle: dynamic) {
         /** Whether this browser supports such folders. */
         val areThere: Boolean get() = window.asDynamic().showDirectoryPicker != undefined
 
-        /** Promises the file of [handle], or the files named like logs in its folder. */
+        /** Promises the file of [handle] or, if it is a folder, the files in it that are named like logs. */
         fun filesOf(handle: dynamic): Promise<List<File>> =
             if (handle.kind == "directory") WatchedFolder(handle).files() else handle.getFile().then { file: File -> listOf(file) }
 

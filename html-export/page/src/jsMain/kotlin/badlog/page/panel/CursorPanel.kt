@@ -24,11 +24,11 @@ import badlog.viewer.text.withUnit
 import org.w3c.dom.HTMLElement
 
 /**
- * The values of many topics at the cursor, most recently changed first. Whether it is open is remembered.
+ * The values of many topics at the cursor, most recently changed first. The browser remembers whether it is open.
  *
  * @param shown the lines of the graphs on the screen.
  * @param all the lines that a search may find.
- * @param beforeOpening closes the panel in its place.
+ * @param beforeOpening closes the other panel, which has the same place.
  */
 internal class CursorPanel(
     private val scene: Scene,
@@ -62,7 +62,7 @@ internal class CursorPanel(
         }
     }
 
-    /** Opens and closes it. */
+    /** The button that opens and closes the panel. */
     val button: HTMLElement = element("div", "values-button") {
         addIconButton("", Icon.LIST, "Values at the cursor (V)") { toggle() }.id = "values-button"
     }
@@ -83,7 +83,7 @@ internal class CursorPanel(
         LocalStorage[KEY] = if (element.isHidden) "" else "open"
     }
 
-    /** Shows the topics that [query] finds; without a search, the topics in the graphs. */
+    /** Shows the topics that [query] matches; without a search, the topics in the graphs. */
     fun filter(query: Query) {
         this.query = query
         refresh()

@@ -28,7 +28,7 @@ import kotlin.math.round
  * The modules of a swerve drive: their state at the cursor, and their errors in the visible range. It opens in place of the values at the
  * cursor.
  *
- * @param beforeOpening closes the panel in its place.
+ * @param beforeOpening closes the other panel, which has the same place.
  */
 internal class ModulesPanel(private val scene: Scene, private val beforeOpening: () -> Unit) {
     private lateinit var worst: HTMLElement

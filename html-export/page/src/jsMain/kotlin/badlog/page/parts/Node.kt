@@ -6,12 +6,12 @@ import org.w3c.dom.events.Event
 /**
  * The intended content of an element of the page, see [patch].
  *
- * @property key identifies the element among those beside it; empty where its place does.
+ * @property key identifies the element among its siblings; empty if its position identifies it.
  * @property text its text; null if it has [children] instead. It becomes a text node, so nothing in a file can become markup.
  * @property attributes its attributes, without those that are null.
- * @property icon drawn at its beginning; null for none.
+ * @property icon the icon at its beginning; null if there is none.
  * @property press the effect of a press on a button.
- * @property on what happens at other events, by their types.
+ * @property on the handlers of other events, by event type.
  */
 internal class Node(
     val tag: String,
@@ -24,6 +24,6 @@ internal class Node(
     val on: Map<String, (Event) -> Unit> = emptyMap(),
     val children: List<Node> = emptyList(),
 ) {
-    /** Returns whether it is about the same element as [other]. */
+    /** Returns whether this node and [other] describe the same element. */
     fun isSameAs(other: Node): Boolean = tag == other.tag && key == other.key
 }

@@ -21,7 +21,7 @@ import badlog.viewer.text.word
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.Event
 
-/** Makes nodes of the parts of a panel; the class of each is the first word of its key. A person's actions go to [send]. */
+/** Makes nodes from the parts of a panel; the class of each is the first word of its key. A person's actions go to [send]. */
 internal class PartNodes(private val send: (Action) -> Unit) {
     private val shared = ArrayList<List<String>>()
 

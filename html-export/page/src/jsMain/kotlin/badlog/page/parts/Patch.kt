@@ -4,8 +4,8 @@ import badlog.page.dom.element
 import org.w3c.dom.HTMLElement
 
 /**
- * Makes the children of this element what [nodes] say. An element with the same key and tag as before stays and is changed, so that focus,
- * scrolling and what a person has typed stay, too. Compares nodes only with the nodes before, because reading from the page costs more.
+ * Changes the children of this element to match [nodes]. An element with the same key and tag as before is kept and updated, so that focus,
+ * scrolling and typed text stay, too. Nodes are compared only with the previous nodes, because reading from the page costs more.
  */
 internal fun HTMLElement.patch(nodes: List<Node>) {
     val before = shown

@@ -32,7 +32,7 @@ internal class KeptPictures {
     }
 
     private companion object {
-        /** One width each for the graphs of the board, the graphs of the folders, and the overview. */
+        /** The maximum number of widths: one each for the graphs of the board, the graphs of the folders, and the overview. */
         const val MAX_KEPT = 3
     }
 }

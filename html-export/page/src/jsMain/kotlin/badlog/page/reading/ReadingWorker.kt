@@ -33,7 +33,7 @@ internal object ReadingWorker {
         return message
     }
 
-    /** Does the worker's work. */
+    /** Answers the page's messages, in the worker. */
     fun run() {
         val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
         var reader: RecordingReader? = null

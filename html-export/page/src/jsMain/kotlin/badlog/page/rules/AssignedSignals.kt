@@ -18,7 +18,7 @@ internal object AssignedSignals {
     var topics: Map<String, String> = remembered().orEmpty()
         private set
 
-    /** Makes [topic] the signal [signal], instead of the topic assigned before; the browser remembers it. */
+    /** Assigns [topic] to [signal], instead of the topic assigned before; the browser remembers it. */
     fun assign(signal: String, topic: String) = change { it + (signal to topic) }
 
     /** Removes the assignment of [signal]. */

@@ -40,8 +40,8 @@ internal class RuleSearch(private val view: LogView, private val rules: RuleSet,
 }
 
 /**
- * Returns the recording of [view] with only the samples that [rules] need. They are copied for the worker, and a large log would need twice
- * its memory. A small log is returned whole, because finding these samples would take longer.
+ * Returns the recording of [view] with only the samples that [rules] need. The worker receives a copy, and a copy of a whole large log
+ * would double its memory. A small log is returned whole, because finding these samples would take longer.
  */
 internal fun samplesFor(rules: RuleSet, view: LogView): Recording {
     if (view.recording.topics.sumOf { it.samples.size } < FEW_SAMPLES) return view.recording

@@ -64,7 +64,7 @@ internal object RulesWorker {
         }
     }
 
-    /** Does the worker's work. */
+    /** Answers the page's messages, in the worker. */
     fun run() {
         val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
         page.onmessage = { event: MessageEvent ->

@@ -5,9 +5,7 @@ import badlog.page.dom.focusInPlace
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
-/**
- * The [root] of the page, which shows one thing at a time. That is a log, the progress of reading, or the reason why it cannot be shown.
- */
+/** The [root] of the page. It shows either a log, the progress of reading, or the reason why a log cannot be shown. */
 internal class PageRoot(private val root: HTMLElement) {
     /** Empties the page, and ends the listeners and the work of the previous content. */
     fun clear() {
@@ -20,7 +18,7 @@ internal class PageRoot(private val root: HTMLElement) {
         root.appendChild(element)
     }
 
-    /** Moves the keyboard's focus to the content, unless it is in the content. */
+    /** Moves the keyboard's focus to the content, unless it is already there. */
     fun focus() {
         if (document.activeElement !== document.body) return
         root.tabIndex = -1
@@ -39,14 +37,14 @@ internal class PageRoot(private val root: HTMLElement) {
         showAlone(failureScreen(title, explanation, tools))
     }
 
-    /** Reports [problem], which is unexpected. */
+    /** Shows [problem], an unexpected exception. */
     fun failUnexpectedly(problem: Throwable, tools: HTMLElement? = null) {
         console.error(problem)
         val reason = problem.message ?: problem.toString()
         fail("Something went wrong", "$reason. Report it with the file, if you may share it.", tools)
     }
 
-    /** Does [work], or shows why it failed. */
+    /** Runs [work]; shows the reason if it fails. */
     fun guarded(work: () -> Unit) = try {
         work()
     } catch (problem: Throwable) {

@@ -9,8 +9,8 @@ import org.w3c.fetch.Response
 import kotlin.js.Promise
 
 /**
- * Requests [address], relative to the page, from the page's own server. The promise of the response is rejected with a sentence if the
- * server refuses or does not answer.
+ * Requests [address], relative to the page, from the page's own server. The promise of the response is rejected with a sentence for the
+ * user if the server refuses or does not answer.
  *
  * @param signal aborts the request.
  * @param from the first byte to request, if the server supports that; null for all.
@@ -33,7 +33,7 @@ private fun refuse(text: String, response: Response): Response {
     throw if (response.headers.has("Retry-After")) RetryLaterException(sentence) else IllegalStateException(sentence)
 }
 
-/** The reason why there is no answer now; there may be one in some seconds. */
+/** Thrown if there is no answer now, but there may be one in a few seconds. */
 internal class RetryLaterException(sentence: String) : IllegalStateException(sentence)
 
 /** The reason why a download ended. */

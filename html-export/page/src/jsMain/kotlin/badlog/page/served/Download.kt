@@ -17,7 +17,7 @@ internal class Download(private val files: List<File>, private val onProgress: (
     private val size = files.sumOf { it.served?.size ?: 0.0 }
     private var done = 0.0
 
-    /** Starts, and promises for each file one with its bytes; rejected with a sentence. */
+    /** Starts the download. Promises each file with its bytes; rejected with a sentence for the user. */
     fun start(): Promise<Map<File, File>> {
         val fetched = LinkedHashMap<File, File>()
         return files.fold(Promise.resolve(Unit)) { before, file ->

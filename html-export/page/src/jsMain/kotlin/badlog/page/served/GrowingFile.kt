@@ -29,7 +29,10 @@ internal class GrowingFile(private val file: File, private val address: String) 
     var pause = PAUSE
         private set
 
-    /** Returns the log with its new bytes, up to its last whole row; null if there are none. Rejected with a sentence. */
+    /**
+     * Returns the log with its new bytes, up to its last whole row; null if there are none. The promise is rejected with a sentence for the
+     * user.
+     */
     fun more(): Promise<File?> = ask(address, from = bytes.size.toDouble() - KNOWN_BYTES).then { response ->
         response.arrayBuffer().catch<ArrayBuffer> { throw RetryLaterException(LOST) }.then { take(it, response.status == PART) }
     }.unsafeCast<Promise<File?>>()
@@ -56,7 +59,7 @@ internal class GrowingFile(private val file: File, private val address: String) 
     private companion object {
         const val PAUSE = 50
 
-        /** The bytes that are requested again, because a request for only missing bytes is an error. */
+        /** The number of known bytes to request again, because a request for only missing bytes is an error. */
         const val KNOWN_BYTES = 1
 
         /** The rate of whole logs, 2 Mbit/s: half of the bandwidth of a robot on a field. */

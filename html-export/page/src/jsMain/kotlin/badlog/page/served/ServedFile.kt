@@ -8,8 +8,8 @@ import org.w3c.files.FilePropertyBag
 /**
  * The place of a listed log on a server.
  *
- * @property address its address.
- * @property size its number of bytes when it was listed.
+ * @property address the address of the log.
+ * @property size the size of the log when it was listed, in bytes.
  */
 internal class ServedFile(val address: String, val size: Double)
 

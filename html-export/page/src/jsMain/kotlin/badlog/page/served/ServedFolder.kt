@@ -6,7 +6,7 @@ import kotlin.js.Promise
 
 /**
  * The logs of the page's own server, in the page's folder and the folders below. It sends requests as WPILib's web server expects them.
- * That server's answers have no times of change.
+ * Answers of that server contain no modification times.
  */
 internal class ServedFolder {
     private var foldersLeft = MAX_FOLDERS
@@ -16,8 +16,8 @@ internal class ServedFolder {
     private val closed = HashSet<String>()
 
     /**
-     * Requests all logs. Rejected with a sentence if the server does not list the page's folder, or a folder that it listed before, because
-     * its logs would seem to be gone.
+     * Requests all logs. The promise is rejected with a sentence for the user if the server does not list the page's folder, or a folder
+     * that it listed before. Otherwise the folder's logs would seem to be gone.
      */
     fun files(): Promise<List<File>> {
         foldersLeft = MAX_FOLDERS

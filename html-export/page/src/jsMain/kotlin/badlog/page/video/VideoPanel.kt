@@ -134,7 +134,7 @@ internal class VideoPanel(private val scene: Scene, fileKey: String, beside: Str
         return isVideo
     }
 
-    /** Shows the frame [count] after this one, or before it if negative. */
+    /** Moves by [count] frames, backward if it is negative. */
     fun step(count: Int) {
         if (!element.isHidden) sync.step(count)
     }

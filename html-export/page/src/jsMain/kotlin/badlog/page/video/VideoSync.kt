@@ -112,7 +112,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
      */
     private fun nudge() = seek(if (isAtEnd) video.duration - (waits + 1) * LITTLE else video.currentTime + LITTLE)
 
-    /** Shows the frame [count] after the displayed one, or before it if negative. */
+    /** Moves by [count] frames from the displayed one, backward if it is negative. */
     fun step(count: Int) {
         video.pause()
         isLed = false
@@ -217,7 +217,7 @@ internal class VideoSync(private val video: HTMLVideoElement, private val scene:
         /** The distance in seconds from the video's position at which a frame cannot be the displayed one. */
         const val FAR = 0.25
 
-        /** The seconds that suffice for a seek, but hardly ever reach another frame. */
+        /** A distance in seconds that is enough for a seek, but hardly ever reaches another frame. */
         const val LITTLE = 1e-4
 
         /** The milliseconds after a seek until its frame is on the screen. */

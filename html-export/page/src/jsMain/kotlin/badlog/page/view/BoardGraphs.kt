@@ -5,8 +5,8 @@ import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.BoardLines
 
 /**
- * Returns the graphs that draw [spec]: numbers first, then states, which cannot share a frame with numbers. Each graph has the board's
- * names for the lines of it that [lines] contains.
+ * Returns the graphs that draw [spec]: numbers first, then states, which cannot share a frame with numbers. Each graph comes with the
+ * board's names for its lines, as far as [lines] contains them.
  */
 internal fun graphsOf(spec: BoardGraph, lines: BoardLines): List<Pair<Graph, List<String>>> {
     val found = spec.lines.mapNotNull { name -> lines[name]?.let { name to it } }

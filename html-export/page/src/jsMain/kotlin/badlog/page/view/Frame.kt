@@ -2,7 +2,7 @@ package badlog.page.view
 
 import kotlinx.browser.window
 
-/** Does [work] once before the browser's next frame, however often it is requested. */
+/** Runs [work] once before the browser's next frame, however often it is requested. */
 internal class Frame(private val work: () -> Unit) {
     private var isAsked = false
 

@@ -33,7 +33,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     /** Returns the board that the page begins with for everybody. */
     private var start: () -> Board = { Board() }
 
-    /** Called when the reader has changed it. */
+    /** Called when the reader has changed the board. */
     var onKeep: () -> Unit = {}
 
     /** All lines that can be drawn; they change with the formulas. */
@@ -47,7 +47,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     var now: Board = Board()
         private set
 
-    /** Whether it is the board that the page begins with for everybody. */
+    /** Whether the board is the one with which the page begins for every reader. */
     val isUntouched: Boolean get() = begun?.fittedTo { lines[it] != null }?.board?.showsSame(now) == true
 
     val canUndo: Boolean get() = history.canUndo
@@ -66,8 +66,8 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     }
 
     /**
-     * Begins with [visited], which came with a link. Without it, or when it is undone, the board is the one that the browser remembers, or
-     * else [board].
+     * Begins with [visited], the board of a link. If it is null or undone, the board is the one that the browser remembers, otherwise
+     * [board].
      */
     fun begin(visited: Board?, board: () -> Board) {
         val own = remembered()
@@ -87,24 +87,22 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
         send(BoardAction.Begin(board))
     }
 
-    /** Shows the board that the page begins with for everybody; can be undone. */
+    /** Shows the board with which the page begins for every reader; this can be undone. */
     fun startAgain() = send(BoardAction.Show(start()))
 
-    /** Lets [action] change the graphs. */
+    /** Applies [action] to the graphs. */
     fun send(action: BoardAction) = store.send(action)
 
-    /**
-     * Shows [board], which came with a link. Undoing brings back the reader's own, which is remembered until something is changed.
-     */
+    /** Shows [board], the board of a link. Undoing restores the reader's own, which is remembered until something is changed. */
     fun visit(board: Board) = send(BoardAction.Visit(board))
 
-    /** Takes back the reader's last change of the board; nothing if there is none. */
+    /** Undoes the reader's last change of the board; does nothing if there is none. */
     fun undo() = store.send(Action.Press(KeyAction.UNDO))
 
-    /** Repeats the change that was undone last; nothing if there is none. */
+    /** Repeats the change that was undone last; does nothing if there is none. */
     fun redo() = store.send(Action.Press(KeyAction.REDO))
 
-    /** Remembers it as it is now. */
+    /** Stores the current board, merged with changes of other tabs. */
     fun remember() {
         // Another tab may have changed it meanwhile.
         send(BoardAction.Merge(remembered() ?: known, known))

@@ -14,11 +14,11 @@ import badlog.viewer.state.Store
 import badlog.viewer.state.ViewerState
 
 /**
- * The state of the log that the page shows, at first [start]. Whatever draws a part of it listens for that part alone: moving a cursor
- * redraws no graph.
+ * The state of the log that the page shows, at first [start]. Each part of the page listens only for the part of the state that it draws,
+ * so that moving a cursor redraws no graph.
  *
  * @param shown the content of the log.
- * @param perform does what only the page can do.
+ * @param perform carries out requests that only the page can fulfill.
  */
 internal class PageStore(start: ViewerState, shown: Shown, perform: (Request) -> Unit) {
     private val listeners = ArrayList<(ViewerState) -> Unit>()
@@ -40,7 +40,7 @@ internal class PageStore(start: ViewerState, shown: Shown, perform: (Request) ->
     /** The current state. */
     val state: ViewerState get() = store.state
 
-    /** Where the reader is. */
+    /** The reader's place. */
     val place: Place get() = state.place
 
     /** The part of x that every graph shows. */
@@ -49,7 +49,7 @@ internal class PageStore(start: ViewerState, shown: Shown, perform: (Request) ->
     /** The places at which every graph shows its values. */
     val cursor: Cursor = Cursor(this)
 
-    /** Lets [action] change the state. */
+    /** Applies [action] to the state. */
     fun send(action: Action): Unit = store.send(action)
 
     /** Calls [listener] with the state before, after each change. */
@@ -58,7 +58,7 @@ internal class PageStore(start: ViewerState, shown: Shown, perform: (Request) ->
     }
 }
 
-/** Returns the state in which [view] is shown first: all of it, without graphs. */
+/** Returns the state in which [view] is shown first: all of it is visible, without graphs. */
 internal fun startOf(view: LogView): ViewerState {
     // Other tabs must not give a graph of theirs the same id.
     val board = BoardHistory { (js("Math.random()").unsafeCast<Double>() * Int.MAX_VALUE).toInt() }
@@ -85,10 +85,10 @@ internal class VisibleRange(private val store: PageStore) {
 
 /** The places on the x axis at which every graph shows its values. */
 internal class Cursor(private val store: PageStore) {
-    /** Their places. */
+    /** The places of the cursors. */
     val now: Cursors get() = store.place.cursors
 
-    /** The x at which values are read; NaN for none. */
+    /** The x at which values are read; NaN if there is none. */
     val x: Double get() = now.x ?: Double.NaN
 
     /** Whether there is a cursor, pinned or under the pointer. */

@@ -32,7 +32,7 @@ import badlog.viewer.state.PlaceAction
 import badlog.viewer.text.placeText
 import badlog.viewer.text.withUnit
 
-/** What all parts of the page share: the recording, the findings, the visible range, the cursor, and the [board]. */
+/** The data that all parts of the page share: the recording, the findings, the visible range, the cursor, and the [board]. */
 internal class Scene(
     val view: LogView,
     val fileName: String,
@@ -45,12 +45,12 @@ internal class Scene(
     /** The channels of the power distribution, found by the names of signals. */
     val channels: Channels by lazy { Channels.of(view, signalTopicsOf(view, signals)) }
 
-    /** The swerve drive; null for none. */
+    /** The swerve drive; null if there is none. */
     val drive: SwerveDrive? by lazy { SwerveDrive.of(view) }
 
     val xAxis: XAxis = view.xAxis
 
-    /** The events of all event logs, in the order of x. */
+    /** The events of all event logs, ordered by x. */
     val events: EventTimeline = EventTimeline.of(view.folders.flatMap { it.eventLogs })
 
     /** The findings so far. Code that changes it must redraw. */
@@ -58,7 +58,7 @@ internal class Scene(
 
     private var searched: Pair<FindingTimeline<Finding>, Set<String>>? = null
 
-    /** Returns the traits, for searches, that the topic [name] has because of the findings. */
+    /** Returns the searchable traits that the topic [name] has because of the findings. */
     fun findingsTraits(name: String): Set<Trait> {
         val known = searched?.takeIf { it.first === findings }
             ?: (findings to findings.worstFirst.flatMapTo(HashSet()) { it.evidence }).also { searched = it }
@@ -66,22 +66,22 @@ internal class Scene(
     }
 
     /**
-     * Returns all traits of [line] that [query] can search for. None if it only searches for names, because some traits need a look at all
-     * samples.
+     * Returns all traits of [line] that [query] can search for. Returns none if it searches only for names, because some traits require
+     * reading all samples.
      */
     fun traitsOf(line: GraphSeries, query: Query): Set<Trait> =
         if (Trait.entries.any(query::asksFor)) line.traits + findingsTraits(line.topic.name) else emptySet()
 
-    /** The notes about moments, in the order of x. */
+    /** The notes about moments, ordered by x. */
     var notes: List<Note> = emptyList()
 
     /** The logs that every graph draws besides this one. */
     var compared: List<ComparedLog> = emptyList()
 
-    /** The name of this log beside those. */
+    /** The name under which this log is shown beside the [compared] ones. */
     var openName: String = ""
 
-    /** The field that paths are drawn on. */
+    /** The field on which paths are drawn. */
     var field: Field = Field.PLAIN
 
     val range: VisibleRange = store.range
@@ -91,19 +91,19 @@ internal class Scene(
     val visited: FindingPlace<Finding>? get() = store.place.visited
     val sharedY: SharedY = SharedY(board, range) { compared }
 
-    /** What graphs of y over x can draw of it. */
+    /** The lines and paths that graphs of y over x can draw. */
     val paths: LogPaths by lazy { LogPaths(view, field) { board.lines[it] } }
 
-    /** When the robot was enabled. */
+    /** The spans in which the robot was enabled. */
     val enabled: List<EnabledSpan> = view.enabledSpans()
 
-    /** Formats times of the log. */
+    /** The formatter for times of the log. */
     val times: LogTimes = LogTimes(range.full.width, xAxis, enabled)
 
-    /** When it was in which mode. */
+    /** The modes of the robot over time. */
     val modes: ModeTimeline by lazy { ModeTimeline.of(view) }
 
-    /** What every graph shows besides its lines. */
+    /** The marks that every graph shows besides its lines. */
     val marks: PlotMarks get() = PlotMarks(modes, events, findings, notes.map { it.x })
 
     /** The clocks besides the x axis. */
@@ -115,7 +115,7 @@ internal class Scene(
     /** Returns the last event at or before [x], with the precision of a pixel; null before the first. */
     fun lastEventAt(x: Double): Event? = events.lastBefore(x + range.now.width * ONE_PIXEL)
 
-    /** Returns the findings under the cursor at [x]: first the one that it was moved to, then the worst. */
+    /** Returns the findings under the cursor at [x]: first the one to which the cursor was moved, then the worst. */
     fun findingsAt(x: Double): List<Finding> {
         val all = findings.at(x, range.now.width * MARK_REACH)
         val here = visited?.takeIf { it.span.from == x }?.finding ?: return all
@@ -133,7 +133,7 @@ internal class Scene(
             .also { pointed = asked to it }
     }
 
-    /** Returns the findings of [findingsAt] that did not begin before the last event at or before [x]. They are newer than that event. */
+    /** Returns the findings of [findingsAt] that begin no earlier than the last event at or before [x]. */
     fun newsAt(x: Double): List<Finding> {
         val last = lastEventAt(x) ?: return findingsAt(x)
         val from = last.x - range.now.width * MARK_REACH
@@ -151,7 +151,7 @@ internal class Scene(
     /** Returns a place on the x axis as text, with the precision of the screen and the unit of x. */
     fun xText(x: Double): String = withUnit(xNumber(x), xAxis.unit)
 
-    /** Returns the same without the unit. */
+    /** Returns the same as [xText], without the unit. */
     fun xNumber(x: Double): String = placeText(x, xAxis, range.now.width)
 
     private companion object {
