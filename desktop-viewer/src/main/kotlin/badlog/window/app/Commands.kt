@@ -22,10 +22,10 @@ import badlog.window.sidebar.WindowPanels
 import badlog.window.topics.TopicListing
 import badlog.window.video.Player
 
-/** Returns the keys that do the same as on an exported page. */
+/** Returns the commands that an exported page also has, with the same keys. */
 internal fun actionCommands(perform: (KeyAction) -> Unit): List<Command> = KeyAction.entries.map { Command(it) { perform(it) } }
 
-/** Returns the keys for the window's parts. */
+/** Returns the commands for the window's parts. */
 internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: AxisView): List<Command> = listOf(
     Command("Window", "Show or hide statistics across logs", listOf(KeyPress(Key.S, "S"))) {
         panels.change { toggled(MainView.STATISTICS) }
@@ -52,7 +52,7 @@ internal fun windowCommands(panels: WindowPanels, formulas: FormulaStore, view: 
 private val QUESTION_MARK = KeyPress(Key.Slash, "?", shift = true)
 private val DIGITS = listOf(Key.One, Key.Two, Key.Three, Key.Four, Key.Five, Key.Six, Key.Seven, Key.Eight, Key.Nine)
 
-/** Returns the keys for the folder of logs. */
+/** Returns the commands for the folder of logs. */
 internal fun libraryCommands(library: Library, panels: WindowPanels, opener: LogOpener, showNewLog: () -> Unit): List<Command> = listOf(
     Command("Logs", "Open a folder of logs", listOf(KeyPress(Key.O, "O", ctrl = true))) { opener.askForFolder() },
     Command("Logs", "Open a log", listOf(KeyPress(Key.O, "O", ctrl = true, shift = true))) { opener.askForLog() },
@@ -71,7 +71,7 @@ internal fun libraryCommands(library: Library, panels: WindowPanels, opener: Log
     },
 )
 
-/** Returns the keys for the list of topics. */
+/** Returns the commands for the list of topics. */
 internal fun topicCommands(topics: TopicListing, panels: WindowPanels): List<Command> = listOf(
     Command("Topics", "Search the topics; then ↓ and Enter draw one", listOf(KeyPress(Key.F, "F", ctrl = true))) {
         askForTopics(topics, panels)
@@ -96,7 +96,7 @@ private fun askForSearch(library: Library, panels: WindowPanels) {
     library.change { copy(isSearchAsked = true) }
 }
 
-/** Returns the keys for playback. */
+/** Returns the commands for playback. */
 internal fun playbackCommands(player: Player): List<Command> = listOf(
     Command("Playback", "Play or pause", listOf(KeyPress(Key.Spacebar, "Space"))) { player.toggle() },
     Command("Playback", "Loop the selection, or the visible range", listOf(KeyPress(Key.L, "L"))) {
@@ -110,12 +110,12 @@ internal fun playbackCommands(player: Player): List<Command> = listOf(
     },
 )
 
-/** Returns the keys for exporting. */
+/** Returns the commands for exporting. */
 internal fun exportCommands(pages: PageSaver, figures: FigureSaver, board: GraphBoard): List<Command> = listOf(
     Command("Export", "Export the page of this log", listOf(EXPORT_PAGE)) { pages.savePage() },
     Command("Export", "Copy the picture of the graphs", listOf(COPY_GRAPHS)) { figures.copyShown(board.state.graphs) },
 )
 
-/** Returns the keys for layouts. */
+/** Returns the commands for layouts. */
 internal fun layoutCommands(files: LayoutFiles): List<Command> =
     listOf(Command("Layout", "Save the layout as a file", listOf(SAVE_LAYOUT)) { files.save() })

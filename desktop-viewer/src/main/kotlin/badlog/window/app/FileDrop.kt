@@ -13,7 +13,7 @@ import java.net.URISyntaxException
 import java.nio.file.FileSystemNotFoundException
 import java.nio.file.Path
 
-/** Accepts files and folders dragged onto it from other programs, and passes them to [onDrop]. */
+/** Makes an element accept files and folders dropped from other programs, and passes them to [onDrop]. */
 @OptIn(ExperimentalFoundationApi::class, ExperimentalComposeUiApi::class)
 internal fun Modifier.acceptsFiles(onDrop: (List<Path>) -> Unit): Modifier = dragAndDropTarget(
     shouldStartDragAndDrop = { it.dragData() is DragData.FilesList },

@@ -3,7 +3,7 @@ package badlog.window.app
 import badlog.viewer.input.GRAPH_GESTURES
 import badlog.viewer.input.HelpLine
 
-/** The gestures of the pointer; over graphs, mostly the same as on an exported page. */
+/** The help for gestures of the pointer. Over graphs, most gestures are the same as on an exported page. */
 internal val GESTURES = GRAPH_GESTURES + listOf(
     HelpLine("On the graphs", "Click in a legend", "Hides the line, or shows it again."),
     HelpLine("On the graphs", "Drag a title", "Moves the graph; dropped on another graph, adds its lines to that one."),

@@ -17,8 +17,8 @@ import kotlin.math.roundToInt
 import kotlin.math.sin
 
 /**
- * Draws a few small invisible graphs. They load the code of graphs while a person looks for a log. The first graphs of a program take half
- * a second longer than later ones. Call it on the window's thread, which can do other work in between.
+ * Draws a few small invisible graphs. This loads the code for graphs while a person looks for a log. Otherwise, the first graphs would take
+ * half a second longer. Call it on the window's thread, which can do other work in between.
  */
 internal suspend fun warmUpGraphs(folders: UserFolders): Unit = coroutineScope {
     val recording = withContext(Dispatchers.Default) {

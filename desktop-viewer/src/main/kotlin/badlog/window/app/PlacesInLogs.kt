@@ -59,7 +59,7 @@ internal class PlacesInLogs(private val topics: TopicListing, private val board:
     private fun drawn(graph: BoardGraph) = graph.lines to graph.isXy
 
     private companion object {
-        /** The largest number of remembered places; a person goes back to fewer logs. */
+        /** The maximum number of remembered places. A person returns to fewer logs. */
         const val MAX_PLACES = 100
     }
 }

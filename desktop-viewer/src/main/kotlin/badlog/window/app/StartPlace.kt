@@ -25,10 +25,10 @@ import java.nio.file.Path
  */
 internal data class StartPlace(val folder: Path?, val file: Path?, val complaint: String?, val isPit: Boolean = false) {
     companion object {
-        /** The argument that, besides the folder, begins with the pit view. */
+        /** The argument that starts the window with the pit view. It can be given in addition to the folder. */
         const val PIT: String = "--pit"
 
-        /** Returns the start for [arguments], see the other function; with [PIT] among them, in the pit view. */
+        /** Returns the start for [arguments], see the other function. If they include [PIT], it begins with the pit view. */
         fun of(arguments: Array<String>, settings: Settings, samples: Path?): StartPlace =
             of(arguments.firstOrNull { it != PIT }, settings, samples).copy(isPit = PIT in arguments)
 

@@ -92,7 +92,7 @@ import java.nio.file.Path
  *
  * @param scope lives as long as the window, on its thread.
  * @param kept the stored settings.
- * @param robots returns where the robot that a person typed may answer.
+ * @param robots returns the addresses to try for a robot, given the text that a person typed.
  */
 internal class Viewer(
     val scope: CoroutineScope,

@@ -201,5 +201,5 @@ private fun MainPane(viewer: Viewer, modifier: Modifier) = with(viewer) {
 
 private fun Viewer.shownLogs() = ShownLogs(current.recording?.file, compared.state.checked)
 
-/** Below this width, three lists would leave no room for the graphs. */
+/** The width below which three lists would leave no room for the graphs. */
 internal val NARROW = 1100.dp

@@ -33,7 +33,7 @@ import org.jetbrains.skia.Image
  * The window, from its opening on [start] to its closing, which ends the application.
  *
  * @param folders the folders of the user's own files.
- * @param robots returns the addresses where the robot that a person typed may answer.
+ * @param robots returns the addresses to try for a robot, given the text that a person typed.
  * @param content additional content of the window.
  */
 @Composable

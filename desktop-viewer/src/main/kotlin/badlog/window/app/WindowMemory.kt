@@ -12,8 +12,8 @@ import java.awt.Rectangle
 import java.awt.Toolkit
 
 /**
- * Returns the window at its last place, moved onto its screen if it reaches beyond an edge. If it was on none of [screens], given in dp, it
- * is in the middle of the first. The first window fills a screen that is smaller than its usual size.
+ * Returns the window at its last [place], moved onto its screen if it reaches beyond an edge. If it was on none of [screens], given in dp,
+ * it is in the middle of the first. Without a [place], it fills a screen that is smaller than the usual size.
  */
 internal fun windowStateOf(place: WindowPlace?, screens: List<Rectangle> = screens()): WindowState {
     val seenOn = place?.let { screens.firstOrNull { it.intersects(place.x + 8.0, place.y + 8.0, 64.0, 24.0) } }

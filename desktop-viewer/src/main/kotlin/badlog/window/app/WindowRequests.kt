@@ -14,7 +14,7 @@ import badlog.window.todo.FolderTodo
 import badlog.window.todo.TodoSheet
 import badlog.window.video.LogVideo
 
-/** Does what actions ask of the window. Use it only on the window's thread. */
+/** Performs the requests of actions to the window. Use it only on the window's thread. */
 internal class WindowRequests(
     private val board: GraphBoard,
     private val formulas: FormulaStore,
@@ -26,7 +26,7 @@ internal class WindowRequests(
     private val spoken: SpokenCursor,
     private val todo: FolderTodo,
 ) {
-    /** Does what [request] asks for. */
+    /** Performs [request]. */
     fun perform(request: Request) = when (request) {
         is FindingRequest -> findings.perform(request)
         is TodoRequest -> perform(request)

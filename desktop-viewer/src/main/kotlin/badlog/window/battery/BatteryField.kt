@@ -20,7 +20,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.SearchField
 import badlog.window.theme.ToolButton
 
-/** A menu that changes the battery of a match from [name]. It offers the others of [names], and a typed name. */
+/** A menu for changing the battery of a match from [name]. It offers [names], and a field for typing another name. */
 @Composable
 internal fun BatteryField(match: BatteryMatch, name: String, names: List<String>, onName: (String) -> Unit) {
     var isOpen by remember { mutableStateOf(false) }

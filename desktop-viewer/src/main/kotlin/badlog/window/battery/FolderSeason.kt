@@ -32,7 +32,7 @@ internal class Batteries(
     val advice: BatteryAdvice = BatteryAdvice.of(seasons),
     val problems: List<String> = emptyList(),
 ) {
-    /** The names that the team uses. */
+    /** The team's names for its batteries. */
     val names: List<String> get() = seasons.mapNotNull { it.battery?.name }
 
     companion object {
@@ -75,7 +75,7 @@ internal class FolderSeason(
         written.value++
     }
 
-    /** Records beside the logs of [match] that the battery called [name] was in the robot. An empty name removes the record. */
+    /** Records, beside the logs of [match], that the robot had the battery called [name]. An empty name removes the record. */
     fun assign(name: String, match: BatteryMatch) {
         val logs = library.state.entries.filter { it.path in match.paths }.sortedBy { match.paths.indexOf(it.path) }
         if (logs.isEmpty()) return

@@ -16,7 +16,7 @@ import badlog.viewer.shown.battery.BatteryStep
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Palette
 
-/** The advice on batteries, in letters that are read from two meters; empty if there is none. */
+/** The advice on batteries, in letters that can be read from two meters away; empty if there is none. */
 @Composable
 internal fun PitBatteries(batteries: Batteries, onOpen: () -> Unit) {
     val palette = LocalPalette.current

@@ -3,13 +3,13 @@ package badlog.window.charts
 import badlog.window.export.figure.FigureFormat
 
 /**
- * A drawn chart of the folder's logs. It holds bytes rather than a chart of the library for charts, so that nothing of that library is
- * loaded until the first chart is drawn.
+ * A drawn chart of the folder's logs. It holds bytes rather than an object of the chart library, so that this library is loaded only when
+ * the first chart is drawn.
  *
- * @property name its name in names of files.
+ * @property name its name in the names of files.
  * @property title its title.
  * @property question the question that it answers.
- * @property reading how to read it.
+ * @property reading an explanation of how to read it.
  */
 internal class DrawnChart(
     val name: String,

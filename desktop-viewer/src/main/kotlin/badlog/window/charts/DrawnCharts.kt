@@ -11,13 +11,13 @@ import badlog.viewer.catalog.DateSource
  * The charts of some logs.
  *
  * @property all the drawn charts, the most useful first.
- * @property lacking the data that each of the other charts lacks, as a sentence.
+ * @property lacking a sentence for each of the other charts, about the data that it lacks.
  * @property unknown the number of logs left out because today's rules have not been run over them.
  */
 internal class DrawnCharts(val all: List<DrawnChart>, val lacking: List<String>, val unknown: Int = 0)
 
 /**
- * Draws the charts of [logs] in some seconds: call it off the window's thread. Interrupting its thread stops it.
+ * Draws the charts of [logs]. It takes several seconds: call it off the window's thread. Interrupting its thread stops it.
  *
  * @param examined returns the stored results of a log; null if there are none.
  * @param progress receives the fraction done, 0 to 1.

@@ -136,7 +136,7 @@ internal class FolderCharts(
         /** The longest time that the first charts wait for the list to stop changing. */
         val LONGEST_CALM = 2.seconds
 
-        /** The longest time that later charts wait for that: a machine that reads a folder is busy. */
+        /** The longest time that later charts wait for the list, because a machine that reads a folder is busy. */
         val REST = 8.seconds
     }
 }

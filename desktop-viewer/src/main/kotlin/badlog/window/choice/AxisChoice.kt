@@ -9,11 +9,11 @@ import badlog.window.state.StateHolder
  * [badlog.window.log.RecordingChoices.overTime]. Use it only on the window's thread.
  */
 internal class AxisChoice(private val current: CurrentRecording) : StateHolder<Boolean?>(null) {
-    /** The column that the open log could be drawn over. Null after the choice, or without such a column. */
+    /** The time column over which the open log could be drawn. Null after the choice, or if there is no such column. */
     val offered: Topic? get() = if (state == null) current.recording?.timeColumn else null
 
     /**
-     * Draws all logs that name no x axis over time if [overTime], otherwise over row numbers. Shown recordings follow, see
+     * Draws all logs that name no x axis over time if [overTime], otherwise over row numbers. Shown recordings are recalculated, see
      * [ShownRecordings].
      */
     fun choose(overTime: Boolean) = change { overTime }

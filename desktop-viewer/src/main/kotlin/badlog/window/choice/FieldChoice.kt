@@ -33,7 +33,7 @@ internal class FieldChoice(
     /** Whether a person has selected a field for the current recording. */
     val isSelected: Boolean get() = current.recording?.let { selectedFor(it.file) } != null
 
-    /** Returns the field of [log], which need not be open. Reads it: not on the window's thread. */
+    /** Returns the field of [log], which need not be open. Reads files: call it off the window's thread. */
     fun of(log: Path): FieldFile = OpenRecording.fieldOf(log, selectedFor(log), folder())
 
     /** Asks for a field file, and draws paths on that field from now on. */

@@ -26,10 +26,10 @@ import kotlinx.coroutines.withContext
 import java.nio.file.Path
 
 /**
- * Recalculates the open and the compared recordings after each change of a choice, and then shows them. Each log is calculated by itself,
+ * Recalculates the open and the compared recordings after each change of a choice, and then shows them. Each log is calculated separately,
  * off the window's thread. Use it only on the window's thread.
  *
- * @param following calls a function that replaces the open recording, and places its graphs again.
+ * @param following calls the given function, which replaces the open recording, and then arranges its graphs again.
  * @param library returns the folder of logs.
  * @param choices returns the choices for a recording.
  */
@@ -52,7 +52,7 @@ internal class ShownRecordings(
     /** The calculations that failed, and are not tried again. */
     private var failed by mutableStateOf(emptyList<CalculationInput>())
 
-    /** Whether a recording is still shown as before the last choice. */
+    /** Whether a shown recording does not reflect the last choice yet. */
     val isWaiting: Boolean get() = wanted().any(::needsCalculation)
 
     /** Follows the choices, until cancelled. */

@@ -37,7 +37,7 @@ internal class StationChoice(
     /** The Driver Station's log that belongs to the current recording; null if none is known. */
     val found: FoundStation<LogFile>? get() = state.found.takeIf { state.robot == current.recording?.file }
 
-    /** The log to offer: found, and neither shown nor dismissed by a person yet; null if there is none. */
+    /** The Driver Station's log to offer, which the user has neither shown nor dismissed; null if there is none. */
     val offered: FoundStation<LogFile>? get() = found?.takeIf { state.robot.toString() !in settings.state.stations }
 
     /** Whether the Driver Station's log is shown. */

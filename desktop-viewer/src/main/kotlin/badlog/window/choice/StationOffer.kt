@@ -16,7 +16,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 import kotlin.math.ceil
 
-/** Offers the Driver Station's log of the same match until a person shows or hides it. While it is shown, says so. */
+/** Offers the Driver Station's log of the same match until a person shows or hides it. While that log is shown, it says so. */
 @Composable
 internal fun StationOffer(stations: StationChoice) {
     val offered = stations.offered

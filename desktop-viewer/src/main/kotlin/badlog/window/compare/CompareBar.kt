@@ -128,7 +128,7 @@ internal fun ComparedChip(compared: ComparedRecordings, open: OpenRecording, dra
     }
 }
 
-/** Shows the offset of the recording called [label], and accepts a typed number; Enter or leaving the field moves it. */
+/** A field with the offset of the recording called [label]. After typing a number, Enter or leaving the field moves the recording. */
 @Composable
 internal fun OffsetField(label: String, offset: Double, onMove: (Double) -> Unit) {
     val palette = LocalPalette.current

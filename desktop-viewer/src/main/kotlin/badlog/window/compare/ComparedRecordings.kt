@@ -56,13 +56,13 @@ internal class ComparedRecordings(
         jobs.remove(file)?.cancel()
     }
 
-    /** Unchecks all. */
+    /** Unchecks all files. */
     fun clear() {
         state.checked.forEach(::remove)
         change { cleared() }
     }
 
-    /** Keeps [open] as the only copy of its file, if that is checked. */
+    /** Uses [open] as the only recording of its file, if that file is checked. */
     fun share(open: OpenRecording) {
         if (state.loaded[open.file] !== open) change { withLoaded(open) }
     }

@@ -34,14 +34,14 @@ internal data class Comparison(
     fun withLoaded(recording: OpenRecording): Comparison =
         if (recording.file in checked) copy(loaded = loaded + (recording.file to recording)) else this
 
-    /** Removes all; the alignment stays for the next recordings. */
+    /** Removes all recordings; the alignment stays for the next ones. */
     fun cleared(): Comparison = Comparison(offsets = LogOffsets(offsets.alignment))
 
     /** Returns the offset of [recording] in x that aligns it with the same moment of [open]; always finite. */
     fun offsetOf(recording: OpenRecording, open: OpenRecording): Double =
         offsets.of(recording.file, open.file, momentsOf(listOf(recording, open)))
 
-    /** Aligns by [wanted]; a manual alignment keeps the current offsets. */
+    /** Aligns the recordings by [wanted]; a manual alignment keeps the current offsets. */
     fun alignedBy(wanted: Alignment, open: OpenRecording): Comparison =
         copy(offsets = offsets.alignedBy(wanted, open.file, momentsOf(loaded.values + open)))
 

@@ -10,8 +10,8 @@ import badlog.window.log.OpenRecording
 /**
  * A part to cut out of a recording.
  *
- * @property rows the rows of [recording] in it; empty for nothing.
- * @property remark the way the rows were made, to append to a sentence; empty if they are rows of the file.
+ * @property rows the rows of [recording] to cut out; empty for none.
+ * @property remark an addition to a sentence about how the rows were made; empty if they are rows of the file.
  */
 internal class Cut(val recording: Recording, val rows: IntRange, val remark: String = "")
 

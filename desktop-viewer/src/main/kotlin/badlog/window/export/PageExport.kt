@@ -20,7 +20,7 @@ import badlog.window.log.OpenRecording
 import java.nio.file.Path
 
 /**
- * One page to make.
+ * A page to make.
  *
  * @property log the file to read.
  * @property page the file to write.
@@ -36,7 +36,7 @@ internal data class PageJob(val log: Path, val page: Path, val compared: List<Pa
  */
 internal class ExportedPages(val made: List<Path>, val failures: List<String>)
 
-/** Returns the pages of [logs] in [folder], each with a unique name. */
+/** Returns the jobs for the pages of [logs] in [folder], each with a unique name. */
 internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
     val taken = HashSet<String>()
     return logs.distinct().map { log ->

@@ -19,7 +19,7 @@ import badlog.window.task.openAction
 import kotlinx.coroutines.CoroutineScope
 import java.nio.file.Path
 
-/** Saves pages of logs as files that the person names. */
+/** Saves the page of one log in a file, or the pages of several logs in a folder, that the person selects. */
 internal class PageSaver(
     private val scope: CoroutineScope,
     private val current: CurrentRecording,

@@ -77,8 +77,8 @@ internal object SystemFileChoice : FileChoice {
 internal fun patternOf(ending: String, system: String): String? = "*$ending".takeIf { ending.isNotEmpty() && system.startsWith("Windows") }
 
 /**
- * Asks for a file to write, suggesting [name], and adds a missing [ending]; null if nothing is to be written. An existing file is replaced
- * only if the person has typed its full name, and so confirmed that in the dialog.
+ * Asks for a file to write, suggesting [name], and adds a missing [ending]. Returns null if nothing is to be written. An existing file is
+ * replaced only if the person typed its full name, because the dialog then asked for confirmation.
  */
 internal fun askToWrite(files: FileChoice, notices: Notices, title: String, folder: Path?, name: String, ending: String): Path? {
     val chosen = files.toWrite(title, folder, name + ending) ?: return null

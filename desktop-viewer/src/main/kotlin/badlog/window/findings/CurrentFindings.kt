@@ -38,8 +38,8 @@ import kotlin.time.TimeSource
  * again when it has grown; another recording cancels them.
  *
  * @param folder returns the folder of logs, which may have rules.
- * @param awaitDrawn returns when the opened recording is visible.
- * @param rest returns when the rules, which took the time `running`, may run again over a log that grows.
+ * @param awaitDrawn waits until the opened recording is visible.
+ * @param rest waits until the rules may run again over a growing log, after they took the time `running`.
  * @param find runs the rules over a recording.
  */
 internal class CurrentFindings(
@@ -86,8 +86,8 @@ internal class CurrentFindings(
     }
 
     /**
-     * Goes to the first result for [log] as soon as the rules have run. It is the start of its worst incident, or otherwise its worst
-     * finding. The log is open or being opened.
+     * Goes to the worst result for [log] as soon as the rules have run: the start of its worst incident, or otherwise its worst finding.
+     * The log is open or being opened.
      */
     fun showWorst(log: Path) {
         worstRequested = log
@@ -110,7 +110,7 @@ internal class CurrentFindings(
     /** Runs the rules over the open log again; until they are done, no findings are known. */
     fun runAgain() = change { copy(timesAsked = timesAsked + 1) }
 
-    /** Assigns [topic] to the signal [signal] in all logs of the folder, and runs the rules again. Reports why, if it cannot. */
+    /** Assigns [topic] to the signal [signal] in all logs of the folder, and runs the rules again. If that fails, it reports the reason. */
     fun assign(signal: String, topic: String) {
         val open = current.recording ?: return
         val refusal = SignalAssignment(open.file, folder()).assign(signal, topic, open.forRules)
@@ -118,7 +118,7 @@ internal class CurrentFindings(
         if (refusal == null) runAgain()
     }
 
-    /** Records the [finding] under the pointer; null for none. If the pointer is on its mark, [place] is the x of that. */
+    /** Records the [finding] under the pointer; null for none. If the pointer is on its mark, [place] is the x there. */
     fun point(finding: Finding?, place: Double = Double.NaN) = change { copy(pointed = finding, pointedPlace = place) }
 
     /** Goes to [place], where [finding] was found, see [FindingAction.GoTo]. */
@@ -147,7 +147,7 @@ internal class CurrentFindings(
 }
 
 /**
- * Returns the rest after rules that took the time [running] over a growing log. The machine should mostly be free for the program that
+ * Returns the pause after the rules took the time [running] over a growing log. It leaves the machine mostly free for the program that
  * writes the log.
  */
 internal fun pauseAfter(running: Duration): Duration = maxOf(2.seconds, running * 9)

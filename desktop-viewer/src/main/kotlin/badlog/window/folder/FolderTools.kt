@@ -16,7 +16,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.ToolButton
 
 /**
- * The tools above all logs of the folder, as a table or as charts: filters, and the way back.
+ * The tools above the table or the charts of the folder's logs: filters, and the button for returning to the graphs.
  *
  * @param more the tools of the table or the charts.
  */

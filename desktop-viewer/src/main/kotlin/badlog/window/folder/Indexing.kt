@@ -199,10 +199,10 @@ internal class Indexing(
         val LOOK_PERIOD: Duration = 300.milliseconds
         val SAVE_PERIOD: Duration = 4.seconds
 
-        /** A log that was not written for this long is complete. */
+        /** The time without a change after which a log counts as complete. */
         val SETTLED: Duration = 3.seconds
 
-        /** Listing and saving take at most a twentieth of the time. */
+        /** The pause after listing or saving, as a multiple of its duration: each takes at most a twentieth of the time. */
         const val REST_PER_LOOK = 20
 
         const val LARGE = 64L shl 20

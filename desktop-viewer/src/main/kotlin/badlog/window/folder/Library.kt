@@ -37,7 +37,7 @@ internal class Library(private val scope: CoroutineScope, private val cache: Pat
     /**
      * Shows the logs of [folder] and its subfolders from now on.
      *
-     * @param showsNewest whether its newest log is shown while a person has not opened another.
+     * @param showsNewest whether its newest log is shown until a person opens another one.
      */
     fun open(folder: Path, showsNewest: Boolean = true) {
         val path = folder.toAbsolutePath().normalize()

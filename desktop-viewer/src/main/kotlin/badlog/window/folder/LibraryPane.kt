@@ -152,7 +152,7 @@ internal fun LogCount(listing: Listing<LogEntry>, modifier: Modifier = Modifier)
     Text(listing.count, modifier, color = LocalPalette.current.muted, fontSize = 12.sp, lineHeight = 16.sp, maxLines = 1)
 }
 
-/** Hides idle logs. */
+/** The button that hides idle logs. */
 @Composable
 internal fun HideEmptyButton(library: Library) {
     val hides = library.state.listing.hidesEmpty
@@ -161,7 +161,7 @@ internal fun HideEmptyButton(library: Library) {
     }
 }
 
-/** Lists only logs in which a rule found an error. */
+/** The button that lists only logs in which a rule found an error. */
 @Composable
 internal fun OnlyErrorsButton(library: Library) {
     val isOn = library.state.listing.onlyErrors
@@ -170,7 +170,7 @@ internal fun OnlyErrorsButton(library: Library) {
     }
 }
 
-/** Shown in place of the list if there are no logs. */
+/** The explanation in place of an empty list, with a button for opening a folder or listing all logs. */
 @Composable
 internal fun LibraryEmptiness(library: Library, actions: LibraryActions, modifier: Modifier = Modifier) {
     Column(modifier.padding(16.dp), verticalArrangement = Arrangement.spacedBy(12.dp)) {

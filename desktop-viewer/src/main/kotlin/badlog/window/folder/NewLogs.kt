@@ -14,7 +14,7 @@ import java.nio.file.Path
  * The logs that have arrived in the folder, until a person deals with them. Use it only on the window's thread.
  *
  * @param recorded returns the log that this window is recording, which arrives only when it is finished; null for none.
- * @param isShownByItself returns whether the window opened a log by itself: then no person has seen it yet.
+ * @param isShownByItself returns whether the window opened a log by itself, so that no person has seen it yet.
  * @param ring makes a sound.
  */
 internal class NewLogs(
@@ -41,9 +41,9 @@ internal class NewLogs(
     /** Remembers that a person has opened [file]. */
     fun seen(file: Path) = change { without("$file") }
 
-    /** Hides all that have arrived: a person deals with them later, or has seen them. */
+    /** Hides all arrived logs: a person deals with them later, or has seen them. */
     fun leave() = change { dealtWith() }
 
-    /** Returns the worst log of the match that arrived last, and hides all that have arrived; null if none has. */
+    /** Returns the worst log of the match that arrived last, and hides all arrived logs; null if there are none. */
     fun takeLatest(): LogEntry? = state.latest?.worst.also { leave() }
 }

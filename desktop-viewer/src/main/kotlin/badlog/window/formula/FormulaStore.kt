@@ -16,8 +16,8 @@ import badlog.window.log.OpenRecording
 import badlog.window.task.Notices
 
 /**
- * The formulas of the window: definitions of topics that are calculated from others. They are in the order in which they may use each
- * other. Use it only on the window's thread.
+ * The formulas of the window: definitions of topics that are calculated from others. A formula may use other formulas only if they come
+ * before it. Use it only on the window's thread.
  */
 internal class FormulaStore(private val current: CurrentRecording, private val board: GraphBoard, private val notices: Notices) {
     /** The definitions of the formulas. */
@@ -79,7 +79,7 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
     /** Returns whether [name] belongs to a formula that is not calculated in [open] yet. */
     fun isAwaited(name: String, open: OpenRecording): Boolean = definitions.any { it !in open.definitions && nameIn(it) == name }
 
-    /** Returns the formulas and, of [others], the formulas for other topics that a person has not removed. Can be called on any thread. */
+    /** Returns the formulas, and those [others] that define other topics and were not removed by a person. Can be called on any thread. */
     fun with(others: List<String>): List<String> {
         val names = definitions.mapTo(HashSet(), ::nameIn)
         return definitions + others.filter { it !in removed && nameIn(it) !in names }
@@ -99,7 +99,10 @@ internal class FormulaStore(private val current: CurrentRecording, private val b
  */
 internal data class FormulaSheet(val before: String? = null, val start: String = before.orEmpty())
 
-/** Returns the names that [definition] may use in [open]: the topics, and the formulas before it. For null, returns all of them. */
+/**
+ * Returns the names that [definition] may use in [open]: the topics, and the formulas before it. If [definition] is null, it returns all of
+ * them.
+ */
 internal fun vocabularyFor(open: OpenRecording, definition: String?): Vocabulary {
     val earlier = open.formulas.takeWhile { it.definition != definition }.mapNotNull { it.topic?.signal }
     return earlier.fold(open.logged.namesWith(open.vocabulary).vocabulary) { names, topic -> names.with(topic) }

@@ -74,7 +74,7 @@ private fun DrawScope.drawTarget(target: DropTarget, palette: Palette) {
     }
 }
 
-/** The dragged graph's title beside the pointer; scrolls the graphs at the edges of their [height] in pixels. */
+/** The dragged graph's title beside the pointer. Near the edges of the graphs' [height], in pixels, it scrolls them. */
 @Composable
 internal fun DraggedGraph(scene: GraphScene, height: Int) {
     val drag = scene.drag

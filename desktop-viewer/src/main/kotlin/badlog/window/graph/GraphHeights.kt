@@ -8,8 +8,8 @@ import badlog.window.graph.scene.GraphScene
 
 /**
  * Returns the height of each of [graphs], in dp. Lanes have the height they need. A graph with a height of its own keeps it; other graphs
- * of y over x are large. The rest have the height [usual]. If they [fit] into the rest of [room] with at least the minimum height each,
- * they share it.
+ * of y over x are large. The rest have the height [usual]. With [fit], they share the rest of [room] instead, if each then has at least the
+ * minimum height.
  *
  * @param lanes for each graph, its number of lanes; 0 if it has lines of numbers.
  */

@@ -30,8 +30,8 @@ internal class ArrangedGraphs(
     private var besides = Board()
 
     /**
-     * Begins with another folder, which contains the log [open]; null for none. Returns whether a person has already changed that log's
-     * initial graphs: then it did not begin with the arranged ones.
+     * Begins with another folder. [open] is the open log in that folder; null for none. Returns true if a person has already changed that
+     * log's initial graphs, which then stay instead of the arranged ones.
      */
     fun enter(open: OpenRecording?): Boolean {
         besides = Board()
@@ -93,7 +93,8 @@ internal class ArrangedGraphs(
 
     /**
      * Merges the changes of other windows to the graphs for the folder of [open]. Returns the graphs to store; null if none are arranged.
-     * The graphs are [stored] now, and were [read] by this window before; null for none. Lines called [removed] no longer exist.
+     * [stored] holds the graphs that are stored now, and [read] the graphs that this window read before; null for none. The lines named in
+     * [removed] no longer exist.
      */
     fun mergedWith(stored: Board?, read: Board?, removed: Set<String>, open: OpenRecording): Board? {
         val wasPlaced = isPlaced(open)

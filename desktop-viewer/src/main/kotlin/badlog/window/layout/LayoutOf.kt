@@ -30,7 +30,7 @@ internal fun layoutOf(comparison: Comparison, folder: Path?) = LayoutComparison(
 internal fun alignmentOf(layout: LayoutComparison): Alignment =
     Alignment.entries.find { it.layoutName == layout.alignment } ?: Alignment.START
 
-/** Returns [panels] in the window's form; an unknown main view stays as in [now]. */
+/** Returns [panels] in the window's form; if their main view is unknown, it stays as in [now]. */
 internal fun panelsOf(panels: LayoutPanels, now: Panels): Panels = now.copy(
     library = panels.library,
     topics = panels.topics,

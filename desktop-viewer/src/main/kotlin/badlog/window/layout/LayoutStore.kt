@@ -110,7 +110,7 @@ internal class LayoutStore(
             )
         }
 
-    /** The part of the layout for others: the graphs and the formulas. */
+    /** The part of the layout that is shared with others: the graphs and the formulas. */
     val shared: BoardLayout get() = BoardLayout(board.arranged.renumbered(), formulas = formulas.definitions)
 
     /** Returns the log that was last open in [folder]; null if there was none, or it is gone. */
@@ -249,7 +249,7 @@ internal class LayoutStore(
         formulas.definitions,
     )
 
-    /** Saves the changes; also if more follow meanwhile, for example by another window: written parts count as stored. */
+    /** Saves the changes, even if more follow meanwhile, for example from another window. Written parts count as stored. */
     suspend fun save() = withContext(NonCancellable) {
         try {
             store()

@@ -17,14 +17,12 @@ import badlog.viewer.state.Place
 import badlog.viewer.state.PlaceAction
 import badlog.viewer.state.Store
 
-/**
- * The person's place in the log, see [Place], as the [store] has it, and the current drag. Use it only on the window's thread.
- */
+/** The person's place in the log, see [Place], which [store] holds, and the current drag. Use it only on the window's thread. */
 internal class AxisView(private val store: Store) {
     // Each is read separately, so that moving the cursor redraws only the cursor. Combinations of them for a snapshotFlow
     // need their own equals, as data classes have; otherwise each move of the cursor emits a new value.
 
-    /** The whole state, for actions rather than for drawing, see above. */
+    /** The whole place, for actions. Drawings use its parts below, so that they are redrawn only when those change. */
     val place: Place get() = store.state.place
 
     /** The visible range of x. */
@@ -51,7 +49,7 @@ internal class AxisView(private val store: Store) {
     /** The search in the findings. */
     val findings: FindingsState by derivedStateOf { store.state.findings }
 
-    /** The parts of panels that the person has unfolded, or folded, by their keys. */
+    /** Whether the person has unfolded or folded the parts of panels, by the parts' keys. */
     val unfolded: Map<String, Boolean> by derivedStateOf { store.state.unfolded }
 
     /** Whether the person stays at the end of a log that grows. */
@@ -60,13 +58,13 @@ internal class AxisView(private val store: Store) {
     /** The current drag over a graph, or null. */
     var gesture: PlotGesture? by mutableStateOf(null)
 
-    /** Lets [action] change the state. A drag over another x axis ends without effect. */
+    /** Lets [action] change the state. When another log is opened or the x axis changes, the current drag ends without effect. */
     fun send(action: Action) {
         if (action is PlaceAction.Open || (action is PlaceAction.Grow && action.isOtherAxis)) gesture = null
         store.send(action)
     }
 
-    /** Does what [key] means. */
+    /** Performs the action of [key]. */
     fun press(key: KeyAction) = send(Action.Press(key))
 
     /**

@@ -52,7 +52,8 @@ internal class DrawableTopic(val name: String, val isDerived: Boolean, val line:
 }
 
 /**
- * Returns whether [query] matches the displayed name [text], and the topic's traits. The topics [found] are those that a finding is about.
+ * Returns whether [query] matches the displayed name [text] and the topic's traits. [found] holds the names of the topics that a finding is
+ * about.
  */
 internal fun DrawableTopic.isFoundBy(query: Query, found: Set<String>, text: String = name): Boolean {
     // Traits cost a look through the samples, so they are determined only if a search needs them.

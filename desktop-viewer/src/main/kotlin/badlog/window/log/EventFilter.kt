@@ -8,13 +8,13 @@ import badlog.viewer.shown.search.Query
  * The filter for listed and marked events.
  *
  * @property text words that the text or the topic of an event must contain, regardless of case; empty for any.
- * @property topics the names of the topics with accepted events; empty, or of other recordings, for all.
+ * @property topics the names of the topics with accepted events. If the recording has none of them, all topics are accepted.
  */
 internal data class EventFilter(val text: String = "", val topics: Set<String> = emptySet()) {
     /** Returns the [events] that the filter accepts. They are the events of [logs]. */
     fun over(events: EventTimeline, logs: List<EventLog>): EventTimeline = events.matching(Query(text), topicsOf(logs))
 
-    /** Returns the [topics] that [logs] contain. The filter stays when another recording is opened, which may lack some. */
+    /** Returns the [topics] that [logs] contain. Some may be missing, because the filter stays when another recording is opened. */
     fun topicsOf(logs: List<EventLog>): Set<String> = logs.mapNotNullTo(HashSet()) { log -> log.name.takeIf { it in topics } }
 
     /** Adds [topic] to [topics], or removes it. */

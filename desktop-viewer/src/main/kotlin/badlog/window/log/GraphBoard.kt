@@ -21,8 +21,8 @@ import badlog.viewer.state.ViewerState
 /**
  * The graphs that the window shows, from top to bottom, with their history. Use it only on the window's thread.
  *
- * @param store has them.
- * @param isDrawn returns whether the open log can draw the line of a name; graphs without any such line stay on the board, and are not
+ * @param store holds them.
+ * @param isDrawn returns whether the open log can draw the line with a name. Graphs without such a line stay on the board, but are not
  * shown.
  */
 internal class GraphBoard(private val store: Store, private val isDrawn: (String) -> Boolean = { true }) {
@@ -44,7 +44,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Whether there is something to undo. */
     val canUndo: Boolean get() = history.canUndo
 
-    /** Whether something undone can be done again. */
+    /** Whether there is something to redo. */
     val canRedo: Boolean get() = history.canRedo
 
     /** The graphs that were put on top to show a finding, unless a person has changed them. */
@@ -64,7 +64,8 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     private var moved: Int? = null
 
     /**
-     * The graph that keys apply to: the one just moved, otherwise last pointed at, otherwise the first visible one. Null if there are none.
+     * The graph that keys apply to: the one just moved, otherwise the one last pointed at, otherwise the first visible one. Null if there
+     * are none.
      */
     val current: BoardGraph?
         get() = state.graphs.find { it.id == moved } ?: state.graphs.find { it.id == pointed }
@@ -94,16 +95,16 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Lets [action] change the graphs. */
     fun send(action: BoardAction) = store.send(action)
 
-    /** Shows [board] instead, as for another log, without a history. */
+    /** Replaces all graphs by [board], as for another log, without a history. */
     fun replace(board: Board) = send(BoardAction.Begin(board))
 
-    /** Shows the drawable graphs of [board] instead, unless a person has changed something. New graphs in it show a finding. */
+    /** Replaces all graphs by the drawable ones of [board], unless a person has changed something. New graphs in it show a finding. */
     fun beginWith(board: Board) = send(BoardAction.BeginWithEvidence(drawn(board)))
 
     /** Undoes the last change. */
     fun undo() = store.send(Action.Press(KeyAction.UNDO))
 
-    /** Redoes what [undo] undid. */
+    /** Redoes the change that [undo] undid. */
     fun redo() = store.send(Action.Press(KeyAction.REDO))
 
     /** Removes the [current] graph; one that is there to show a finding is kept instead. */
@@ -132,7 +133,7 @@ internal class GraphBoard(private val store: Store, private val isDrawn: (String
     /** Keeps graph [id], which shows a finding, or all such graphs for null. They then count as arranged by a person. */
     fun keep(id: Int? = null) = send(BoardAction.Keep(id))
 
-    /** Goes to graph [id]; null if it is visible. */
+    /** Scrolls to graph [id]; null if it is already visible. */
     fun goTo(id: Int?) {
         wanted = id
     }

@@ -13,7 +13,8 @@ import badlog.viewer.choices.formula.formulasOf
 
 /**
  * The stages of a log: with its signals, with the Driver Station's log beside it, and with formulas. Each is made of the previous stage and
- * of one choice. If both are the same in the stages [before], it is taken from there: another field calculates no formula.
+ * of one choice. If both are the same in the stages [before], it is taken from there. Selecting another field, for example, calculates no
+ * formula again.
  *
  * @param read the content of the file.
  * @param name the name of its file.

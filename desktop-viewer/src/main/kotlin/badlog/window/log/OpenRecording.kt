@@ -51,7 +51,7 @@ import java.nio.file.Path
  * @property vocabulary the names of its signals.
  * @property layout the layout file beside it.
  * @property field the field on which its paths are drawn.
- * @param rows the same recording over its rows, if a person has chosen to draw it over its time.
+ * @param rows the same recording over its rows; null unless a person has chosen to draw it over its time.
  * @param before the stages of the same file for other choices; null for none.
  * @param checkActive see [LogStages].
  */
@@ -83,7 +83,7 @@ internal class OpenRecording(
     /** The names of the topics from its [station]. */
     val stationTopics: Set<String> get() = stages.stationTopics
 
-    /** The match that it belongs to. */
+    /** The match in which it was recorded. */
     val match: MatchOfLog by lazy { vocabulary.matchOf(read.recording, file.fileName.toString()) }
 
     /** The content of the file, and the topics of formulas. */
@@ -101,13 +101,13 @@ internal class OpenRecording(
 
     private val byName = signals.associateBy { it.name }
 
-    /** The topics that are the signals of [vocabulary]. */
+    /** The topics for the signals of [vocabulary]. */
     val signalTopics: SignalTopics by lazy { signalTopicsOf(view, vocabulary) }
 
     /** Returns the lines to draw for the signal [name]. */
     fun of(name: String): List<DrawableTopic> = signalTopics.of(name).mapNotNull { signal(it.topic) }
 
-    /** The texts of its times. */
+    /** The format of its times for people. */
     val times: LogTimes by lazy { LogTimes(span.width, view.xAxis, enabled) }
 
     /**
@@ -141,7 +141,7 @@ internal class OpenRecording(
     /** The range of x that has samples; wider if there is only a single x. */
     val span: Span = Viewport.of(view.xAxis.range).full
 
-    /** The smallest x; 0 without any. */
+    /** The smallest x; 0 if there is none. */
     val firstX: Double = view.xAxis.range?.start ?: 0.0
 
     /** The places the cursor steps to. */
@@ -163,7 +163,7 @@ internal class OpenRecording(
         runCatching { field.picture?.let { SkiaImage(Image.makeFromEncoded(it), source) } }.getOrNull()
     }
 
-    /** Returns the signal called [name], or null when this recording has none. */
+    /** Returns the signal called [name], or null if this recording has none. */
     fun signal(name: String): DrawableTopic? = byName[name]
 
     /** Whether it is drawn over its [timeColumn], because a person has chosen that. */
@@ -219,7 +219,7 @@ internal class OpenRecording(
          * @param isGrowing whether text after the last line end is left out, as an incomplete row.
          * @param choices returns a person's choices for the log once it is read, given the layout beside it.
          * @param progress is called with the share that is done, from 0 to 1.
-         * @throws badlog.files.NotReadException if there is nothing to show of it.
+         * @throws badlog.files.NotReadException if it contains nothing to show.
          * @throws InterruptedException if the thread was interrupted.
          */
         fun read(

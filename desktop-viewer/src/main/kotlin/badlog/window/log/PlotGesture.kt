@@ -2,5 +2,5 @@ package badlog.window.log
 
 import badlog.viewer.session.gesture.PlotDrag
 
-/** A [drag] over the graphs, which began over [graph]; null for the axis and the overview. */
+/** A [drag] that began over [graph]. If [graph] is null, it began over the axis or the overview. */
 internal data class PlotGesture(val graph: Int?, val drag: PlotDrag)

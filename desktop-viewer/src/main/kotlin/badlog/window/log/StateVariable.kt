@@ -11,7 +11,7 @@ import badlog.viewer.state.StateCell
 import badlog.viewer.state.ViewerState
 import kotlin.random.Random
 
-/** The state of the open log. A drawing that reads a part of it by `derivedStateOf` is redrawn when that part changes. */
+/** The state of the open log. A drawing that reads a part of it through `derivedStateOf` is redrawn when that part changes. */
 internal class StateVariable : StateCell {
     // Random, so that other windows do not give their graphs the same ids.
     override var state: ViewerState by mutableStateOf(

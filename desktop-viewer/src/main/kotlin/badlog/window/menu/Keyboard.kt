@@ -76,7 +76,7 @@ internal class Keyboard {
 
     /**
      * Runs the first of [commands] that matches [event]; returns false if none does. While a person is typing, only commands with Ctrl, F1
-     * to F12 and Escape count. Use it for `onKeyEvent` of the window, which receives keys that no field has used.
+     * to F12, or Escape match. Use it for `onKeyEvent` of the window, which receives keys that no field has used.
      */
     fun dispatch(event: KeyEvent, commands: List<Command>): Boolean {
         if (event.type != KeyEventType.KeyDown) return false
@@ -125,10 +125,10 @@ private val KeyEvent.isDigitWithCtrl: Boolean
  * @property group its heading in the help.
  */
 internal class Command(val group: String, val meaning: String, val keys: List<KeyPress>, val action: () -> Unit) {
-    /** Creates the command of an action that pages also have: [run]. */
+    /** Creates the command for [action], which pages also have; it calls [run]. */
     constructor(action: KeyAction, run: () -> Unit) : this(action.group, action.meaning, action.keys.flatMap(::pressesOf), run)
 
-    /** Creates the command of a key outside the graphs that pages also have: [run]. */
+    /** Creates the command for [key], which works outside the graphs and which pages also have; it calls [run]. */
     constructor(key: ScreenKey, run: () -> Unit) : this(key.group, key.meaning, pressesOf(key.key), run)
 
     /** Its line in the help. */

@@ -122,7 +122,7 @@ private fun EntryLine(entry: MenuEntry, onClick: () -> Unit) {
 private val MENU_WIDTH = 320.dp
 private val ROOMY = 900.dp
 
-/** A line of a menu, which [mark] marks as selected. With [isMarked], Enter selects it. */
+/** A line of a menu. The icon [mark] shows that it is selected. With [isMarked], it is highlighted, and Enter selects it. */
 @Composable
 internal fun MenuLine(text: String, mark: ImageVector? = null, isMarked: Boolean = false, onClick: () -> Unit) {
     val palette = LocalPalette.current

@@ -40,7 +40,7 @@ internal class OpenMenus {
     /** Passes a press of [key] to the menu that was opened last. Returns whether that menu used it. */
     fun handle(key: Key): Boolean = shown.lastOrNull()?.onKey?.invoke(key) ?: false
 
-    /** Adds [close], which Escape calls before all that were added earlier. */
+    /** Adds [close], which Escape calls before the ones added earlier. */
     fun add(close: () -> Unit) {
         closers += close
     }

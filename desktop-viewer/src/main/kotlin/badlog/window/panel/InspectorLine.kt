@@ -14,7 +14,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.window.theme.LocalPalette
 
-/** Makes an element a line of a list that goes to a time: called [name], with [gap] above and below. */
+/** Makes an element a clickable line of a list, called [name], with [gap] above and below. */
 @Composable
 internal fun Modifier.inspectorLine(name: String, isSelected: Boolean, gap: Dp, onClick: () -> Unit): Modifier = fillMaxWidth()
     .background(if (isSelected) LocalPalette.current.accentSoft else Color.Transparent)

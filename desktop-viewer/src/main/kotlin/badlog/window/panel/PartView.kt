@@ -48,7 +48,7 @@ import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 import badlog.viewer.panel.Row as PanelRow
 
-/** Shows [part]; of a fold only its title, since its content is further parts. */
+/** Shows [part]. A fold shows only its title, because its content consists of further parts. */
 @Composable
 internal fun PartView(part: Part, send: (Action) -> Unit) {
     when (part) {
@@ -83,7 +83,7 @@ private fun ParagraphView(paragraph: Paragraph, send: (Action) -> Unit) {
     }
 }
 
-/** The text of [paragraph] alone, as it is meant. */
+/** The text of [paragraph], without its button, in the color of its tone. */
 @Composable
 internal fun ToneText(paragraph: Paragraph, modifier: Modifier = Modifier) {
     val palette = LocalPalette.current
@@ -95,7 +95,7 @@ internal fun ToneText(paragraph: Paragraph, modifier: Modifier = Modifier) {
     Text(paragraph.text, modifier, color, fontSize = 12.sp)
 }
 
-/** Shows [buttons], only their icons if they [areIcons]. */
+/** Shows [buttons]; with [areIcons], it shows only their icons. */
 @Composable
 internal fun ButtonsView(buttons: List<Button>, send: (Action) -> Unit, areIcons: Boolean = false) {
     for (button in buttons) {

@@ -169,7 +169,7 @@ internal class SkiaPen(private val canvas: Canvas, override val density: Double)
         const val PER_LINE = 4
         const val HALO = 3.0
 
-        /** The glyph of a letter that a font lacks. */
+        /** The id of the glyph for a letter that a font lacks. */
         const val MISSING: Short = 0
         const val COMBINING = '\u0300'
         val GREEK = '\u0370'..'\u03ff'

@@ -52,7 +52,7 @@ import badlog.window.theme.ToolButton
 import badlog.window.todo.FolderTodo
 import badlog.window.todo.PitTodo
 
-/** The pit view, for a look between two matches: the last log and earlier ones. The letters are read from two meters. */
+/** The pit view, for a look between two matches: the last log and earlier ones. The letters can be read from two meters away. */
 @Composable
 internal fun PitPane(library: Library, season: FolderSeason, todo: FolderTodo, actions: LibraryActions, modifier: Modifier = Modifier) {
     val entries = library.state.entries

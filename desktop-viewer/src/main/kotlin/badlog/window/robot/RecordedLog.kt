@@ -45,7 +45,7 @@ internal class RecordedLog(
     }
 
     private companion object {
-        /** The time after which a person has gone on to something else. */
+        /** The time after which a person is assumed to be doing something else. */
         val PATIENCE = 10.seconds
     }
 }

@@ -37,7 +37,7 @@ import kotlin.time.Duration.Companion.seconds
  * @param scope the scope of its work; its thread is the window's.
  * @param folder returns the folder for logs; null while no folder is open.
  * @param show shows a log.
- * @param addressesOf returns the addresses where the robot that a person typed may answer.
+ * @param addressesOf returns the addresses to try for a robot, given the text that a person typed.
  */
 internal class RobotLink(
     private val scope: CoroutineScope,

@@ -22,7 +22,7 @@ internal data class ComingLog(val name: String, val share: Float)
  *
  * @property isShown whether the connection is shown.
  * @property isAsked whether the field of the robot's number gets the keyboard focus as soon as it is visible.
- * @property isOn whether the robot is searched for repeatedly.
+ * @property isOn whether the window repeatedly looks for the robot.
  * @property status the status, as a sentence; empty before the first attempt.
  * @property isTrouble whether the status prevents fetching.
  * @property mayBeEnabled whether fetching waits because it is unknown whether the robot is enabled.

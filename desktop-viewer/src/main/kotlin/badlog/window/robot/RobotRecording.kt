@@ -31,7 +31,7 @@ import kotlin.time.Duration.Companion.milliseconds
  *
  * @param scope the scope of its work; its thread is the window's.
  * @param folder returns the folder for logs; null while no folder is open.
- * @param addressesOf returns the addresses where the robot that a person typed may answer.
+ * @param addressesOf returns the addresses to try for a robot, given the text that a person typed.
  * @param logs shows the recorded logs.
  */
 internal class RobotRecording(
@@ -77,13 +77,13 @@ internal class RobotRecording(
         end()
     }
 
-    /** Ends the recording, and waits until its log is finished; for a disk that hangs, only a moment. Call it before the window closes. */
+    /** Ends the recording, and waits until its log is finished, or only a moment if the disk hangs. Call it before the window closes. */
     fun finish() {
         end()
         endings.finish()
     }
 
-    /** Adds the other servers of 2027 from the next [start] on, or removes them. */
+    /** Includes the other servers of a 2027 robot from the next [start] on, or leaves them out. */
     fun toggleAll() = change { copy(isOfAll = !isOfAll) }
 
     private fun end() {

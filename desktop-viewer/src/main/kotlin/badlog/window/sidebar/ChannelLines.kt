@@ -23,7 +23,7 @@ import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import badlog.window.theme.ToolButton
 
-/** The heading above the channels of the power distribution, or above [what] replaces them, with the criterion of their order. */
+/** The heading above the channels of the power distribution, or the motors, with buttons for their order. [what] is their kind. */
 @Composable
 internal fun ChannelsHead(what: String, panels: WindowPanels) =
     Row(Modifier.padding(start = 12.dp, top = 14.dp), Arrangement.spacedBy(4.dp), Alignment.CenterVertically) {
@@ -33,7 +33,7 @@ internal fun ChannelsHead(what: String, panels: WindowPanels) =
         }
     }
 
-/** What [channel] gave, with a bar by [order]; the longest, of [most], takes all the width. */
+/** The charge, share and peak of [channel], above a bar of its value by [order]. A bar of the value [most] takes the full width. */
 @Composable
 internal fun ChannelLine(channel: RankedChannel, most: Double, order: ChannelOrder) {
     val palette = LocalPalette.current

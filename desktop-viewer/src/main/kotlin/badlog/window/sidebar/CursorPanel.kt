@@ -104,11 +104,14 @@ internal fun CursorPanel(board: GraphBoard, findings: CurrentFindings, view: Axi
 
 private data class CursorQuestion(val query: String, val graphs: Board, val found: Set<String>, val x: Double?)
 
-/** A line of the panel: the [name] of a topic and its value, also [exact] to the last digit. [hasChanged] tells whether it just did. */
+/**
+ * A line of the panel: the [name] of a topic and its value, also [exact] to the last digit. [hasChanged] is true if the value has just
+ * changed.
+ */
 internal data class CursorRow(val name: String, val text: String, val exact: String, val hasChanged: Boolean)
 
 /**
- * Returns the topics with a name or unit that [query] finds. Without a search, the topics in the graphs of [board].
+ * Returns the topics with a name or unit that [query] matches. Without a query, it returns the topics in the graphs of [board].
  *
  * @param found the names of the topics that a finding is about.
  */

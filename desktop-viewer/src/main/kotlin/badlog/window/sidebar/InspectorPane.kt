@@ -141,7 +141,7 @@ private val TITLE = 76.dp
 /** The width of a panel with room for the buttons of all tabs. */
 private val ALL_TABS = 380.dp
 
-/** The content of a panel that has nothing to show. */
+/** Shows [text] in a panel that has nothing else to show. */
 @Composable
 internal fun PanelHint(text: String) {
     Text(text, Modifier.padding(12.dp), color = LocalPalette.current.muted)
@@ -190,10 +190,10 @@ private fun countOf(tab: InspectorTab, findings: CurrentFindings, notes: LogNote
     InspectorTab.NOTES -> notes.all.size
 }
 
-/** Returns how many of the problems of [view] matter; notes, which healthy logs also have, do not. */
+/** Returns the number of errors and warnings in [view]. Notes do not count, because healthy logs have them, too. */
 internal fun problemsIn(view: LogView): Int = view.count(Severity.ERROR) + view.count(Severity.WARNING)
 
-/** Copies a text to the clipboard. */
+/** Returns a function that copies a text to the clipboard. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun rememberCopy(): (String) -> Unit {

@@ -16,12 +16,12 @@ internal data class NamedSpan(val name: String, val span: Span, val parts: List<
     val width: Double get() = parts.sumOf { it.width }
 }
 
-/** Returns the selection of [view], or else the range between both cursors, or the visible range. */
+/** Returns the selection of [view], otherwise the range between both cursors, otherwise the visible range. */
 internal fun shownSpan(view: AxisView): NamedSpan = view.selection?.let { NamedSpan("Selection", it) }
     ?: view.cursors.between?.let { NamedSpan(Cursors.BETWEEN, it) }
     ?: NamedSpan("Visible range", view.viewport.visible)
 
-/** Returns the part of [open] that [range] means; null if it is not known when the robot was enabled. */
+/** Returns the part of [open] that [range] selects; null if that requires enabled times, and they are unknown. */
 internal fun spanOf(range: StatisticsRange, open: OpenRecording, view: AxisView): NamedSpan? = when (range) {
     StatisticsRange.SHOWN -> shownSpan(view)
 

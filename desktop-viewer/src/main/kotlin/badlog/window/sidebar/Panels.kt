@@ -6,11 +6,12 @@ import badlog.window.state.StateHolder
 import badlog.window.theme.Icons
 
 /**
- * Which parts of the window are open.
+ * The open parts of the window.
  *
  * @property library whether the list of logs is open on the left.
  * @property topics whether the topics are open beside it, see [showsTopics].
- * @property keepsTopics whether they stay beside [inspector] where both leave the graphs little room, because a person has opened them there.
+ * @property keepsTopics whether they stay beside [inspector] even if both leave the graphs little room, because a person has opened them
+ * there.
  * @property inspector the panel on the right, or null for none.
  * @property main the content of the middle.
  * @property front the visible part, if the window is too narrow for more than one.
@@ -64,7 +65,10 @@ internal data class Panels(
         )
     }
 
-    /** Shows the log that a person has opened in the list, instead of statistics across logs. The list is beside those, too. */
+    /**
+     * Shows the log that a person has opened in the list, instead of statistics across logs. The list is also visible beside the
+     * statistics.
+     */
     fun showingLog(): Panels = if (main == MainView.STATISTICS) copy(main = MainView.GRAPHS, front = FrontPart.GRAPHS) else this
 
     /** Opens [tab] on the right, or closes it if it is open. */
@@ -97,7 +101,7 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
 
 /** The range of statistics. */
 internal enum class StatisticsRange {
-    /** The selection, or else the visible range. */
+    /** The selection, otherwise the range between both cursors, otherwise the visible range. */
     SHOWN,
 
     /** The time in which the robot was enabled. */
@@ -134,5 +138,5 @@ internal enum class MainView {
     TODO,
 }
 
-/** Which parts of this window are open. */
+/** The open parts of this window. */
 internal class WindowPanels : StateHolder<Panels>(Panels())

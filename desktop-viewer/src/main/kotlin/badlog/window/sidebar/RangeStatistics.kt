@@ -24,7 +24,7 @@ import badlog.window.log.OpenRecording
  *
  * @property part that part, on the x of the open recording.
  * @property xUnit the unit of x, `ul` for none.
- * @property channels the currents of the power distribution's channels, by [order]; [what] says what they are.
+ * @property channels the currents of the power distribution's channels, or of motors, by [order]; [what] is their kind.
  * @property opened the name of the signal with the open histogram; null for none.
  */
 internal class RangeStatistics(
@@ -43,7 +43,7 @@ internal class RangeStatistics(
  * @property recording the label of its recording; empty while only one is drawn.
  * @property place the index of that recording among those drawn, also the index of its color.
  * @property cells its displayed values, in order: a name, and a number or a state with its unit.
- * @property histogram how long it had which values; null unless it is open.
+ * @property histogram the distribution of its values over time; null unless it is open.
  */
 internal class SignalStatistics(
     val signal: String,
@@ -59,7 +59,7 @@ internal class StatCell(val name: String, val text: String, val unit: String, va
 
 /**
  * Returns the statistics of [names] over [part] in each of [drawn]. Also returns how the lines of each of [graphs] differ, and the channels
- * of the first recording, by [order]. Calculates all of that, so do not use it on the window's thread.
+ * of the first recording, by [order]. The calculation takes a while: call it off the window's thread.
  *
  * @param opened the name of the signal with the open histogram; null for none.
  */

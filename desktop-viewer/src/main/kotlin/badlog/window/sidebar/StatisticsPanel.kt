@@ -61,7 +61,7 @@ import kotlinx.coroutines.flow.conflate
 import kotlinx.coroutines.flow.map
 import kotlinx.coroutines.withContext
 
-/** The statistics of every drawn signal over the selection, or else between both cursors, or over the visible range. */
+/** The statistics of every drawn signal over the selection, otherwise between both cursors, otherwise over the visible range. */
 @Composable
 internal fun StatisticsPanel(
     compared: ComparedRecordings,

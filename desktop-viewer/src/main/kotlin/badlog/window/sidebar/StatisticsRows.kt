@@ -45,7 +45,7 @@ import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 import java.nio.file.Path
 
-/** The table itself. A click on a heading sorts by it, a double click on a row opens its recording. */
+/** The table of statistics without its tools. A click on a heading sorts by it; a double click on a row opens its recording. */
 @Composable
 internal fun StatisticsRows(
     statistics: SelectedStatistics,

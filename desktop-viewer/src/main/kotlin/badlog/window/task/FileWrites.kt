@@ -17,7 +17,7 @@ internal class FileWrites {
     /** Runs [work] after all earlier work, and returns its result. It runs even if the caller is cancelled. */
     suspend fun <T> write(work: () -> T): T = scope.async { work() }.await()
 
-    /** Runs [last], which may [write], and waits until everything is written. For a stick that does not answer, waits only a moment. */
+    /** Runs [last], which may [write], and waits until everything is written. It waits only a moment if a USB stick does not respond. */
     fun finish(last: suspend () -> Unit = {}) {
         runBlocking {
             withTimeoutOrNull(LONGEST) {

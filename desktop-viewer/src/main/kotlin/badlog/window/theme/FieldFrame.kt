@@ -13,7 +13,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
 /**
- * Returns the frame around a text field with these [interactions]. It shows whether the field has the keyboard focus, and whether its text
+ * Draws the frame around a text field with these [interactions]. It shows whether the field has the keyboard focus, and whether its text
  * [isWrong].
  */
 @Composable

@@ -9,7 +9,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.dp
 
-/** Returns a small label that lies over graphs, with a border of this [color]. */
+/** Makes an element a small label over graphs, with a border of this [color]. */
 @Composable
 internal fun Modifier.labelFrame(color: Color): Modifier = this
     .border(1.dp, color, SHAPE)

@@ -24,7 +24,7 @@ internal fun KeepInSight(list: LazyListState, index: Int) {
     }
 }
 
-/** Keeps a list that is scrolled to its top there when [items] are added above. Thus a new log is visible. */
+/** Keeps [list] at its top, if it is there, when [items] are added above, so that a new log is visible. */
 @Composable
 internal fun StayAtTop(list: LazyListState, items: List<Any>) {
     remember(items) {

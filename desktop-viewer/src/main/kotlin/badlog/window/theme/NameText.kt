@@ -49,7 +49,8 @@ internal enum class NameCut {
 }
 
 /**
- * A name in one line, which keeps its end. Use it instead of a `Text` with `TextOverflow.StartEllipsis`, which Compose cuts at the end here.
+ * A name in one line, which keeps its end. Use it instead of a `Text` with `TextOverflow.StartEllipsis`, as Compose cuts that at the end
+ * here.
  */
 @Composable
 internal fun NameText(
@@ -86,7 +87,7 @@ internal fun NameText(
     )
 }
 
-/** The same for a name in one style. */
+/** Draws a name in a single style in the same way. */
 @Composable
 internal fun NameText(
     name: String,
@@ -99,7 +100,7 @@ internal fun NameText(
     cut: NameCut = NameCut.of(name),
 ) = NameText(AnnotatedString(name), modifier, color, fontSize, fontWeight, textAlign, textDecoration, cut)
 
-/** Returns [name] as it is drawn in [width] pixels: whole, or with an ellipsis where it was [cut]. */
+/** Returns [name] as it is drawn in [width] pixels: whole, or with an ellipsis where it is [cut]. */
 internal fun TextMeasurer.measureName(name: AnnotatedString, style: TextStyle, width: Int, cut: NameCut): TextLayoutResult {
     val whole = measure(name, style, softWrap = false, maxLines = 1)
     if (whole.size.width <= width) return whole

@@ -89,7 +89,7 @@ internal fun ToolButton(
 @Composable
 internal fun Tip(text: String, modifier: Modifier = Modifier, content: @Composable () -> Unit) = Tip({ text }, modifier, content)
 
-/** The same with a text that is computed only when it is shown. */
+/** Shows a tooltip in the same way, with a text that is computed only when it is shown. */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
 internal fun Tip(text: () -> String, modifier: Modifier = Modifier, content: @Composable () -> Unit) {

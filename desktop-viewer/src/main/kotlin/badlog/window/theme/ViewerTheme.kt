@@ -24,8 +24,8 @@ internal enum class Theme {
     ;
 
     /**
-     * Returns the theme after a click if the system [isSystemDark]: always the opposite of the visible colors. It is [SYSTEM] if the system
-     * has these.
+     * Returns the theme after a click, which always has the opposite of the visible colors. It is [SYSTEM] if the system has these opposite
+     * colors: dark if [isSystemDark].
      */
     fun other(isSystemDark: Boolean): Theme {
         val wantsDark = when (this) {

@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.sp
 import badlog.viewer.todo.TodoItem
 import badlog.window.theme.LocalPalette
 
-/** The open items, in letters that are read from two meters, and the progress of the checklist. [onOpen] shows the whole list. */
+/** The open items, in letters that can be read from two meters away, and the progress of the checklist. [onOpen] shows the whole list. */
 @Composable
 internal fun PitTodo(todo: FolderTodo, onOpen: () -> Unit) {
     val palette = LocalPalette.current

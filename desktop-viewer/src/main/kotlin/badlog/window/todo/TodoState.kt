@@ -50,7 +50,7 @@ internal sealed interface TodoSheet {
     /** Asks who takes [item] on. */
     data class Assign(val item: TodoItem) : TodoSheet
 
-    /** Asks what else is to be done. */
+    /** Asks for a new item. */
     data object New : TodoSheet
 
     /** Asks which match is the next one. */

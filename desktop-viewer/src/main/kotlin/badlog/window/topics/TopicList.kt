@@ -24,7 +24,7 @@ internal data class TopicList(
     val isSearchAsked: Boolean = false,
     val target: Int? = null,
 ) {
-    /** Lists a log with [folders]. If there are many, new folders are closed at first; the others stay as the user left them. */
+    /** Lists a log with [folders]. If there are many, new folders are initially closed; the others stay as the user left them. */
     fun listing(folders: Set<String>): TopicList = copy(
         folded = if (folders.size > MAX_OPEN_FOLDERS) folded + (folders - known) else folded,
         known = known + folders,

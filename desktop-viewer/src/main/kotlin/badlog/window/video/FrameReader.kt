@@ -18,7 +18,7 @@ internal interface FrameSource : AutoCloseable {
  * A frame read by a [FrameSource].
  *
  * @property duration the duration of the video in seconds; 0 if its file does not contain it.
- * @property leads whether the cursor follows: the user stepped or moved the video.
+ * @property leads whether the cursor follows the video, because the user stepped or moved it.
  */
 internal class ReadFrame(val frame: VideoFrame, val duration: Double, val leads: Boolean)
 

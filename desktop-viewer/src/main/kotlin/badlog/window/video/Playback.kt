@@ -7,7 +7,7 @@ import badlog.viewer.session.video.speedAfter
  * The playback of the cursor.
  *
  * @property isPlaying whether it is running.
- * @property speed the speed relative to the recording; an x that is not a time takes a minute at 1.
+ * @property speed the speed relative to the recording; if x is not a time, the whole recording takes a minute at speed 1.
  * @property loops whether it starts over at the end of its range: the selection, or otherwise the visible range.
  */
 internal data class Playback(val isPlaying: Boolean = false, val speed: Double = 1.0, val loops: Boolean = false) {

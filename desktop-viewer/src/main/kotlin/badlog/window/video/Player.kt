@@ -71,7 +71,10 @@ internal fun PlayerFrames(player: Player) {
     }
 }
 
-/** Returns the distance in x per second at speed 1. It depends on the unit of x; without a known one, it is all of [full] in a minute. */
+/**
+ * Returns the distance in x per second at speed 1. It depends on the unit of x; if that is not a unit of time, all of [full] takes a
+ * minute.
+ */
 internal fun perSecond(axis: XAxis, full: Span): Double = Units.secondsIn(axis.unit)?.let { 1 / it } ?: (full.width / SECONDS_OF_MINUTE)
 
 private const val NANOS = 1e9

@@ -35,7 +35,7 @@ import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
 
 /**
- * A person's actions without any log.
+ * A person's actions while no log is open.
  *
  * @property openSample shows the match that comes with the window.
  * @property askForFolder asks for a folder of logs and opens it.

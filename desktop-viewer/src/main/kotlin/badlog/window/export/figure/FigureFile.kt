@@ -13,7 +13,7 @@ import org.jetbrains.skia.Surface
 import java.io.IOException
 import java.nio.file.Path
 
-/** The number of pixels of a picture for each point: sharp in print, and on screens of a high density. */
+/** The number of pixels per point in a picture, so that it is sharp in print and on high-density screens. */
 internal const val PICTURE_SCALE = 2
 
 /** Returns the drawing of [graphs] as an SVG document. */

@@ -47,7 +47,7 @@ internal class FigureSaver(
         }
     }
 
-    /** Copies the picture of the first of [graphs], as many as stay readable. */
+    /** Copies a picture of [graphs]: only of the first ones, as many as stay readable. */
     fun copyShown(graphs: List<BoardGraph>) = copy(graphs.take(MAX_COPIED))
 
     /** Draws [graphs] as a figure of the visible range, and copies its picture to the [clipboard]. */
@@ -79,7 +79,7 @@ internal class FigureSaver(
     private companion object {
         const val LONE_HEIGHT = 320
 
-        /** More graphs than this make an unreadable picture. */
+        /** The maximum number of graphs in a readable picture. */
         const val MAX_COPIED = 8
     }
 }

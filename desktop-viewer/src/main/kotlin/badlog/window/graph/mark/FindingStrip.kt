@@ -21,8 +21,8 @@ import badlog.window.pen.pen
 import badlog.window.theme.LocalPalette
 
 /**
- * The marks of the findings on the time axis. The pointer on one shades its time and shows its text, a click goes there. The strip takes
- * its space without findings, too, because graphs that shrink later would be drawn twice.
+ * The marks of the findings on the time axis. The pointer on one shades its time and shows its text; a click goes there. The strip takes up
+ * its space even without findings, because graphs that shrink later would be drawn twice.
  */
 @Composable
 internal fun FindingStrip(scene: GraphScene) {

@@ -20,12 +20,12 @@ internal class CurveCache {
 
     private val byRecording = WeakHashMap<OpenRecording, OfRecording>()
 
-    /** Returns the curve of [signal], one of [recording]'s. */
+    /** Returns the curve of [signal], which belongs to [recording]. */
     fun curve(recording: OpenRecording, signal: DrawableTopic): SharedCurve = of(recording).curves.computeIfAbsent(signal.name) {
         SharedCurve(signal.series, signal.line.holdsUntil)
     }
 
-    /** Returns the states of [signal], one of [recording]'s. */
+    /** Returns the states of [signal], which belongs to [recording]. */
     fun runs(recording: OpenRecording, signal: DrawableTopic): StateRuns =
         of(recording).runs.computeIfAbsent(signal.name) { signal.line.stateRuns() }
 

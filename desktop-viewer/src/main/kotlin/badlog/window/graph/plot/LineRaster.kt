@@ -9,7 +9,7 @@ import kotlin.math.roundToInt
 
 /**
  * Returns an image of the lines of [plot], which was made for [request]; null if there are none. Without a graphics card, long strokes are
- * most of the work of a frame. So they are drawn here, on the thread that makes the picture, and the window only copies the image.
+ * most of the work of a frame. They are therefore drawn here, on the thread that makes the picture, and the window only copies the image.
  */
 internal fun rasterOf(request: PlotRequest, plot: Plot): Image? {
     val frame = request.frame.part(0.0, 1 - plot.laneShare)

@@ -4,7 +4,7 @@ import badlog.viewer.draw.plot.Plot
 import org.jetbrains.skia.Image
 
 /**
- * A graph ready to be drawn: only pixels, with nothing left to calculate.
+ * A graph that is ready to be drawn: everything is in pixels, and nothing is left to calculate.
  *
  * @property request the request it was made for.
  * @property plot the plot for a pen.
@@ -26,7 +26,7 @@ internal class PlotPicture(
     operator fun contains(line: DrawnLine): Boolean = line in lines || line in lanes
 }
 
-/** Returns the text beside the lane of [line], one of [all]: its title, its recording's name, or both. */
+/** Returns the text beside the lane of [line], which is one of [all]: its title, the name of its recording, or both. */
 internal fun laneName(line: DrawnLine, all: List<DrawnLine>): String {
     val label = line.label?.take(MAX_LETTERS) ?: return line.title.take(MAX_LETTERS)
     return if (all.all { it.signal.name == line.signal.name }) label else "${line.title.take(MAX_LETTERS)} · $label"

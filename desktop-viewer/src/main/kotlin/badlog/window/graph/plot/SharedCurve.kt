@@ -16,7 +16,7 @@ internal class SharedCurve(series: Series, holdsUntil: Double?) {
     private val curve = Curve(series, holdsUntil)
     private var columns = PixelColumns(0)
 
-    /** Returns the strokes for [visible] on [width] pixels, with y as logged. Its scale depends on all lines of a graph. */
+    /** Returns the strokes for [visible] on [width] pixels, with y as logged. The scale of y depends on all lines of a graph. */
     @Synchronized
     fun trace(visible: Span, width: Int): Strokes {
         if (columns.count != width) columns = PixelColumns(width)

@@ -6,7 +6,7 @@ import badlog.window.log.AxisView
 import badlog.window.menu.Command
 import badlog.window.menu.KeyPress
 
-/** Returns the keys for graphs that exported pages do not have. */
+/** Returns the graph commands that exported pages do not have. */
 internal fun graphCommands(view: AxisView, scroll: (share: Double) -> Unit, goToEnd: () -> Unit): List<Command> = listOf(
     Command("Graphs", "Scroll the graphs up", listOf(KeyPress(Key.DirectionUp, "↑"))) { scroll(-SCROLLED) },
     Command("Graphs", "Scroll the graphs down", listOf(KeyPress(Key.DirectionDown, "↓"))) { scroll(SCROLLED) },

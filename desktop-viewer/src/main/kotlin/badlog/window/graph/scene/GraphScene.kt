@@ -37,7 +37,7 @@ import kotlinx.coroutines.flow.first
  * The state that all graphs of a window share.
  *
  * @property copy copies the picture of graphs to the clipboard.
- * @property addTopics asks for topics to draw in the graph with this id.
+ * @property addTopics asks for topics to draw in the graph with the given id.
  */
 internal class GraphScene(
     val current: CurrentRecording,
@@ -74,12 +74,12 @@ internal class GraphScene(
     /** Whether the graphs are to get the keyboard's focus, because a person has opened a log. */
     var isFocusAsked: Boolean by mutableStateOf(false)
 
-    /** The visible parts of the planes of graphs of y over x, by the graph's id. A graph without one shows all of its plane. */
+    /** The visible part of the plane of each graph of y over x, by the graph's id. A graph without an entry shows its whole plane. */
     val planes = mutableStateMapOf<Int, Plane>()
 
     private val hasRightAxis by derivedStateOf { board.state.graphs.any { !it.isXy && unitsOf(it) > 1 } }
 
-    /** The room to the right of all graphs. It is for the second axis, if any graph has one, and the scroll bar. */
+    /** The room to the right of all graphs, for the scroll bar, and for the second axis if any graph has one. */
     val rightGutter: Dp get() = if (hasRightAxis) 60.dp else 12.dp
 
     /** Scrolls by [share] of the visible height, up if negative. */
@@ -87,7 +87,7 @@ internal class GraphScene(
         list.dispatchRawDelta((list.layoutInfo.viewportSize.height * share).toFloat())
     }
 
-    /** Waits until every graph in sight is drawn; returns at once while there is none. */
+    /** Waits until every graph in sight is drawn; returns at once if there is none. */
     suspend fun awaitDrawn() {
         snapshotFlow { board.state.graphs.isEmpty() || plots.areReady(recordings, view.viewport.visible) }.first { it }
     }
