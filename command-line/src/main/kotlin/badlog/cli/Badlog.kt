@@ -18,10 +18,10 @@ import java.io.InputStream
 /**
  * The command line: parses the arguments, then runs the command.
  *
- * @param input the input for `-` among the logs.
+ * @param input the standard input, which `-` among the logs stands for.
  * @param robots the addresses of robots.
- * @param parts finds commands that are loaded when they are called.
- * @param computer the rest of the computer.
+ * @param parts loads some commands only when they are called.
+ * @param computer the computer that badlog runs on.
  */
 internal class Badlog(
     private val console: Console,
@@ -82,7 +82,7 @@ internal class Badlog(
     private companion object {
         const val ERROR = "Error: "
 
-        /** The beginning of Java's message on Windows that a text with a `?` or `*` is not a path. */
+        /** The beginning of Java's message on Windows about a path with a `?` or `*`. */
         const val NO_PATH = "Illegal char <"
     }
 }

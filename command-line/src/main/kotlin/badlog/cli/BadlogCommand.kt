@@ -55,9 +55,9 @@ import java.io.InputStream
  *
  * @property arguments the arguments as typed.
  * @param robots the addresses of robots.
- * @param parts finds commands that are loaded when they are called.
+ * @param parts loads some commands only when they are called.
  * @param input the standard input, for commands that communicate with another program.
- * @param computer the rest of the computer.
+ * @param computer the computer that badlog runs on.
  */
 internal class BadlogCommand(
     val arguments: List<String>,

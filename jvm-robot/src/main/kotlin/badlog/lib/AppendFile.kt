@@ -14,7 +14,7 @@ import java.io.RandomAccessFile
  *
  * @param file created or truncated; missing folders are created.
  * @param move renames a file, or returns false.
- * @throws IOException if that fails.
+ * @throws IOException if the file cannot be created.
  */
 internal class AppendFile(private var file: File, private val move: (from: File, to: File) -> Boolean = File::renameTo) {
     // Held while the file is synced, replaced or closed.
@@ -41,7 +41,11 @@ internal class AppendFile(private var file: File, private val move: (from: File,
         }
     }
 
-    /** @throws IOException if not all bytes could be written. Then none are in the file, and the next call may try again. */
+    /**
+     * Appends the first [size] of [bytes].
+     *
+     * @throws IOException if not all could be written. Then none are in the file, and the next call may try again.
+     */
     fun append(bytes: ByteArray, size: Int) {
         if (isDetached) reopen()
         if (isTorn) cutTornEnd()
@@ -59,7 +63,7 @@ internal class AppendFile(private var file: File, private val move: (from: File,
         length += size
     }
 
-    /** Waits until everything is on the disk. Only for a thread that has nothing else to do. */
+    /** Waits until everything is on the disk. Call it only on a thread that has nothing else to do. */
     fun sync() = synchronized(syncing) { if (!isDetached) access.fd.sync() }
 
     fun close() = synchronized(syncing) {
@@ -67,7 +71,7 @@ internal class AppendFile(private var file: File, private val move: (from: File,
         access.close()
     }
 
-    /** Renames it, for writers that hold [lock] while they append. Returns false, with its name unchanged, if that fails. */
+    /** Renames the file. Writers must hold [lock] while they append. If renaming fails, returns false, and the name is unchanged. */
     fun rename(to: File, lock: Any): Boolean {
         if (move(file, to)) {
             file = to

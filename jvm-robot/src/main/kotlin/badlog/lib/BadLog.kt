@@ -13,9 +13,9 @@ import java.util.function.Supplier
  * Logs a robot's data into a bag. There is one log at a time: [init] starts it, the static functions create topics and values,
  * [finishInitialization] writes the header, and then each loop calls [updateTopics] and [log].
  *
- * While a log is set up, mistakes are exceptions. The functions that a robot calls in its loop, [updateTopics], [log],
- * [flush] and those that publish, never throw. A failure leaves a gap, or the call is ignored; it is counted (see
- * [counters]), reported once on standard error, and noted in the log's first event log, if there is one.
+ * During setup, a mistake throws an exception. The functions that a robot calls in its loop, [updateTopics], [log], [flush] and those that
+ * publish, never throw. A failure leaves a gap, or the call is ignored; it is counted (see [counters]), reported once on standard error,
+ * and noted in the log's first event log, if there is one.
  *
  * All functions may be called from any thread. Suppliers are called on the thread that calls [updateTopics].
  */
@@ -24,7 +24,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
     public val state: LogState get() = session.state
 
     /**
-     * Returns the numbers of rows, cells and calls that were written, lost or ignored so far. Allocates an object, so it is not meant for
+     * Returns the numbers of rows, cells and calls that were written, lost or ignored so far. Allocates an object, so do not call it in
      * every loop.
      */
     public fun counters(): LogCounters = session.faults.counters.snapshot()
@@ -65,10 +65,10 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
     override fun close(): Unit = session.close()
 
     public companion object {
-        /** The unit of data that has none. */
+        /** The unit text for data without a unit. */
         public const val UNITLESS: String = "ul"
 
-        /** The content of a subscriber topic's cell without a value. */
+        /** The content of a subscriber topic's cell if there is no value. */
         public const val DEFAULT_DATA: String = "-1.0"
 
         @Volatile
@@ -109,7 +109,7 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
          * @param name letters, digits, spaces, `_`, and `/` for folders.
          * @param unit such as `V`; [UNITLESS] or null for none.
          * @param supplier called in each [updateTopics].
-         * @param attrs how to show it, such as `hide` or `join:Drivetrain`; null for no attributes.
+         * @param attrs attributes for its display, such as `hide` or `join:Drivetrain`; null for none.
          * @throws DuplicateNameException if a topic or value of that name exists.
          * @throws InvalidModeException before [init] or after [finishInitialization].
          */
@@ -171,8 +171,8 @@ public class BadLog private constructor(private val session: LogSession) : AutoC
         }
 
         /**
-         * Creates a value: a text that is already known, such as the match number; null counts as empty. Throws the same exceptions as
-         * [createTopic].
+         * Creates a value, a text that is already known, such as the match number. A null [value] counts as empty. Throws the same
+         * exceptions as [createTopic].
          */
         @JvmStatic
         public fun createValue(name: String, value: String?): Unit = settingUp(name).addValue(name, value ?: "")

@@ -10,7 +10,11 @@ internal interface BagOutput {
     /** The current length of the file in bytes. */
     val length: Long
 
-    /** @throws IOException if the bytes could not be written; the file is then unchanged. */
+    /**
+     * Appends the first [size] of [bytes].
+     *
+     * @throws IOException if they could not be written; the file is then unchanged.
+     */
     fun append(bytes: ByteArray, size: Int)
 
     /** Writes the end of the file. */
@@ -19,7 +23,7 @@ internal interface BagOutput {
     /** Waits until everything is on the disk. */
     fun sync()
 
-    /** Renames the file, which must not be written to unless [lock] is held. Returns false, with its name unchanged, if that fails. */
+    /** Renames the file. Writers must hold [lock] while they append. If renaming fails, returns false, and the name is unchanged. */
     fun rename(to: File, lock: Any): Boolean
 
     fun close()
@@ -40,7 +44,9 @@ internal class PlainOutput(private val file: AppendFile) : BagOutput {
     override fun close() = file.close()
 }
 
-/** A gzipped bag. Each [append] ends on a byte's boundary (zlib's sync flush). So a file that is cut later can be inflated up to there.  */
+/**
+ * A gzipped bag. Each [append] ends on a byte boundary (zlib's sync flush). A file that is cut off later can be inflated up to that point.
+ */
 internal class GzipOutput(private val file: AppendFile) : BagOutput {
     private val deflater = Deflater(Deflater.DEFAULT_COMPRESSION, true)
     private val checksum = CRC32()

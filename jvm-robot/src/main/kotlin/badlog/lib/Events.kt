@@ -3,8 +3,8 @@ package badlog.lib
 /** An event log, created by [BadLog.createEvents]. Thread-safe. */
 public class Events internal constructor(private val topic: EventTopic, private val faults: Faults) {
     /**
-     * Logs that something happened. The event is in the next row; several events of one row are joined in order by
-     * `; `. Never throws; null and blank texts are ignored.
+     * Logs that something happened. The event goes into the next row; several events in one row are joined in order with `; `. Never
+     * throws; null and blank texts are ignored.
      */
     public fun event(text: String?) {
         if (text.isNullOrBlank()) {

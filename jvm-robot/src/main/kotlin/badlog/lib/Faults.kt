@@ -38,7 +38,7 @@ internal class Faults(val counters: Counters) {
         if (isNewName(name ?: "")) report(why())
     }
 
-    /** Reports [message], unless something was already reported about [about], which is one of the log's own few subjects. */
+    /** Reports [message], unless something was already reported about [about], one of the log's few fixed subjects. */
     inline fun reportOnce(about: String, message: () -> String) {
         if (isNew(about)) report(message())
     }
@@ -70,7 +70,7 @@ internal class Faults(val counters: Counters) {
     }
 }
 
-/** Returns [cause] as one line. Catches errors, as its own text may also throw. */
+/** Returns [cause] as one line. Catches everything, because its `toString` may throw, too. */
 internal fun describe(cause: Throwable): String = try {
     cause.toString()
 } catch (_: Throwable) {

@@ -10,13 +10,12 @@ import java.util.concurrent.atomic.AtomicLong
  * @property rowsMissed rows that were lost because they could not be written, or because the file was deleted,
  *   which is noticed after at most half a second.
  * @property bytesWritten the length of the file in bytes.
- * @property slowestRowNanos the longest time that one call of [BadLog.log] took, in nanoseconds.
+ * @property slowestRowNanos the duration of the slowest call of [BadLog.log], in nanoseconds.
  * @property slowWrites writes that took more than 5 ms, including failed ones.
- * @property failedSyncs how often the operating system could not sync the file to the disk.
+ * @property failedSyncs the number of times that the operating system could not sync the file to the disk.
  * @property cellsMissed cells left empty because a supplier threw or returned null.
  * @property callsIgnored calls that were ignored, such as publishing to a name that was never created.
- * @property eventsDropped events that are in no row: they came faster than rows, or the log ended before one could
- *   be written.
+ * @property eventsDropped events that are in no row, because they came faster than rows, or the log ended before one could be written.
  */
 public class LogCounters internal constructor(
     public val rowsWritten: Long,

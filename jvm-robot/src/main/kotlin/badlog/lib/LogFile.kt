@@ -18,9 +18,7 @@ internal class LogFile(path: File, val output: BagOutput) {
     @Volatile
     var isMissing: Boolean = false
 
-    /**
-     * Renames the file, which other threads may append to only while holding [lock]. Returns false, with its name unchanged, if that fails.
-     */
+    /** Renames the file. Other threads must hold [lock] while they append. If renaming fails, returns false, and the name is unchanged. */
     fun rename(to: File, lock: Any): Boolean = output.rename(to, lock).also { if (it) path = to }
 
     /** Closes it. Reports a failure, since the disk may be gone by then. */
@@ -42,7 +40,7 @@ internal class LogFile(path: File, val output: BagOutput) {
     }
 
     companion object {
-        /** Creates or truncates the file at [path]. Returns null, and reports it once, if that is impossible. */
+        /** Creates or truncates the file at [path]. If that is impossible, reports it once and returns null. */
         fun open(path: File, isCompressed: Boolean, faults: Faults, move: (from: File, to: File) -> Boolean = File::renameTo): LogFile? =
             try {
                 val file = AppendFile(path, move)
@@ -63,13 +61,13 @@ internal class LogFile(path: File, val output: BagOutput) {
     }
 }
 
-/** The names of a robot's logs, as WPILib names its own: `FRC_20260307_140212_OHCL_Q42.bag`, times in UTC. */
+/** The names of a robot's logs, in the form of WPILib's names: `FRC_20260307_140212_OHCL_Q42.bag`. Times are in UTC. */
 internal object LogName {
     private const val PROVISIONAL = "FRC_TBD_"
     private val LOG = Regex("FRC_.*\\.bag(\\.gz)?")
     private val TIME = DateTimeFormatter.ofPattern("yyyyMMdd_HHmmss").withZone(ZoneOffset.UTC)
 
-    /** Returns a name for a log of unknown time. */
+    /** Returns a name for a log that began at an unknown time. */
     fun provisional(): String = PROVISIONAL + Random.nextLong().toULong().toString(16).padStart(16, '0')
 
     /** Returns the name of a log that began at [time]; [event] and [match] may be empty. */
@@ -80,7 +78,7 @@ internal object LogName {
 
     fun isProvisional(name: String): Boolean = name.startsWith(PROVISIONAL)
 
-    /** Returns a file with that [name] in [folder], numbered if necessary, that does not exist. */
+    /** Returns a file called [name] in [folder] that does not exist; adds a number to the name if necessary. */
     fun free(folder: File, name: String, ending: String): File {
         var file = File(folder, name + ending)
         var number = 1
@@ -120,7 +118,7 @@ internal class LogFolder(val path: File, private val freeBytes: (File) -> Long) 
         private val STICKS = listOf("/U", "/V", "/u").map(::File)
         private val HOMES = listOf("/home/lvuser", "/home/systemcore").map(::File)
 
-        /** Returns the [wanted] folder, or otherwise the best available one. */
+        /** Returns [wanted], or the best available folder if it is null. */
         fun choose(wanted: File?, sticks: List<File> = STICKS, homes: List<File> = HOMES): File {
             if (wanted != null) return wanted
             val places = (sticks + homes).filter { it.isDirectory && it.canWrite() }

@@ -4,7 +4,7 @@ import java.io.File
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * One log from setup to end. Mistakes during setup are exceptions; [update], [log] and [publishing] never throw.
+ * One log from setup to end. A mistake during setup throws an exception; [update], [log] and [publishing] never throw.
  *
  * There are two kinds of locks, so that no thread waits unnecessarily: [lock] is held while a row is built and written, and each
  * [SubscribedTopic] has its own for its published values. None is held while suppliers are called.
@@ -66,7 +66,7 @@ internal class LogSession(private val flushesEachRow: Boolean, private val time:
         }
     }
 
-    /** Renames the log's file to [to], without losing a row. Returns false, with its name unchanged, if that fails. */
+    /** Renames the log's file to [to], without losing a row. If renaming fails, returns false, and the name is unchanged. */
     fun rename(to: File): Boolean = file?.rename(to, lock) ?: false
 
     fun <T : Topic> add(topic: T): T {

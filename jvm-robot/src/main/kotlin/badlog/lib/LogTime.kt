@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicLong
  * @property given the current time in nanoseconds, as set by a test; null for the system's clock.
  */
 internal open class LogTime(@JvmField val given: AtomicLong? = null) {
-    /** Nanoseconds since some moment. Inlined, because each row asks several times, and should call nothing but the system. */
+    /** The nanoseconds since a fixed moment. Inlined, because each row reads it several times, and should call nothing but the system. */
     inline val now: Long get() = if (given == null) System.nanoTime() else given.get()
 
     /** Returns pauses of [millis] each. */

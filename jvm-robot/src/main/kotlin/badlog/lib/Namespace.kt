@@ -11,19 +11,27 @@ internal class Namespace {
     private val values = ArrayList<BagValue>()
     val topics = ArrayList<Topic>()
 
-    /** @throws DuplicateNameException if its name is taken. */
+    /**
+     * Adds [topic].
+     *
+     * @throws DuplicateNameException if its name is taken.
+     */
     fun add(topic: Topic) {
         claim(topic.name)
         topics.add(topic)
     }
 
-    /** @throws DuplicateNameException if [name] is taken. */
+    /**
+     * Adds the value [name] with [text].
+     *
+     * @throws DuplicateNameException if [name] is taken.
+     */
     fun addValue(name: String, text: String) {
         claim(name)
         values.add(BagValue(Value(name, text)))
     }
 
-    /** Returns lines 1 and 2 of the file. */
+    /** Returns the first two lines of the file. */
     fun headerLines(): ByteArray {
         val lines = RowWriter().header(BagHeader(topics.map { it.description }, values), asOriginal = true)
         return lines.bytes.copyOf(lines.size)

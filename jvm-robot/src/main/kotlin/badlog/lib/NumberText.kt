@@ -8,7 +8,7 @@ import java.util.function.Function
  * function that was set when it was supplied or published.
  */
 internal class NumberText(private val faults: Faults) {
-    /** The program's own function, if any, for numbers from now on. */
+    /** The program's own function for numbers from now on; null if there is none. */
     @Volatile
     var function: Function<in Double, out String?>? = null
 

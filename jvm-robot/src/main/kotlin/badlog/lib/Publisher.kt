@@ -5,12 +5,12 @@ package badlog.lib
  * never throws, and never waits for a file.
  */
 public class Publisher internal constructor(private val topic: SubscribedTopic, private val faults: Faults) {
-    /** Publishes [value] for the next [BadLog.updateTopics]; the last one published counts. */
+    /** Publishes [value] for the next [BadLog.updateTopics]; only the last value published before it counts. */
     public fun publish(value: Double) {
         topic.publish(value)
     }
 
-    /** Publishes [value] for the next [BadLog.updateTopics]; the last one published counts. Null is ignored. */
+    /** Publishes [value] for the next [BadLog.updateTopics]; only the last value published before it counts. Null is ignored. */
     public fun publish(value: String?) {
         if (value == null) faults.publishIgnored(topic.name) { nullPublished(topic.name) } else topic.publish(value)
     }

@@ -51,7 +51,7 @@ public class RobotLogOptions {
     /** Returns the free bytes on the disk of a folder. */
     internal var freeBytes: (File) -> Long = File::getUsableSpace
 
-    /** Renames a file. Returns false if the system does not. */
+    /** Renames a file. Returns false if the system cannot. */
     internal var move: (from: File, to: File) -> Boolean = File::renameTo
 
     /** The clock of the log's pauses. */

@@ -34,7 +34,7 @@ internal class RowSink(
     @Volatile
     var isDirty: Boolean = false
 
-    /** Writes [lines] before any row. Rows will take texts from [events]. */
+    /** Writes [lines] ahead of all rows. [events] holds the texts that later rows will contain. */
     fun begin(lines: ByteArray, events: Array<EventTexts>) {
         this.events = events
         header = lines

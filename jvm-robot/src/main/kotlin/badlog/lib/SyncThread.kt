@@ -6,8 +6,8 @@ import java.nio.channels.FileChannel
 import java.nio.file.StandardOpenOption
 
 /**
- * Writes the buffered rows and syncs the file to the disk, four times a second. So a loss of power costs no more than that time. It holds
- * no lock while it waits for a sync. It also notices if the file was deleted. At the end, it closes the file.
+ * Writes the buffered rows and syncs the file to the disk, four times a second. A loss of power costs no more than that time. The thread
+ * holds no lock while it waits for a sync. It also notices if the file was deleted. At the end, it closes the file.
  *
  * @param syncs whether to sync the file to the disk; the rest is always done.
  * @param flush writes the buffered rows.

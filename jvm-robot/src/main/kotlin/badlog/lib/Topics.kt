@@ -14,7 +14,7 @@ import java.util.function.Supplier
 internal abstract class Topic(val description: BagTopic) {
     val name: String get() = description.name
 
-    /** Whether it is the x axis of all other topics, which needs more digits than they do. */
+    /** Whether it is the x axis of all other topics; an x axis needs more digits than they do. */
     val isXAxis: Boolean = "xaxis" in description.attributes
 
     /** Whether it was reported that this topic has gaps. Reporting it twice, when two threads race, does no harm. */

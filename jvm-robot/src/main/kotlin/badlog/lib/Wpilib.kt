@@ -8,8 +8,9 @@ import java.util.function.DoubleSupplier
 import java.util.function.Supplier
 
 /**
- * WPILib's information about the robot. Its classes are looked up at run time, because they move: up to season 2026 they are under
- * `edu.wpi.first`, from 2027 on under `org.wpilib`. If a class is not found, the answers describe a robot without trouble.
+ * WPILib's information about the robot. Its classes are looked up at run time, because they moved: up to the 2026 season they are in
+ * `edu.wpi.first`, from 2027 on in `org.wpilib`. If a class is not found, the robot counts as enabled and as not connected, and event,
+ * match and battery voltage as unknown.
  */
 internal class Wpilib private constructor(private val loader: ClassLoader?) {
     val isEnabled: BooleanSupplier = truth("isEnabled", DRIVER_STATION) ?: BooleanSupplier { true }

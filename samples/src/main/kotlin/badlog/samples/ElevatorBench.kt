@@ -4,7 +4,7 @@ import badlog.samples.bag.BagLog
 import badlog.samples.bag.NumberText
 import badlog.samples.robot.Elevator
 
-/** Returns a plain CSV file of the elevator on the bench. It has too high a gain and then a suitable one. */
+/** Returns a plain CSV file of the elevator on the bench. Its gain is too high at first, then suitable. */
 fun elevatorBench(): ByteArray {
     var elevator = Elevator(gain = TOO_MUCH)
     var time = 0.0

@@ -15,8 +15,8 @@ import badlog.samples.robot.Robot
 import badlog.samples.robot.Superstructure
 
 /**
- * Returns a practice run in which a battery lead works loose. It has three dips, then a power cut in the middle of a row. A page not yet
- * written by the file system is a hole of NULs.
+ * Returns a practice run in which a battery lead works loose. The voltage dips three times; then a power cut ends the log in the middle of
+ * a row. A page that the file system had not written yet is filled with NULs.
  */
 fun practiceRun(): ByteArray {
     val mishaps = Mishaps(

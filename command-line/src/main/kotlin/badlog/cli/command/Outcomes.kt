@@ -117,7 +117,7 @@ internal class Outcomes(
     }
 
     private companion object {
-        /** The maximum number of files listed that are not logs. */
+        /** The maximum number of listed files that are not logs. */
         const val LISTED = 20
     }
 }

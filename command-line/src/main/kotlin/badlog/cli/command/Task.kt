@@ -2,7 +2,7 @@ package badlog.cli.command
 
 import badlog.cli.console.Console
 
-/** Returns the task requested by a command line. */
+/** The task requested by a command line. */
 internal fun interface Task {
     /** Runs it. Problems with logs are reported and counted, never thrown. */
     fun run(console: Console): ExitCode

@@ -12,8 +12,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * The output of a subcommand. No text can move a terminal's cursor, characters that the encoding lacks are spelled out, and lines end
- * alike on all systems: a text has lines of its own, which `println` would not change.
+ * The output of a subcommand. No text can move a terminal's cursor, characters that the encoding lacks are spelled out, and all lines end
+ * alike on all systems. `println` would not change the lines within a text.
  *
  * @param out receives results, for people or programs, in [outCharset].
  * @param err receives errors and progress, in [errCharset].

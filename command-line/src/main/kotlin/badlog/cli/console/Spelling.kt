@@ -7,7 +7,7 @@ internal class Spelling(charset: Charset) {
     private val encoder = charset.newEncoder()
     private val hasAll = charset == Charsets.UTF_8
 
-    /** Returns [text] with simpler characters for those that [charset] lacks, and the codes of letters, such as `\u00f6`. */
+    /** Returns [text] with simpler characters in place of those that [charset] lacks. Letters become codes, such as `\u00f6`. */
     fun of(text: String): String {
         // Only unpaired surrogates are not in Unicode.
         if ((hasAll && text.none { it.isSurrogate() }) || encoder.canEncode(text)) return text

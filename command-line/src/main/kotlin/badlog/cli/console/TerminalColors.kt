@@ -23,8 +23,8 @@ internal class TerminalColors private constructor(private val isOn: Boolean) {
         val NONE = TerminalColors(isOn = false)
 
         /**
-         * Returns the colors of a stream if [isTerminal]. None if the environment [variable] NO_COLOR turns them off, or the terminal has
-         * none.
+         * Returns the colors of a stream if [isTerminal]. Returns no colors if the environment [variable] NO_COLOR turns them off, or the
+         * terminal has none.
          */
         fun of(
             isTerminal: Boolean,

@@ -9,9 +9,9 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 /**
- * Returns [arguments] with the names of files in place of `*.bag` and the like. On other systems the shell does that. On Windows a pattern in
- * quotes reaches the program, and a path cannot contain its characters. An argument that matches no file is unchanged, because expressions have
- * `*` and `?`, too.
+ * Returns [arguments] with the names of matching files in place of patterns such as `*.bag`. On other systems, the shell does that. On
+ * Windows, a pattern in quotes reaches the program, and a path cannot contain its characters. An argument that matches no file is
+ * unchanged, because expressions have `*` and `?`, too.
  *
  * A `?` also replaces each letter that Windows could not pass on, so an argument with `?` must match only one file. The prefix `\\?\` of long
  * paths is removed: Java adds it where it is needed.
@@ -50,8 +50,8 @@ private fun matching(argument: String): List<String> {
 }
 
 /**
- * Returns advice on the one of [arguments] that is not a path on Windows. Java's [message] ends with it. Null if the path is not in
- * [arguments], or if [system] is not Windows.
+ * Returns advice on the argument at the end of Java's [message], which is not a path on Windows. Null if it is not in [arguments], or if
+ * [system] is not Windows.
  */
 internal fun unreachable(arguments: List<String>, message: String, system: String = System.getProperty("os.name")): String? {
     val path = oneLine(message).split(BEFORE_PATH, limit = 2).getOrNull(1)

@@ -149,7 +149,7 @@ internal class ConvertTask(
     private companion object {
         const val INDENT = 4
 
-        /** The part of the names of type descriptions, which other entries need. */
+        /** The part of an entry's name that marks a type description, which other entries need. */
         const val SCHEMAS = "/.schema/"
         const val REPEATS = "Samples that repeat the previous one have no record."
     }

@@ -14,7 +14,7 @@ import badlog.signals.withVirtualTopics
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * The log of [input], read to be written in another format.
+ * The log of [input], read for writing in another format.
  *
  * @param virtualTopics definitions of topics to add.
  * @param only the selected topics.
@@ -30,7 +30,7 @@ internal class LogToConvert(
 ) {
     private val read: Recording = readLog(input.file, progress, maker = MatchMaker)
 
-    /** Whether its file has the logs of a match. */
+    /** Whether its file combines the logs of a match. */
     val isMatch: Boolean = MatchMaker.isSource(input.file)
 
     /** The name of its file; for a match, without the ending of a ZIP or `match.json`. */
@@ -42,7 +42,7 @@ internal class LogToConvert(
         }
     }
 
-    /** The log with the topics that were added, and those that could not be. */
+    /** The log with the added topics, and the errors of topics that could not be added. */
     val all = LogView.of(read).withVirtualTopics(virtualTopics, signalsBeside(input.file))
 
     /** The names of the topics that were added. */

@@ -34,12 +34,12 @@ internal class Rows(private val period: Double?, val topic: String?) {
     }
 
     companion object {
-        /** The period of a robot's loop. */
+        /** The period of a robot's loop, in seconds. */
         const val DEFAULT_PERIOD = 0.02
     }
 }
 
-/** Returns the omissions of rows at [times] from [recording], with topics at times of their own. */
+/** Returns the content of [recording], in which topics have their own times, that rows at [times] cannot hold. */
 internal fun rowOmissions(recording: Recording, times: DoubleArray): Omissions {
     val between = recording.topics.sumOf { samplesBetween(it, times) }
     val topics = recording.topics

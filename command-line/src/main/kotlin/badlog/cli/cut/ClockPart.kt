@@ -5,13 +5,13 @@ import java.util.IdentityHashMap
 import kotlin.math.round
 
 /**
- * Which samples of topics that share their times are kept.
+ * The kept samples of topics that share their times.
  *
- * @property indices the samples; the same one may occur again if it holds in several spans.
+ * @property indices the indices of the samples; one may occur several times if it holds in several spans.
  * @property times the time of each of them in the part.
  */
 internal class ClockPart private constructor(val indices: IntArray, val times: DoubleArray) {
-    /** Finds the samples in [spans], which ascend; with [holdsValues], also those that hold at the start of a span. */
+    /** Finds the samples in [spans], which ascend; with [holdsValues], also the samples that hold at the start of a span. */
     class Cache(private val spans: List<Span>, private val holdsValues: Boolean) {
         private val known = IdentityHashMap<DoubleArray, ClockPart>()
 
@@ -41,10 +41,10 @@ internal class ClockPart private constructor(val indices: IntArray, val times: D
     }
 
     private companion object {
-        /** The times of a WPILOG are whole microseconds. */
+        /** The microseconds in a second. Times in a WPILOG are whole microseconds. */
         const val MICROS = 1e6
 
-        /** Returns the first index in [times] at which [isThere] is true. Times ascend, and it is true for all later ones. */
+        /** Returns the first index in [times] at which [isThere] is true. Times must ascend, and it must be true for all later ones. */
         inline fun firstWhere(times: DoubleArray, isThere: (Double) -> Boolean): Int {
             var low = 0
             var high = times.size

@@ -39,7 +39,7 @@ internal fun rowPart(view: LogView, spans: List<Span>): CutPart {
     return CutPart(view.recording, runs, runs.map { Span(x[it.first], x[it.last]) })
 }
 
-/** Returns the failure if no [noun] of [view] is in the requested part. */
+/** Returns the failure for a requested part without any [noun] of [view]. */
 internal fun emptyPartFailure(view: LogView, noun: String): Failure {
     val axis = view.xAxis
     val range = axis.range ?: return Failure("it has no ${noun}s.")
@@ -48,8 +48,8 @@ internal fun emptyPartFailure(view: LogView, noun: String): Failure {
 }
 
 /**
- * Returns the samples of [view] in [spans], which ascend. The topics have times of their own. A value holds until the next
- * one: at the start of a span, each topic has the value that holds there. Events do not hold.
+ * Returns the samples of [view] in [spans], for a log in which each topic has its own times. The spans must be in ascending order. A value
+ * holds until the next one: at the start of a span, each topic has the value that holds there. Events do not hold.
  *
  * @throws badlog.cli.input.Failure if there are none.
  */

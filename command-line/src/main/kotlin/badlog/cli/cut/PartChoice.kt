@@ -8,7 +8,7 @@ import badlog.core.analysis.enabledSpans
 import badlog.core.recording.Topic
 import badlog.core.recording.TopicKind
 
-/** Returns a way to select a part of a log by its x. */
+/** A way to select a part of a log by its x. */
 internal fun interface PartChoice {
     /**
      * Returns the spans of x to keep; they may overlap.

@@ -3,7 +3,7 @@ package badlog.cli.cut
 import badlog.core.analysis.Span
 import java.util.BitSet
 
-/** Returns the same parts of x as spans that ascend and do not touch. */
+/** Returns [spans] in ascending order, with those that touch or overlap joined. */
 internal fun joined(spans: List<Span>): List<Span> {
     val joined = ArrayList<Span>()
     for (span in spans.filter { it.from <= it.to }.sortedBy { it.from }) {
@@ -42,7 +42,7 @@ internal fun rowsIn(positions: DoubleArray, spans: List<Span>): BitSet {
     return rows
 }
 
-/** Returns the rows that are set, as runs of neighbors. */
+/** Returns the rows that are set, as runs of consecutive rows. */
 internal fun BitSet.runs(): List<IntRange> = buildList {
     var from = nextSetBit(0)
     while (from >= 0) {

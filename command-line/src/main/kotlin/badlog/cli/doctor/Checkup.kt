@@ -37,9 +37,9 @@ internal enum class CheckState(val word: String) {
 internal class CheckFinding(val name: String, val state: CheckState, val text: String)
 
 /**
- * Checks what [computer] has for badlog.
+ * Checks the parts of [computer] that badlog uses.
  *
- * @param addresses where a robot may answer; null to check no robot.
+ * @param addresses the addresses at which a robot may answer; null to check no robot.
  * @param patience the time that a robot may take to answer.
  */
 internal class Checkup(private val computer: Computer, private val addresses: List<RobotAddress>?, private val patience: Duration) {

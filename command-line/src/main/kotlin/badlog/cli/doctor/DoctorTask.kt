@@ -8,7 +8,7 @@ import badlog.cli.text.jsonOf
 import badlog.cli.text.wrapped
 import kotlinx.serialization.Serializable
 
-/** Shows what [checkup] found. If something essential is missing, it ends with [ExitCode.SALVAGED]. */
+/** Shows the findings of [checkup]. If something essential is missing, it ends with [ExitCode.SALVAGED]. */
 internal class DoctorTask(private val checkup: Checkup, private val isJson: Boolean) : Task {
     override fun run(console: Console): ExitCode {
         val findings = checkup.findings()

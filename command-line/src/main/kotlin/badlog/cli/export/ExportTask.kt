@@ -45,13 +45,13 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Makes a page of each log, one after the other: each uses all cores by itself.
+ * Makes a page of each log, one after the other, because each uses all cores.
  *
  * @param compared logs that each page draws over its own.
  * @param video a video of the match of the only log; null for none.
  * @param search the rules of the pages, and the hooks to run on the logs.
  * @param field the field of all pages; null for those beside the logs.
- * @param match which logs are read as one.
+ * @param match the choice of logs that are read as one.
  */
 internal class ExportTask(
     private val paths: List<Path>,

@@ -14,20 +14,20 @@ import java.nio.file.Path
  * Findings embedded in the page of a log because the page cannot find them itself.
  *
  * @property hooks the results of hooks.
- * @property unreadable why none could run, or null.
+ * @property unreadable the reason why no hook could run; null if there is none.
  */
 internal class PageFindings private constructor(val hooks: List<HookOutcome>, val unreadable: String?) {
     /** The number of findings; null if no hook was to run. */
     val count: Int? get() = if (hooks.isEmpty()) null else hooks.sumOf { it.result?.findings?.size ?: 0 }
 
-    /** The hooks that failed. */
+    /** The hooks that failed, with their failures. */
     val failures: List<Pair<String, HookException>> get() = hooks.mapNotNull { hook -> hook.failure?.let { hook.hook to it } }
 
     companion object {
         /** Nothing, because there are no hooks. */
         val NONE = PageFindings(emptyList(), null)
 
-        /** Runs [hooks] for the log in [file], read with [maker], which they need with its samples. */
+        /** Runs [hooks] on the log in [file], which is read with its samples, using [maker]. */
         fun of(file: Path, hooks: List<HookRunner>, maker: LogMaker, progress: Progress): PageFindings = try {
             val recording = readLog(file, progress, maker = maker)
             PageFindings(hooks.map { HookOutcome.of(it, recording) }, null)

@@ -59,7 +59,7 @@ internal class FetchCommand(private val robots: Robots) :
     }
 }
 
-/** Returns the bytes per second of [text], such as `2MB/s`, `500k` or `1000000`; null for anything else. */
+/** Returns the bytes per second in [text], such as `2MB/s`, `500k` or `1000000`; null for anything else. */
 internal fun rateOf(text: String): Long? {
     val (number, unit) = RATE.matchEntire(text.trim())?.destructured ?: return null
     val factor = when (unit.lowercase()) {
@@ -71,7 +71,7 @@ internal fun rateOf(text: String): Long? {
     return (number.toDouble() * factor).toLong().takeIf { it > 0 }
 }
 
-/** Returns the age [text], such as `14d` or `36h`; null for anything else. */
+/** Returns the age in [text], such as `14d` or `36h`; null for anything else. */
 internal fun ageOf(text: String): Duration? {
     val (number, unit) = AGE.matchEntire(text.trim())?.destructured ?: return null
     return if (unit == "d") Duration.ofDays(number.toLong()) else Duration.ofHours(number.toLong())

@@ -11,7 +11,7 @@ import java.nio.file.Path
  * @property addressesOf returns the addresses of a robot that a person typed, with the given user unless that is
  * null.
  * @property settings returns the folder of settings.
- * @property password the robot's password; null for the known ones.
+ * @property password the robot's password; null to use the known ones.
  * @property patience the time to wait for an answer.
  */
 internal class Robots(

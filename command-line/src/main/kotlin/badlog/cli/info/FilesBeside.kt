@@ -22,12 +22,12 @@ import badlog.cli.text.jsonOf as fieldsOf
 @Serializable
 internal class FileBeside(val path: String, val role: String)
 
-/** Finds the files of devices and cameras that belong to robots' logs by their names. */
+/** Finds, by their names, the files of devices and cameras that belong to robots' logs. */
 internal class FilesBeside {
     // All logs of a folder have the same files around them.
     private val around = HashMap<Path, List<Path>>()
 
-    /** Returns the files of the match of [robot], which was read from [file]. None for the log of anything else, or a whole match. */
+    /** Returns the files of the match of [robot], which was read from [file]. Returns none for any other log, or for a whole match. */
     fun of(file: Path, robot: ClockedLog): List<FileBeside> {
         if (robot.recording.isOfDriverStation || roleOf(file.fileName.toString()) != null) return emptyList()
         if (MatchMaker.isSource(file)) return emptyList()

@@ -76,10 +76,10 @@ internal enum class InfoPart {
     /** A table of the topics. */
     TOPICS,
 
-    /** Below each topic its attributes. */
+    /** The attributes of each topic, below it. */
     ATTRIBUTES,
 
-    /** Which topics were recognized as signals. */
+    /** The topics that were recognized as signals. */
     SIGNALS,
 
     /** The values. */
@@ -93,13 +93,13 @@ internal enum class InfoPart {
 }
 
 /**
- * Shows what is in logs.
+ * Shows the content of logs.
  *
- * @param parts what to show; empty for everything about a single log, or one line for each of several.
+ * @param parts the parts to show; empty for everything about a single log, or one line for each of several.
  * @param xTopic the topic to use as x axis, or null.
  * @param virtualTopics definitions of topics to add.
- * @param only which topics to show.
- * @param match which logs are read as one.
+ * @param only the topics to show.
+ * @param match the choice of logs that are read as one.
  */
 internal class InfoTask(
     private val paths: List<Path>,

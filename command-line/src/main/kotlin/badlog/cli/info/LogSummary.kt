@@ -25,7 +25,7 @@ internal class LogSummary(val file: Path, val bytes: Long, val view: LogView, nu
     /** Its length in seconds, or null if x is not a time. */
     val seconds: Double? get() = range?.let { range -> secondsPerX?.times(range.endInclusive - range.start) }
 
-    /** Each of the topics, in the order of the file. */
+    /** The summaries of the topics, in the order of the file. */
     val topics: List<TopicSummary> =
         view.recording.topics.filter { it.name in only }.map { TopicSummary.of(it, numbers.of(it), view.xAxis, secondsPerX) }
 }

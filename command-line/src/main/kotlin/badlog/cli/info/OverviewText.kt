@@ -27,7 +27,7 @@ internal class OverviewText(private val width: Int) {
     /** Whether the lines have to wait for the longest name: nothing is shortened for another program. */
     private val waits: Boolean get() = width == Console.UNLIMITED
 
-    /** Returns the line of [summary], the first time below the titles of the columns; empty if only [rest] has it. */
+    /** Returns the line of [summary], below the titles of the columns on the first call. Empty if the line must wait for [rest]. */
     fun add(summary: LogSummary): String {
         val cells = cellsOf(summary)
         rows += cells

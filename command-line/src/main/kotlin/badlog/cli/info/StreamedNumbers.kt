@@ -29,7 +29,7 @@ internal class NumberSummary : NumberSink {
     }
 }
 
-/** Summarizes the numbers of a log while it is read. It needs no memory for those that are not otherwise [needed]. */
+/** Summarizes the numbers of a log while it is read. Numbers that are not otherwise [needed] take no memory. */
 internal class StreamedNumbers(private val needed: NumberSinks) : NumberSinks {
     private val summaries = HashMap<String, NumberSummary>()
 

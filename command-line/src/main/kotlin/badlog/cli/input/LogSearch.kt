@@ -32,7 +32,7 @@ internal class LogInput(val file: Path, val folder: Path?, val seen: LogFile? = 
  * Finds the logs below files and folders. Files in a folder are selected by name, which is cheap; named files are
  * always included.
  *
- * @param opensMatches whether the files that a `match.json` in a folder names are one log, that file.
+ * @param opensMatches whether a `match.json` in a folder is one log, in place of the files that it names.
  * @param checkpoint called for each file.
  */
 internal class LogSearch(private val opensMatches: Boolean = false, private val checkpoint: () -> Unit = {}) {

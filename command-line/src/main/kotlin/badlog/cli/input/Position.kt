@@ -38,6 +38,6 @@ internal class Position private constructor(private val text: String, private va
     }
 }
 
-/** This option as a position on the x axis. */
+/** Returns this option as a position on the x axis. */
 internal fun RawOption.position(): NullableOption<Position, Position> =
     convert { Position.of(it) ?: fail("“$it” is neither a number nor a time such as 1:32.5") }

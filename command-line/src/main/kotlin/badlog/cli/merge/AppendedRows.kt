@@ -1,8 +1,8 @@
 package badlog.cli.merge
 
 /**
- * The rows of several logs in one sequence. They are in the order of x if they have one, but never against the order of their own
- * log, because its clock may have been set. A row that several logs have, cell by cell, is included once.
+ * The rows of several logs in one sequence. They are in the order of x if they have one. Rows of the same log always keep their order,
+ * because its clock may have been set. A row that is the same in several logs, cell by cell, is included once.
  *
  * @param logs the logs; without x, they stay in this order.
  */
@@ -28,10 +28,10 @@ internal class AppendedRows(logs: List<LogPart>) {
         }
     }
 
-    /** Returns the index in [parts] of the log of row [index]. */
+    /** Returns the index in [parts] of the log that has row [index]. */
     fun partOf(index: Int): Int = rowParts[index]
 
-    /** Returns the row in its log of row [index]. */
+    /** Returns the index of row [index] within its own log. */
     fun rowOf(index: Int): Int = rows[index]
 
     /** Returns the x of row [index]; may be NaN. */

@@ -13,12 +13,12 @@ private fun textAt(topic: Topic, index: Int): String? {
     return if (place < 0) null else topic.texts[place]
 }
 
-/** Decides whether a row of [one] and a row of [other] are the same in every cell. Never if their topics differ. */
+/** Decides whether a row of [one] and a row of [other] are the same in every cell. They never are if their topics differ. */
 internal class RowIdentity(one: LogPart, other: LogPart) {
     private val areAlike = one.recording.topics.size == other.recording.topics.size
     private val pairs = one.recording.topics.map { it to other.topic(it.name) }
 
-    /** Returns whether row [row] of the one is the same as row [otherRow] of the other. */
+    /** Returns whether row [row] of the first log is the same as row [otherRow] of the other. */
     fun isSame(row: Int, otherRow: Int): Boolean =
         areAlike && pairs.all { (topic, twin) -> twin != null && isSameCell(topic, row, twin, otherRow) }
 }

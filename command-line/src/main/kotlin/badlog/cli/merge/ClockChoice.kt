@@ -21,7 +21,7 @@ import kotlin.math.round
 
 /** The number of seconds by which to move the log [file]. */
 internal class Offset private constructor(val file: Path, val seconds: Double) {
-    /** Returns whether that is [path], which may be in a folder. */
+    /** Returns whether it is the offset of [path]. A [file] without a folder matches the file of that name in any folder. */
     fun isOf(path: Path): Boolean = path.toAbsolutePath().normalize() == file.toAbsolutePath().normalize() || path.fileName == file
 
     companion object {
@@ -37,8 +37,8 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
 /**
  * A log that was moved.
  *
- * @property edges the number of starts and ends of [what] that match those of the first log; 0 if the move was given.
- * @property error their largest distance from those, or else the possible error of the clocks, in s; 0 if the move was given.
+ * @property edges the number of starts and ends of [what] that match the first log's; 0 if the move was given.
+ * @property error the largest distance between matches, otherwise the possible error of the clocks, in s; 0 if the move was given.
  * @property early the number of its samples that would be before 0, and are left out of a merged log.
  */
 internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled", val early: Long = 0)
@@ -47,10 +47,10 @@ internal class Move(val part: LogPart, val edges: Int, val error: Double, val wh
 internal class Pause(val one: LogPart, val other: LogPart, val seconds: Double)
 
 /**
- * Logs on one clock. Some were moved for that.
+ * Logs on one clock. Some were moved to it.
  *
- * @property placed those with a given or found place on the clock of all; the others were only left where they are.
- * @property besides the log beside which the place of another one was found.
+ * @property placed the logs with a given or found position on the common clock; the others just kept their times.
+ * @property besides for each log that was aligned, the log with which it was aligned.
  */
 internal class MovedLogs(
     val parts: List<LogPart>,
@@ -58,7 +58,7 @@ internal class MovedLogs(
     val placed: Set<LogPart>,
     val besides: Map<LogPart, LogPart> = emptyMap(),
 ) {
-    /** Pauses so long that the logs may have different clocks. */
+    /** The pauses that are so long that the logs may have different clocks. */
     val pauses: List<Pause> = buildList {
         var last: LogPart? = null
         for (part in parts.filter { it.firstX.isFinite() && (it.xTopic != null || !it.hasRows) }.sortedBy { it.firstX }) {
@@ -72,13 +72,13 @@ internal class MovedLogs(
     }
 
     private companion object {
-        /** A robot that restarts its program is back within this time. */
+        /** The maximum time in which a robot restarts its program. */
         const val FAR_SECONDS = 60.0
     }
 }
 
 /**
- * How logs are put on one clock.
+ * The way to put logs on one clock.
  *
  * @param alignsEnabled whether logs without an offset are moved so that the robot is enabled at the same times in all.
  */
@@ -122,7 +122,7 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
     /** Whether nothing says where one of [parts] stands, so that all of them may move. */
     private fun isFree(parts: List<LogPart>) = alignsEnabled && parts.none(::isGiven)
 
-    /** Whether the offset of [part] is known. */
+    /** Returns whether the offset of [part] was given. */
     fun isGiven(part: LogPart): Boolean = offsets.any { it.isOf(part.file) }
 
     private fun placesOf(parts: List<LogPart>): List<ClockPlace?> {
@@ -192,13 +192,13 @@ internal class ClockChoice(private val offsets: List<Offset>, private val aligns
 
 private fun isOfMotors(part: LogPart): Boolean = part.role == FileRole.MOTORS
 
-/** Returns what shows which other log is from the same time as [part]. */
+/** Returns [part] in the form in which logs from the same time are recognized. */
 internal fun clocked(part: LogPart) = ClockedLog(part.file.fileName.toString(), part.recording, signalsBeside(part.file))
 
-/** What wrote this log. */
+/** The program or devices that wrote this log. */
 internal val LogPart.role: FileRole get() = roleOf(file.fileName.toString(), recording)
 
-/** The order of logs in a merge: by what wrote them, then by name. The order in which they were named does not matter. */
+/** The order of logs in a merge: by [role], then by name. The order of the arguments does not matter. */
 internal val PART_ORDER: Comparator<LogPart> =
     compareBy<LogPart> { it.role }
         .thenBy(NaturalOrder) { it.file.fileName.toString() }

@@ -45,7 +45,7 @@ internal class JoinedRows(private val groups: List<AppendedRows>) {
     private fun isSame(x: Double, y: Double) = x == y || (x.isNaN() && y.isNaN())
 
     companion object {
-        /** There is no such row. */
+        /** The index of a row that does not exist. */
         const val NONE = -1
     }
 }

@@ -13,7 +13,7 @@ import java.util.concurrent.ConcurrentHashMap
 /** A sentence about each log that is left out of this match. */
 internal val Recording.leftOutLogs: List<String> get() = leftOutIn(problems)
 
-/** Remembers the logs that are left out of those that [maker] makes. Thread-safe. */
+/** Remembers the logs that [maker] leaves out of the logs that it makes. Thread-safe. */
 internal class LeftOutLogs(private val maker: LogMaker) : LogMaker {
     private val found = ConcurrentHashMap<Path, List<String>>()
 

@@ -19,7 +19,7 @@ import java.nio.file.Path
  * A log that becomes part of another.
  *
  * @property recording its content, at its times in the merge.
- * @property offset how much later those are than in the file, in s.
+ * @property offset the delay of these times from the times in the file, in s.
  * @property isMatch whether the file is a ZIP or `match.json` of several logs.
  * @property isOfFile whether its samples are records of a WPILOG in the file.
  */
@@ -45,10 +45,10 @@ internal class LogPart(
     /** The x of each row; may hold gaps. */
     val x: DoubleArray get() = axis.positions
 
-    /** The first x there is, NaN without any. */
+    /** The first x; NaN if there is none. */
     val firstX: Double get() = (if (hasRows) x.firstOrNull { it.isFinite() } else axis.range?.start) ?: Double.NaN
 
-    /** The last x there is, NaN without any. */
+    /** The last x; NaN if there is none. */
     val lastX: Double get() = (if (hasRows) x.lastOrNull { it.isFinite() } else axis.range?.endInclusive) ?: Double.NaN
 
     /** Returns the same log with another [recording], at the times of [offset]. */
@@ -59,8 +59,8 @@ internal class LogPart(
 }
 
 /**
- * Returns the same log without rows. Each topic has times of its own, in s, which replace the topic of x. Rows after one with a later x, as
- * from a clock that was set, are sorted; a row without x belongs with the previous row.
+ * Returns the same log without rows. Each topic has times of its own, in s, which replace the topic of x. Rows are sorted by x, which is
+ * out of order if a clock was set. A row without x belongs to the previous row.
  *
  * @throws Failure if its x is not a time.
  */

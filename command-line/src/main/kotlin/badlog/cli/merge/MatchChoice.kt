@@ -9,7 +9,7 @@ import badlog.files.LogMaker
 import badlog.files.inMadeFolder
 import java.nio.file.Path
 
-/** Which logs a command reads as one. */
+/** The choice of logs that a command reads as one. */
 internal sealed interface MatchChoice {
     /**
      * Returns the result of [work] on the paths to read instead of [paths]. [work] also receives a maker of logs for them.
@@ -18,13 +18,13 @@ internal sealed interface MatchChoice {
      */
     fun over(paths: List<Path>, console: Console, outcomes: Outcomes, work: (List<Path>, LogMaker) -> ExitCode): ExitCode
 
-    /** Each by itself; a ZIP or a folder of a match is one. */
+    /** Each log is read by itself; a ZIP or a folder of a match is one log. */
     data object AsTheyAre : MatchChoice {
         override fun over(paths: List<Path>, console: Console, outcomes: Outcomes, work: (List<Path>, LogMaker) -> ExitCode): ExitCode =
             work(paths, MatchMaker)
     }
 
-    /** All are one, which has the name of the first. */
+    /** All logs are read as one, with the name of the first. */
     class AllInOne(private val merging: Merging, private val isJson: Boolean) : MatchChoice {
         override fun over(paths: List<Path>, console: Console, outcomes: Outcomes, work: (List<Path>, LogMaker) -> ExitCode): ExitCode =
             inMadeFolder { folder ->
@@ -43,14 +43,14 @@ internal sealed interface MatchChoice {
             }
     }
 
-    /** Each log of a robot has the Driver Station's of its match beside it, if that is found. */
+    /** Each robot's log is read with the Driver Station log of its match, if that is found. */
     class EachBeside(private val merging: Merging, private val isJson: Boolean) : MatchChoice {
         override fun over(paths: List<Path>, console: Console, outcomes: Outcomes, work: (List<Path>, LogMaker) -> ExitCode): ExitCode =
             work(paths, LogBesideStation(merging, isJson, console::warn))
     }
 }
 
-/** Returns the result of [work] on what [match] makes of [paths]. If that fails, reports it as a failure of [command]. */
+/** Runs [work] on the paths that [match] selects in place of [paths], and returns its exit code. Reports failures as those of [command]. */
 internal fun matched(
     command: String,
     paths: List<Path>,

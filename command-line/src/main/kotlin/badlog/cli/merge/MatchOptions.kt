@@ -23,11 +23,11 @@ internal class MatchOptions : OptionGroup() {
     val station: Path? by option("--with-ds", metavar = "FOLDER").path().optionalValue(Path.of(""))
         .help("Add the Driver Station log of the same match.")
 
-    /** Whether all logs given are one. */
+    /** Whether all given logs are read as one. */
     val isOne: Boolean get() = aligned != null || offsets.isNotEmpty()
 
     /**
-     * Returns how logs that are given by [paths] become one.
+     * Returns the way to make one log of the logs at [paths].
      *
      * @param acceptsOnly see [Merging].
      */
@@ -38,7 +38,7 @@ internal class MatchOptions : OptionGroup() {
         return Merging(mode, ClockChoice(offsets, aligned != null), station, acceptsOnly)
     }
 
-    /** Returns what commands read in place of the logs at [paths], where a person asked for it. */
+    /** Returns the choice of logs at [paths] that commands read as one, according to these options. */
     fun choice(paths: List<Path>, isJson: Boolean): MatchChoice = when {
         isOne -> MatchChoice.AllInOne(merging(paths, MergeMode.BY_TOPICS, acceptsOnly = false), isJson)
 

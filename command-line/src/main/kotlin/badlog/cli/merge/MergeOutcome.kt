@@ -39,7 +39,7 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
 }
 
-/** Returns the outcome of a ZIP of the logs [moved], as they are, written to [target]. It does not have the clocks of the logs [open]. */
+/** Returns the outcome of writing the logs [moved], as they are, to the ZIP [target]. It does not state the clocks of the logs [open]. */
 internal fun zipOutcome(moved: MovedLogs, target: Path, open: List<LogPart>): Outcome {
     val count = counted(moved.parts.size.toLong(), "log")
     val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved.moves, moved.pauses) +
@@ -84,7 +84,7 @@ internal fun renamedLines(merge: Merged): List<String> = buildList {
     if (merge.renamed.size > LISTED) add("  renamed: ${grouped((merge.renamed.size - LISTED).toLong())} more in the same way")
 }
 
-/** Returns what [moves] and [pauses] mean. */
+/** Returns lines that describe [moves] and [pauses]. */
 internal fun clockLines(moves: List<Move>, pauses: List<Pause>): List<String> = moves.map { move ->
     val by = "${move.part.file} by ${shortNumber(move.part.offset, DIGITS)} s"
     val how = when (move.edges) {

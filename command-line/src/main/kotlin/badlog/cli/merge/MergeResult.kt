@@ -7,10 +7,10 @@ import java.nio.file.Path
 
 /** One log that was made of several. */
 internal sealed interface MergeResult {
-    /** The logs, at their times in it. */
+    /** The logs, at their times in the result. */
     val moved: MovedLogs
 
-    /** The problems of all of them. */
+    /** The problems of all these logs. */
     val problems: List<Problem> get() = moved.parts.flatMap { it.recording.problems }
 
     /** The outcome of the merge. */
@@ -23,7 +23,7 @@ internal sealed interface MergeResult {
      */
     fun remarks(isOfDoubts: Boolean): List<String>
 
-    /** A log, [target], which was made by [merge], without [leftOut]. */
+    /** A log at [target], made by [merge], without [leftOut]. */
     class Made(private val merge: Merged, override val moved: MovedLogs, private val target: Path, private val leftOut: Omissions) :
         MergeResult {
         override fun remarks(isOfDoubts: Boolean): List<String> {
@@ -35,7 +35,7 @@ internal sealed interface MergeResult {
         override val outcome: Outcome get() = mergeOutcome(merge, moved, target, leftOut)
     }
 
-    /** A ZIP, [target], of the logs as they are, which does not state the clocks of the logs [open]. */
+    /** A ZIP at [target] with the logs as they are. It does not state the clocks of the logs [open]. */
     class Zipped(override val moved: MovedLogs, private val target: Path, private val open: List<LogPart>) : MergeResult {
         override fun remarks(isOfDoubts: Boolean): List<String> = emptyList()
 

@@ -5,9 +5,9 @@ import badlog.core.recording.Recording
 /**
  * One recording made from several.
  *
- * @property recording the recording with all of them.
+ * @property recording the recording of all logs.
  * @property groups the groups of logs that are side by side; those in one group follow each other.
- * @property renamed the topics and values with another name than in their log.
+ * @property renamed the topics and values that have another name in their log.
  */
 internal class Merged(val recording: Recording, val groups: List<Group>, val renamed: List<Renaming>) {
     /**
@@ -17,7 +17,7 @@ internal class Merged(val recording: Recording, val groups: List<Group>, val ren
      * @property repeated the number of rows, or samples, skipped because another log also has them.
      */
     class Group(val parts: List<LogPart>, val repeated: Int) {
-        /** Where two consecutive logs both have rows, or samples. */
+        /** The ranges of x in which two consecutive logs both have rows, or samples. */
         val overlaps: List<Overlap>
             get() = parts.zipWithNext { one, other ->
                 if (other.firstX <= one.lastX) Overlap(one, other, other.firstX, minOf(one.lastX, other.lastX)) else null

@@ -22,9 +22,9 @@ import java.nio.file.StandardCopyOption
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A log that was made of several, [merged], and is read in place of [first].
+ * The file [merged], which combines several logs and is read in place of [first].
  *
- * @param problems the problems of all of them.
+ * @param problems the problems of all the combined logs.
  */
 internal class MergedLog private constructor(val first: Path, private val merged: Path, private val problems: List<Problem>) : LogMaker {
     override fun isSource(file: Path, head: ByteArray): Boolean = file == first
@@ -37,7 +37,7 @@ internal class MergedLog private constructor(val first: Path, private val merged
 
     companion object {
         /**
-         * Merges [parts] as [merging] says, in a file in [folder], and reports how they were moved.
+         * Merges [parts] as [merging] says, into a file in [folder], and reports how they were moved.
          *
          * @param isJson whether to report only doubts.
          * @throws Failure if they cannot become one.
@@ -53,7 +53,7 @@ internal class MergedLog private constructor(val first: Path, private val merged
 }
 
 /**
- * Puts beside each log of a robot the Driver Station's of its match. A log without one is read as it is.
+ * Puts beside each robot's log the Driver Station log of its match. A log without one is read as it is.
  *
  * @param isJson whether to report only doubts.
  * @param warn reports how logs were moved.

@@ -8,7 +8,7 @@ import badlog.rules.PART_VALUE
 internal class MergedNames {
     private val taken = HashSet<String>()
 
-    /** The topics or values with another name than in their log. */
+    /** The topics or values that have another name in their log. */
     val renamed = ArrayList<Renaming>()
 
     /** Returns [name]. If it is taken, returns it in a folder with the file name of [part], and records that with [reason]. */
@@ -20,7 +20,7 @@ internal class MergedNames {
         return free
     }
 
-    /** Returns the values of all [parts], equal ones once. */
+    /** Returns the values of all [parts], without duplicates. */
     fun values(parts: List<LogPart>): List<Value> {
         val values = ArrayList<Value>()
         for (part in parts) {
@@ -33,5 +33,5 @@ internal class MergedNames {
     }
 }
 
-/** Something called [from] in [part] and [to] in the merge, because of [reason], unless the name was just taken. */
+/** A topic or value called [from] in [part] and [to] in the merge. [reason] is empty if the name was merely taken. */
 internal class Renaming(val part: LogPart, val from: String, val to: String, val reason: String = "")

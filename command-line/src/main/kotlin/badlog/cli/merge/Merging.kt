@@ -15,11 +15,11 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * How several logs become one.
+ * The way to make one log of several.
  *
- * @param station the folder to search for the Driver Station log of the robot's log, which is put beside it; empty for the log's own
- *   folder, null for none.
- * @param acceptsOnly whether that is the only one there is, whatever its clock, as long as its match does not contradict.
+ * @param station the folder to search for the Driver Station log to put beside the robot's log; empty for the log's own folder, null for
+ *   none.
+ * @param acceptsOnly whether to accept the only Driver Station log there, regardless of its clock, unless its match contradicts.
  */
 internal class Merging(
     private val mode: MergeMode,
@@ -47,11 +47,11 @@ internal class Merging(
         return if (isZip(target)) zipped(parts, moved, target) else merge(moved, target, progress)
     }
 
-    /** Writes one log of a robot's and a Driver Station's, [beside], to [target]. */
+    /** Writes the robot's log and the Driver Station log of [beside] to [target], as one log. */
     fun write(beside: StationPart, target: Path, progress: Progress): MergeResult =
         merge(clocks.moved(listOf(beside.robot, beside.part), beside), target, progress)
 
-    /** Returns the Driver Station's log of the match of [log]; null if there is none. */
+    /** Returns the Driver Station log of the same match as [log]; null if there is none. */
     fun stationOf(log: LogPart): StationPart? = station?.let { finder.find(log, folderBeside(log.file, it), acceptsOnly) }
 
     private fun stationFor(logs: List<LogPart>, folder: Path): StationPart {

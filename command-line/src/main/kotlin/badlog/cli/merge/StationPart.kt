@@ -15,9 +15,9 @@ import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 import java.util.concurrent.ConcurrentHashMap
 
-/** A Driver Station log that becomes part of a merge, beside the log of [robot], with [fit] for their clocks. */
+/** A Driver Station log that becomes part of a merge, beside the log of [robot], with their clocks aligned by [fit]. */
 internal class StationPart(val robot: LogPart, val part: LogPart, val fit: ClockFit) {
-    /** Returns it at the times of [moved], the robot's log in its place; anything before 0 is left out. */
+    /** Returns it aligned with [moved], the robot's log at its times in the merge; anything before 0 is left out. */
     fun beside(moved: LogPart): LogPart {
         val seconds = fit.seconds + moved.offset
         return part.since(-seconds).later(seconds).withStartOf(moved)
@@ -32,7 +32,7 @@ internal class StationFinder {
      * Returns the Driver Station log of the same match as [robot], below [folder].
      *
      * @param acceptsOnly see [badlog.signals.clock.StationSearch.over].
-     * @param given the logs that are known to be of that robot, too.
+     * @param given other logs that are known to be from that robot.
      * @throws Failure if none can be identified.
      */
     fun of(robot: LogPart, folder: Path, acceptsOnly: Boolean, given: List<Path>): StationPart =
@@ -45,7 +45,7 @@ internal class StationFinder {
             },
         )
 
-    /** Returns the same, or null if none can be identified. */
+    /** Returns the same as [of], but null if none can be identified. */
     fun find(robot: LogPart, folder: Path, acceptsOnly: Boolean, given: List<Path> = emptyList()): StationPart? =
         logsBelow(folder).of(clocked(robot), robot.file, acceptsOnly, given)?.let { found ->
             StationPart(robot, LogPart(found.log.path, found.station.recording), found.fit)

@@ -16,7 +16,7 @@ import kotlin.io.path.div
 /**
  * Opens the page without a log in the browser of [computer].
  *
- * @param folder the folder to open there; null for none. A browser lets only a person do that.
+ * @param folder the folder for the user to open there, since a browser lets only a person do that; null for none.
  */
 internal class OpenBrowserTask(private val folder: Path?, private val computer: Computer, private val isJson: Boolean) : Task {
     override fun run(console: Console): ExitCode {

@@ -22,13 +22,13 @@ internal class Omissions(
     /** The text after the count of the written content. */
     val tail: String get() = if (things.isEmpty()) "" else "; the file cannot hold ${things.joinToString()}"
 
-    /** The lines below it: one or more for each kind of difference, for all topics together. */
+    /** The lines below the [tail]: one or more for each kind of difference, for all topics together. */
     val lines: List<String>
         get() = remarks.map { wrapped("  ", it, indent = INDENT) } + omissions.groupBy { it.what }.map { (what, alike) ->
             wrapped("  differs: ", what.removeSuffix(".") + placeOf(alike) + ".", indent = INDENT)
         }
 
-    /** All of it, each as a sentence or less. */
+    /** All differences, each as a sentence or less. */
     val all: List<String>
         get() = remarks + things + omissions.map { omission ->
             val topic = omission.topic?.let { "“$it”: " }.orEmpty()

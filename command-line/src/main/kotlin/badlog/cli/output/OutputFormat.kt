@@ -32,8 +32,8 @@ internal enum class OutputFormat(val ending: String, private val recordingFormat
     val hasRows: Boolean get() = this != WPILOG
 
     /**
-     * Writes the rows [runs], which ascend, of [recording]. For a recording without rows, writes all samples, which needs a format without
-     * rows.
+     * Writes the rows [runs] of [recording], which must ascend. For a recording without rows, writes all samples; then the format must be
+     * one without rows.
      *
      * @param changesOnly whether to skip a sample that equals the previous one; only in a format without rows.
      * @param progress called with the amount written so far, and the total.

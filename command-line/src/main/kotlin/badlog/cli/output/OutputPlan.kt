@@ -30,7 +30,7 @@ import kotlin.io.path.name
  *
  * @param paths the paths given on the command line.
  * @param isForced whether existing files may be replaced.
- * @param isOne whether all logs are one.
+ * @param isOne whether all logs are read as one.
  * @param station the folder that is searched for Driver Station logs; empty for the folder of each log, null for none.
  */
 internal class OutputPlan(
@@ -66,12 +66,12 @@ internal class OutputPlan(
     private fun isSingle() = isOne || (paths.size == 1 && !Files.isDirectory(paths[0]))
 
     /**
-     * Returns where the result of [input] goes.
+     * Returns the place for the result of [input].
      *
      * @param besideName its name beside its log.
      * @param folderName its name in the folder for all.
      * @throws Failure if that would replace something.
-     * @throws badlog.files.UnwritableFileException if it is a folder, or a file that is read.
+     * @throws badlog.files.UnwritableFileException if it is a folder, or an input file.
      */
     fun place(input: LogInput, besideName: String, folderName: String): Path {
         file?.let { return checked(it) }
@@ -99,7 +99,7 @@ internal class OutputPlan(
     }
 
     private companion object {
-        /** What helps, whether `--out` names a file, a folder, or nothing. */
+        /** The advice for any `--out`: a file, a folder, or none. */
         const val ELSEWHERE = "name another place with --out"
     }
 }
@@ -113,6 +113,6 @@ internal class OutputOptions : OptionGroup() {
     /** Returns the plan for the logs below [paths], which may be one. The Driver Station logs in [station] go beside them. */
     fun plan(paths: List<Path>, isOne: Boolean = false, station: Path? = null) = OutputPlan(out, paths, isForced, isOne, station)
 
-    /** What `--out` names, or null. */
+    /** The path that `--out` names; null if there is none. */
     val outPath: Path? get() = out?.path
 }

@@ -26,7 +26,7 @@ internal fun recordsOf(recording: Recording, changesOnly: Boolean = false): Pair
     finish() to Omissions(omissions = omissions)
 }
 
-/** Creates [target] with those records of [log] that [copy] copies. Throws the same exceptions as [newLog]. */
+/** Creates [target] with the records of [log] that [copy] copies. Throws the same exceptions as [newLog]. */
 internal fun <T> copyRecords(log: RecordLog, target: Path, progress: Progress, copy: RecordCopy.() -> T): T = newLog(target) { stream ->
     RecordCopy(log, progress::advanced) { bytes, size -> stream.write(bytes, 0, size) }.copy()
 }
@@ -37,7 +37,7 @@ internal fun changesOf(log: RecordLog, isEvent: (RecordEntry) -> Boolean): Recor
     finish()
 }
 
-/** Returns the topic of [entry] in this recording of its log; null if it is none, or several. */
+/** Returns the topic of [entry] in this recording of its log; null if there is none, or several. */
 internal fun Recording.topicOf(entry: RecordEntry): Topic? {
     if (entry.isValue) return null
     val alike = topics.filter { it.type == entry.type && it.name.startsWith(entry.name) }

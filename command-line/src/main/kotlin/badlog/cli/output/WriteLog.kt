@@ -43,7 +43,7 @@ private fun roundedIn(recording: Recording): Omissions = Omissions(
 )
 
 /**
- * Creates [target] with what [write] writes, atomically; gzipped if its name ends in `.gz`.
+ * Creates [target] with the output of [write], atomically; gzipped if its name ends in `.gz`.
  *
  * @throws badlog.files.UnwritableFileException if it cannot be written.
  */

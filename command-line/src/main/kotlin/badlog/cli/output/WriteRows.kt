@@ -6,7 +6,7 @@ import badlog.core.recording.Recording
 import badlog.core.recording.RecordingFormat
 import badlog.formats.wpilog.Omission
 
-/** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns what that cannot express. */
+/** Writes the header of [recording] and the rows [runs], as a bag or CSV; returns the content that the format cannot express. */
 internal fun writeRows(
     recording: Recording,
     format: RecordingFormat,

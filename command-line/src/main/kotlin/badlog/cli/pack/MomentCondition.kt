@@ -13,8 +13,8 @@ import kotlin.math.roundToInt
 
 /**
  * Returns a condition that is true at [moment] of [view] and nowhere outside [around]. If there is none, one that is true nowhere else in
- * [around]. It is about the topic that differs most from its other samples, with a limit halfway between both. It is only a beginning, which a
- * person may change. Null if no topic has an unusual value at the moment.
+ * [around]. It is about the topic that differs most from its other samples, with a limit halfway between them. It is only a first draft for
+ * a person to change. Null if no topic has an unusual value at the moment.
  *
  * @param near the distance from [moment] up to which a sample belongs to it.
  */

@@ -34,6 +34,8 @@ internal class NewSliceTask(private val pack: Path, private val order: SliceOrde
     }
 
     /**
+     * A new slice, with the verdict on it.
+     *
      * @property file the slice.
      * @property condition the condition of the rule; null if there was one before.
      * @property verdict the verdict of the rule on the slice.

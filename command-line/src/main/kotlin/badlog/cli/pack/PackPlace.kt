@@ -7,7 +7,7 @@ import java.nio.file.Path
 
 /** Finds packs by names that may lack an ending. */
 internal object PackPlace {
-    /** Returns [typed] with the ending of an existing pack, or else unchanged. */
+    /** Returns [typed] with the ending of an existing pack, otherwise unchanged. */
     fun existing(typed: Path): Path =
         listOf(RulePack.ENDING, RulePack.ZIP_ENDING).map { typed.with(it) }.firstOrNull { Files.exists(it, NOFOLLOW_LINKS) } ?: typed
 

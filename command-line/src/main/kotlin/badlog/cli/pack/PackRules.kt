@@ -28,7 +28,7 @@ internal class PackRules(folder: Path) {
 
     private fun isEmpty(folder: Path) = Files.isDirectory(folder) && Files.newDirectoryStream(folder).use { it.none() }
 
-    /** Returns whether [name] is a rule that slices can be for, in the pack or built in. */
+    /** Returns whether there is a rule [name] that slices can test, in the pack or built in. */
     fun has(name: String): Boolean = name in names || RuleSet.BUILT_IN.rules.any { it.name == name }
 
     /** Writes the file if it does not exist, and adds a rule [name] with [condition] unless that is null. */

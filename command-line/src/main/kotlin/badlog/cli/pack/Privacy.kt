@@ -106,7 +106,7 @@ internal class Privacy(recording: Recording) {
     }
 
     private companion object {
-        /** A number is a word of its own: 1014 is not in 21014 or 10.14. */
+        /** Returns a pattern for [text] as a whole word: 1014 is not in 21014 or 10.14. */
         fun wordOf(text: String) = Regex("(?<![0-9A-Za-z.])${Regex.escape(text)}(?![0-9A-Za-z]|\\.\\d)", RegexOption.IGNORE_CASE)
 
         fun isTeam(name: String) = endOf(name) in TEAM_NAMES
@@ -115,7 +115,7 @@ internal class Privacy(recording: Recording) {
 
         private fun endOf(name: String) = name.substringAfterLast('/').lowercase().filter { it.isLetterOrDigit() }
 
-        /** A short number or name would also be a part of unrelated texts. */
+        /** Returns whether [text] can be searched for. A short number or name would also be a part of unrelated texts. */
         fun isDistinctive(kind: Kind, text: String) = text.length >= SHORTEST && when (kind) {
             Kind.TEAM -> text.length <= LONGEST_TEAM && text.all(Char::isDigit)
             else -> text.lowercase() !in NOBODY
@@ -132,7 +132,7 @@ internal class Privacy(recording: Recording) {
         private val TEAM_OF_TEXT = Regex("(?i)\\b(?:(?:frc|team)[ _#-]{0,2}(\\d{1,5})|roborio-(\\d{1,5})-frc)\\b")
         val USERS_OF_PATHS = listOf(Regex("/(?:home|Users)/([^\\\\/\\s\"':]+)"), Regex("(?i)[\\\\/]+Users[\\\\/]+([^\\\\/\"':\\n]+)"))
 
-        /** Paths come first, since they have names of users in them. */
+        /** The patterns of private texts. Paths come first, because they contain names of users. */
         val FORMS = listOf(
             Kind.PATH to Regex("file:/+[^\\s\"'<>]+"),
             Kind.PATH to Regex("(?<!\\w)[A-Za-z]:[\\\\/](?!/)(?:[^\\\\/\"'<>|:;,\\n\\r]+[\\\\/]+)*[^\\s\"'<>|:;,()\\[\\]]*"),

@@ -17,7 +17,7 @@ public class LakeCache(private val answers: Path, private val layoutVersion: Int
     /**
      * Returns the place of the lake of [folder], which must exist. Removes lakes of former layouts, which are no longer readable.
      *
-     * @param user the name of another user with a lake of its own of the same folder; empty for the person at the command line.
+     * @param user the name of another user, who has a separate lake of the same folder; empty for the person at the command line.
      */
     public fun lakeOf(folder: Path, user: String = ""): Path {
         removeFormer()
@@ -44,7 +44,7 @@ public class LakeCache(private val answers: Path, private val layoutVersion: Int
     private companion object {
         const val NAME = "lakes-v"
 
-        /** The folder's name before layouts had versions. */
+        /** The name of the folder of lakes before layouts had versions. */
         const val WITHOUT_VERSION = "lakes"
         const val HEX = 16
     }

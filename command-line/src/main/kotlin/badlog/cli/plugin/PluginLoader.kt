@@ -12,17 +12,17 @@ import kotlin.io.path.extension
 import kotlin.io.path.listDirectoryEntries
 
 /**
- * Finds commands with libraries that are too large for people who never use them. They are services, such as [McpService], in jars in
- * a separate folder, and are loaded by a separate class loader when one of them is called.
+ * Finds commands with large libraries that most people never use. They are services, such as [McpService], in jars in a separate folder. A
+ * separate class loader loads them when one of them is called.
  *
  * @param program the loader of the program's classes. A service found there, as when Gradle runs it, takes precedence.
- * @param folder the folder of the jars otherwise.
+ * @param folder the folder of the jars, used for all other services.
  */
 internal class PluginLoader(private val program: ClassLoader, private val folder: Path) {
     /**
      * Calls [command] by passing its service to [work].
      *
-     * @return the result; [ExitCode.NOTHING] if the service is missing, which is reported to [console] with how to get it.
+     * @return the result; [ExitCode.NOTHING] if the service is missing. Then [console] reports how to get it.
      */
     fun <S : Any> call(command: String, service: Class<S>, console: Console, work: (S) -> ExitCode): ExitCode {
         val (loader, found) = find(service) ?: run {

@@ -13,7 +13,7 @@ import java.nio.file.Path
  * throws [SeasonException] if it fails.
  */
 public interface SeasonService {
-    /** The version of the layout of lakes. */
+    /** The version of the file layout of lakes, the folders that hold logs as tables. */
     public val layoutVersion: Int
 
     /** Returns whether [folder] is a lake. */
@@ -56,7 +56,7 @@ public interface ParquetSession : AutoCloseable {
      * @param log the content of the column `log`.
      * @param file the name of the log's file.
      * @param signals the names of topics, such as those that identify match and time.
-     * @return each file and its number of rows; nothing if the log has no samples.
+     * @return each file and its number of rows; empty if the log has no samples.
      */
     public fun write(view: LogView, log: String, file: String, signals: SignalVocabulary, target: Path): List<Pair<Path, Long>>
 }
@@ -68,7 +68,7 @@ public open class SeasonException(override val message: String) : Exception(mess
 public class WrongQueryException(message: String) : SeasonException(message)
 
 /**
- * The result for a lake.
+ * The result of updating a lake.
  *
  * @property logs the result for each log, in order.
  * @property removed the number of logs that were removed because their files are gone.
@@ -78,7 +78,7 @@ public class LakeReport(public val logs: List<LakeState>, public val removed: In
 /**
  * The result for a log in a lake.
  *
- * @property message why it was not added, as a sentence; null if it was.
+ * @property message the reason why it was not added, as a sentence; null if it was.
  * @property isNoLog whether it is something other than a log.
  * @property isSalvaged whether some of its data is lost.
  * @property isWritten whether it was written; otherwise it was already in the lake.
@@ -95,13 +95,13 @@ public interface SqlSession : AutoCloseable {
     /** Answers [sql]: passes its columns to [columns], then each row to [row], until that returns false. */
     public fun query(sql: String, columns: (List<SqlColumn>) -> Unit, row: (List<JsonElement>) -> Boolean)
 
-    /** Writes the answer to [sql] to the specified file. Returns the number of rows. */
+    /** Writes the answer to [sql] to the file given to [SeasonService.open]. Returns the number of rows. */
     public fun write(sql: String): Long
 
     /** Returns the tables that queries can use. */
     public fun tables(): List<SqlTable>
 
-    /** Cancels the query that is running on another thread; it fails then. */
+    /** Cancels the query that is running on another thread; the query then fails. */
     public fun cancel()
 }
 

@@ -94,7 +94,7 @@ private class RecordTalk(private val console: Console, private val outcomes: Out
     var hasFiles = false
         private set
 
-    /** Returns the reason why there is none, as a sentence. */
+    /** Returns the reason why there is no log, as a sentence. */
     @Synchronized
     fun nothing(places: String): String = if (isConnected) {
         "Nothing was recorded, because the robot was not enabled; leave out --each-enable to record the whole session."

@@ -81,7 +81,7 @@ internal class Damage(private val recording: Recording) {
         /** The problems that lose only the end of a log. */
         val AT_END = setOf(ProblemKind.RECORD_CUT, ProblemKind.RECORDS_LOST, ProblemKind.GZIP_CUT)
 
-        /** The problems with a rest of unknown size that was never written, or cannot be read. */
+        /** The problems that leave a rest of unknown size, which was never written or cannot be read. */
         val OPEN_ENDED = setOf(ProblemKind.GZIP_CUT)
     }
 }

@@ -11,7 +11,7 @@ import kotlinx.serialization.Serializable
 import java.nio.file.Path
 
 /**
- * The pages of the logs, made as soon as each log was examined, and their index.
+ * The pages of the logs, each made as soon as its log was examined, and their index.
  *
  * @throws ExportException if the index cannot be written to its place.
  */

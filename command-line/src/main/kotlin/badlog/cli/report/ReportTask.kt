@@ -40,14 +40,14 @@ import kotlin.io.path.name
 /**
  * Runs rules and hooks over every log below [paths].
  *
- * @param search what to look for.
+ * @param search the rules and hooks to run.
  * @param pagesPlan the requested pages and their index; null for none.
  * @param cache the folder for cached findings; null for none.
  * @param xTopic the topic to use as x axis, or null.
  * @param station the folder to search for Driver Station logs of the same matches, which add to the robot's logs; empty for
  *   the folder of each log, null for none.
- * @param parts finds what draws charts.
- * @param match which logs are read as one.
+ * @param parts finds the service that draws charts.
+ * @param match the choice of logs that are read as one.
  */
 internal class ReportTask(
     private val paths: List<Path>,

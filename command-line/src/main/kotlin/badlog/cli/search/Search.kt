@@ -27,7 +27,7 @@ internal class Search(
     /**
      * Returns the rules that were specified; null if none were.
      *
-     * @throws SearchException if there are no such rules.
+     * @throws SearchException if the rules file does not exist, cannot be read, or contains a mistake.
      */
     fun namedRules(): RulesFile? = when {
         isWithoutRules -> RulesFile.NONE
@@ -40,7 +40,9 @@ internal class Search(
     fun hooksWith(named: RulesFile?): List<HookRunner> =
         hooks + named?.hooks.orEmpty().map { HookRunner.of(it, rules?.toAbsolutePath()?.parent) }
 
-    /** Returns the rules in [skipped] that the user must know. None for built-in rules, because a log need not have all their topics. */
+    /**
+     * Returns the rules in [skipped] to report to the user. Built-in rules are not reported, because a log need not have all their topics.
+     */
     fun reportedOf(skipped: List<SkippedRule>): List<SkippedRule> = if (hasOwnRules) skipped else emptyList()
 
     /** Returns the rules that were skipped for all logs; [skipped] has the skipped rules of each log. */

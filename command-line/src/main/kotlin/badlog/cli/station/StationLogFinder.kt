@@ -30,7 +30,7 @@ internal class StationLogFinder(private val folder: Path, private val signals: S
 
     private class UsedStationLog(val name: String, val fit: ClockFit)
 
-    /** Returns the view for rules for the robot's log [view] of [file]. It has that log, plus what only the Driver Station's has. */
+    /** Returns a view for rules: the robot's log [view] of [file], plus the content that only the Driver Station log has. */
     fun over(file: LogFile, view: LogView): LogView {
         if (view.recording.isOfDriverStation) return view
         val below = folderBeside(file.path, folder)

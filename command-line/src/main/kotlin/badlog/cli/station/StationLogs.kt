@@ -25,7 +25,7 @@ import badlog.signals.match.files.isNamedAlike
 import java.nio.file.Path
 import kotlin.io.path.name
 
-/** The Driver Station logs below [folder]. Safe for several threads. */
+/** The Driver Station logs below [folder]. Thread-safe. */
 internal class StationLogs(private val folder: Path) {
     private val logs: List<LogFile> by lazy { reading(folder) { stationLogsIn(folder) } }
     private val starts by lazy { logs.associateWith(::startOf) }
@@ -36,7 +36,7 @@ internal class StationLogs(private val folder: Path) {
      * Returns the log of the same match as [robot], which was read from [file]; null if none can be identified.
      *
      * @param acceptsOnly see [StationSearch.over].
-     * @param given the logs that are known to be of [robot], too.
+     * @param given other logs that are known to be from the same robot.
      * @throws Failure if it may be of another robot in that match, with a log beside [file].
      */
     fun of(robot: ClockedLog, file: Path, acceptsOnly: Boolean = false, given: List<Path> = emptyList()): FoundStation<LogFile>? {
@@ -72,10 +72,10 @@ internal class StationLogs(private val folder: Path) {
     private fun startOf(log: LogFile): Double? = startOfStationLog(log, STATION_HEAD_SIZE, ::stationStartIn)
 
     private companion object {
-        /** A match has six robots. */
+        /** The number of robots in a match. */
         const val MOST_RIVALS = 6
 
-        /** The beginning of the endings of Driver Station logs. */
+        /** The beginning of all file name endings of Driver Station logs. */
         const val STATION_ENDING = ".ds"
         const val STATION_FOLDER = "Driver Station/"
     }

@@ -17,7 +17,7 @@ import badlog.viewer.shown.battery.BatteryAdvice
 import kotlinx.serialization.json.Json
 import java.nio.file.Path
 
-/** Makes a table with a row per battery, of every log below [paths]. The folder [cache] keeps results; null for none. */
+/** Makes a table of all logs below [paths], with a row for each battery. The folder [cache] keeps results; null for none. */
 internal class BatteryTask(private val paths: List<Path>, private val cache: Path?, private val form: ResultForm) : Task {
     override fun run(console: Console): ExitCode {
         val logs = LogFiles(paths, console)

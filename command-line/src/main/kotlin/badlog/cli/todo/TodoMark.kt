@@ -23,8 +23,8 @@ internal val TodoList.numbered: List<TodoItem> get() = open + done
  */
 internal class TodoMark(private val number: Int, private val isDone: Boolean, private val what: String, private val author: String) {
     /**
-     * Returns the change of [list], which was made of [known] changes and [logs]. Null if the item already has that state, and there is no
-     * new text.
+     * Returns the change of [list], which was made from [known] changes and [logs]. Null if the item already has that state, and there is
+     * no new text.
      *
      * @throws Failure if there is no such item.
      */

@@ -36,7 +36,7 @@ import java.nio.file.Path
  *
  * @param page the file for the list as a page; null for none.
  * @param cache the folder for cached findings; null for none.
- * @param mark a change to make before; null for none.
+ * @param mark a change to make first; null for none.
  */
 internal class TodoTask(
     private val folder: Path,

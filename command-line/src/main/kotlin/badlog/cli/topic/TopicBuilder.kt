@@ -74,7 +74,7 @@ internal class TopicBuilder(private val name: String, private val like: Topic, m
     }
 }
 
-/** Provides the cells of [topic], or of none; fastest in the order of its rows or samples. */
+/** Provides the cells of [topic]; empty cells if it is null. It is fastest in the order of rows or samples. */
 internal class CellSource(private val topic: Topic?) {
     private var nextText = 0
 

@@ -18,5 +18,5 @@ internal fun Recording.part(runs: List<IntRange>): Recording {
     return copy(topics = topics.map { it.part(rows) }, rowCount = rows.size)
 }
 
-/** This topic with other [attributes]. */
+/** Returns this topic with other [attributes]. */
 internal fun Topic.with(attributes: List<String>): Topic = if (attributes == this.attributes) this else copy(attributes = attributes)

@@ -7,8 +7,8 @@ import javax.xml.XMLConstants
 import javax.xml.parsers.DocumentBuilderFactory
 
 /**
- * The licenses of libraries, according to their POMs. [known] has the others: their POMs refer to a parent POM, which a build does not have
- * on the disk.
+ * The licenses of libraries, according to their POMs. The POMs of the libraries in [known] name only a parent POM, which a build does not
+ * have on the disk.
  *
  * @param known licenses by group, or by group and name with a colon between.
  */

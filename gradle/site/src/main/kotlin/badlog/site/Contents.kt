@@ -2,7 +2,7 @@ package badlog.site
 
 /** The sections of the site, according to the guides' list of contents. */
 internal class Contents(val sections: List<Section>) {
-    /** A part of the site that answers one need. */
+    /** A group of pages for one purpose. */
     data class Section(val title: String, val entries: List<Entry>)
 
     /** A page in the contents: its short [title], and the [address] on the site or elsewhere. */

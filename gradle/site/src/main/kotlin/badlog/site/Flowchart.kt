@@ -26,7 +26,11 @@ internal class Flowchart private constructor(val arrows: List<Arrow>) {
     internal companion object {
         private val ARROW = Regex("""^\s*(\w+)(?:\[(.+?)])? (?:-- (.+?) )?--> (\w+)(?:\[(.+?)])?\s*$""")
 
-        /** Reads the arrows of [text]. @throws IllegalStateException if a line is neither the chart's first nor an arrow. */
+        /**
+         * Reads the arrows of [text].
+         *
+         * @throws IllegalStateException if a line is neither the chart's first nor an arrow.
+         */
         fun of(text: String): Flowchart {
             val lines = text.lines().filter { it.isNotBlank() }.drop(1)
             val found = lines.map { checkNotNull(ARROW.find(it)) { "“$it” is not an arrow of a flowchart; write “a --> b”." }.groupValues }

@@ -27,7 +27,7 @@ internal class SitePlan(private val root: Path) {
         /** A folder or a file of the repository that has no place on the site. */
         data object InRepository : Target
 
-        /** Nothing: the link is broken. */
+        /** No target, because the link is broken. */
         data object Nowhere : Target
     }
 

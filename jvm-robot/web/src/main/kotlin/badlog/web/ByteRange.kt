@@ -3,7 +3,7 @@ package badlog.web
 /**
  * A part of a file.
  *
- * @property from the first byte.
+ * @property from the offset of its first byte.
  * @property length the number of bytes; 0 if the requested part is not in the file.
  */
 internal class ByteRange(val from: Long, val length: Long) {
@@ -11,8 +11,8 @@ internal class ByteRange(val from: Long, val length: Long) {
         private val RANGE = Regex("""bytes=(\d*)-(\d*)""")
 
         /**
-         * Returns the part of a file of [size] bytes that [header] requests. Null if it requests all of the file, or something that a
-         * server may ignore, such as several parts.
+         * Returns the part of a file of [size] bytes that [header] requests. Returns null if it requests the whole file, or something that
+         * a server may ignore, such as several parts.
          */
         fun of(header: String?, size: Long): ByteRange? {
             val (from, to) = RANGE.matchEntire(header ?: return null)?.destructured ?: return null

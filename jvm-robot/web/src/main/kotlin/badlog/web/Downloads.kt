@@ -35,7 +35,7 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
         /**
          * Copies [length] bytes from [source] to [target] while [mayGoOn] returns true. Nothing is allocated for the parts.
          *
-         * @throws IOException if that fails, or if [source] ends before [length] bytes.
+         * @throws IOException if copying fails, or if [source] ends before [length] bytes.
          */
         fun copy(source: ReadableByteChannel, length: Long, target: OutputStream, mayGoOn: () -> Boolean) {
             var left = length
@@ -57,7 +57,7 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
     private companion object {
         const val LIMIT = 2
 
-        /** A part of this size takes 16 ms. That is short enough for a smooth download, and long enough to spare the processor. */
+        /** The size of a part. One takes 16 ms, short enough for a smooth download, and long enough to spare the processor. */
         const val BUFFER_BYTES = 16 * 1024
 
         const val PATIENCE_NANOS = 10_000_000_000L

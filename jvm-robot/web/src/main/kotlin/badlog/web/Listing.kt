@@ -11,7 +11,7 @@ import kotlin.io.path.name
  * @property files its logs.
  */
 internal class Listing(private val folders: List<String>, private val files: List<ListedFile>) {
-    /** Returns it as JSON in ASCII. */
+    /** Returns the listing as JSON in ASCII. */
     fun toJson(): String = buildString {
         append("{\"dirs\":[")
         folders.sorted().forEachIndexed { i, name ->
@@ -50,6 +50,6 @@ internal class Listing(private val folders: List<String>, private val files: Lis
 internal class ListedFile(val path: Path, val size: Long, val modified: Long) {
     constructor(path: Path, attributes: BasicFileAttributes) : this(path, attributes.size(), attributes.lastModifiedTime().toMillis())
 
-    /** The identifier of this state of its bytes. */
+    /** The HTTP entity tag (ETag), made from its size and the time of its last write. */
     val tag: String get() = "\"${modified.toString(16)}-${size.toString(16)}\""
 }

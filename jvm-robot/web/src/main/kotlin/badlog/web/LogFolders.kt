@@ -15,7 +15,7 @@ import kotlin.io.path.name
  * The logs that the server shows: those in some folders and in the folders below. Links, hidden names and files without the ending of a log
  * are not served.
  *
- * @param homes folders with other files, too: only the bags directly in them are shown.
+ * @param homes folders that also hold other files; only the bags directly in them are shown.
  */
 internal class LogFolders(private val folders: List<File>, private val homes: List<File> = emptyList()) {
     /** The name of each folder in addresses. It stays the same once the folder was seen, so that addresses lead to the same logs. */
@@ -111,7 +111,7 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
     private companion object {
         val BAG = Regex("""(?is).+\.(bag|badbag)(\.gz)?""")
 
-        /** The endings of logs that a laptop can convert, beside those that it can read. */
+        /** The file name endings of logs that a laptop must convert before it can read them. */
         val CONVERTED = listOf(".wpilogxz", ".hoot")
         val LOG = Regex((readable() + CONVERTED).joinToString("|", "(?is).+(", ")(\\.gz)?") { Regex.escape(it) })
 
@@ -131,7 +131,7 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
             null
         }
 
-        /** Returns the attributes of the regular file or folder at [path]; null if there is none, or a link. */
+        /** Returns the attributes of the regular file or folder at [path]; null if there is none, or if it is a link. */
         fun attributesOf(path: Path): BasicFileAttributes? = try {
             Files.readAttributes(path, BasicFileAttributes::class.java, NOFOLLOW_LINKS).takeUnless { it.isSymbolicLink || it.isOther }
         } catch (_: IOException) {

@@ -164,12 +164,12 @@ internal class LogHandler(
         const val NO_BODY = -1L
 
         /**
-         * The number of bytes at the end of a running log that may be read while the robot is enabled. They hold half a minute of fifty
-         * numbers in each loop.
+         * The number of bytes at the end of a running log that may be read while the robot is enabled. That is half a minute of a log with
+         * fifty numbers per loop.
          */
         const val TAIL_BYTES = 1024 * 1024
 
-        /** A log is running if its last write is more recent than this. */
+        /** The maximum time since the last write of a running log. */
         const val RUNNING_MILLIS = 10_000
     }
 }

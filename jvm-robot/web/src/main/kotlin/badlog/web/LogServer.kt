@@ -31,7 +31,7 @@ public class LogServer private constructor(private val port: Int, private val op
         (open.executor as ThreadPoolExecutor).shutdownNow()
     }
 
-    /** The opened port; null before that, and if opening failed. */
+    /** The open port; null before it is open, and if opening failed. */
     internal val openPort: Int? @Synchronized get() = server?.address?.port
 
     private fun open() {

@@ -8,7 +8,7 @@ public class LogServerOptions {
     private val mode = RobotMode.find(LogServerOptions::class.java.classLoader)
 
     /**
-     * The folders of the logs to show, with the folders in them. Default: empty, which means the folders to which badlog and WPILib log:
+     * The folders of the logs to show, including their subfolders. Default: empty, which means the folders to which badlog and WPILib log:
      * the USB stick's, the robot's own, and `logs` in the working directory. Folders that do not exist yet are shown once they do.
      */
     public var folders: List<File> = emptyList()

@@ -6,8 +6,8 @@ import java.lang.invoke.MethodType
 import java.util.function.BooleanSupplier
 
 /**
- * The robot's mode according to WPILib, looked up at run time as in the logger. So robots that log with WPILib alone can have the server
- * without the logger. Anything that is not found counts as false.
+ * The robot's mode according to WPILib, looked up at run time as in the logger. Robots that log with WPILib alone can therefore have the
+ * server without the logger. Anything that is not found counts as false.
  */
 internal class RobotMode private constructor(private val loader: ClassLoader?) {
     val isEnabled: BooleanSupplier = truth("isEnabled")

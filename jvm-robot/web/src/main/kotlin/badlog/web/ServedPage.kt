@@ -8,7 +8,7 @@ internal class ServedPage {
     /** Its length in bytes. */
     val size: Long
 
-    /** The identifier of its bytes. */
+    /** The HTTP entity tag (ETag) of its bytes. */
     val tag: String
 
     init {

@@ -10,9 +10,9 @@ fun cutInLastRow(bag: ByteArray, share: Double): ByteArray {
 }
 
 /**
- * Returns [bag] with a page that was reserved but not written at a power cut. It has NULs, aligned to the page's size.
+ * Returns [bag] with a page that was reserved but not written at a power cut. The page is filled with NULs, and aligned to its size.
  *
- * @param at the page is at this share of the bag.
+ * @param at the position of the page, as a share of the bag.
  */
 fun losePage(bag: ByteArray, at: Double): ByteArray {
     val page = (bag.size * at).toInt() / PAGE * PAGE

@@ -122,7 +122,10 @@ class FaultyMatch(
         // The distance between seeds, so that neighboring seeds do not share random numbers.
         private const val SPREAD = 7919L
 
-        /** Returns the match of [seed]: each fault in turn, and none, with either chassis. One of five is faint, and one has two faults. */
+        /**
+         * Returns the match of [seed]. Seeds go through all faults and none, with either chassis. One fault in five is faint, and one in
+         * five has a second fault.
+         */
         fun of(seed: Int): FaultyMatch {
             val faults = Fault.entries + null
             val fault = faults[seed % faults.size]

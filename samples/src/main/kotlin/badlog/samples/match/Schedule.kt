@@ -2,7 +2,7 @@ package badlog.samples.match
 
 import badlog.samples.robot.Mode
 
-/** The modes of the robot over time, in seconds of the recording. */
+/** The modes of the robot over time. Times are in s from the start of the recording. */
 class Schedule(private val periods: List<Period>, val end: Double) {
     class Period(val mode: Mode, val from: Double, val until: Double)
 

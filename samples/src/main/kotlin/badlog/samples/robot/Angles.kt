@@ -10,5 +10,5 @@ fun direction(dx: Double, dy: Double): Double = StrictMath.atan2(dy, dx)
 
 fun degrees(radians: Double): Double = radians * 180 / StrictMath.PI
 
-/** Returns the same angle between -π and π. */
+/** Returns [angle], wrapped to the range from -π to π. */
 fun wrapped(angle: Double): Double = StrictMath.IEEEremainder(angle, 2 * StrictMath.PI)

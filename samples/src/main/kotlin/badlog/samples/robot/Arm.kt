@@ -2,7 +2,7 @@ package badlog.samples.robot
 
 import kotlin.math.abs
 
-/** The arm on the elevator's carriage. Degrees above the horizontal. */
+/** The arm on the elevator's carriage. Angles are in degrees above the horizontal. */
 class Arm {
     private val profile = MotionProfile(STOWED_ANGLE, maxVelocity = 170.0, maxAcceleration = 700.0)
     private var rate = 0.0

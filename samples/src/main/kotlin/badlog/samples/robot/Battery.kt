@@ -1,8 +1,8 @@
 package badlog.samples.robot
 
 /**
- * A 12 V lead-acid battery. Its resting voltage falls with its charge. It is behind an immediate resistance and a second one that builds up
- * over seconds, when acid near the plates is used up faster than it is replaced.
+ * A 12 V lead-acid battery. Its resting voltage falls with its charge. It has an immediate resistance, and a second one that builds up over
+ * seconds, when acid near the plates is used up faster than it is replaced.
  *
  * @param ohms the immediate resistance, including leads, main breaker and connectors.
  * @param slowOhms the resistance that builds up.

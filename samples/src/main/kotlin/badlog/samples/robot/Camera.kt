@@ -6,7 +6,7 @@ import kotlin.math.abs
 class Camera(private val noise: Noise) {
     private var blind = 0.0
 
-    /** The angle to the target in degrees, to the right; null if no target is seen. */
+    /** The angle to the target in degrees, positive to the right; null if no target is seen. */
     var targetX: Double? = null
         private set
     var latency = 24.0

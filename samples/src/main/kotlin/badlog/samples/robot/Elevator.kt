@@ -23,7 +23,7 @@ class Elevator(private val gain: Double = GAIN) {
     var isDriven = true
     private val drive get() = if (isDriven) output else 0.0
 
-    /** Runs once a loop. Outputs are cut while the robot is not [enabled]. */
+    /** Runs the elevator's code for one loop. Outputs are cut while the robot is not [enabled]. */
     fun control(enabled: Boolean, seconds: Double) {
         if (!enabled) {
             profile.restartAt(position)

@@ -1,6 +1,6 @@
 package badlog.samples.robot
 
-/** Rollers that take in a game piece. A piece stalls them briefly, by which the robot detects it. */
+/** Rollers that take in a game piece. A piece stalls them briefly, so that the robot detects it. */
 class Intake(private val noise: Noise) {
     private var running = 0.0
     private var stalled = 0.0

@@ -72,7 +72,7 @@ class Robot(seed: Long, val battery: Battery, val drivetrain: Drivetrain, pressu
         intake.control(state.rollers, stateSeconds > sticks.pieceAfter, isPowered, seconds)
     }
 
-    /** Advances by [seconds] with unchanged outputs. */
+    /** Advances the simulation by [seconds] with unchanged outputs. */
     fun pass(seconds: Double) {
         val step = seconds / STEPS
         repeat(STEPS) {

@@ -48,7 +48,7 @@ class Sensors(private val robot: Robot, private val noise: Noise) {
     }
 }
 
-/** Measures the heading, in degrees, counter-clockwise; it never wraps. */
+/** A gyro that measures the heading in degrees, counter-clockwise. The heading never wraps. */
 class Gyro(private val noise: Noise) {
     private var drift = 0.0
     private var driftRate = 0.004

@@ -1,7 +1,7 @@
 package badlog.architecture.english
 
 /**
- * A kind of phrase that a technical editor would look at. Most of these are translated clauses that a noun expresses better.
+ * A kind of phrase that a technical editor would question. Most of these are translated clauses that a noun expresses better.
  *
  * @property instead the advice for rewriting it.
  */
@@ -22,7 +22,7 @@ internal enum class Phrase(val instead: String, pattern: String) {
     /** Words may be on different lines of a comment. */
     private val regex = Regex("(?i)\\b(?:" + pattern.replace(" ", """\s+(?:(?:\*|//|#)\s*)?""") + ")\\b")
 
-    /** Returns the matches in [text], each with this phrase. */
+    /** Returns the matches of this phrase in [text], each together with it. */
     fun matchesIn(text: String): Sequence<Pair<MatchResult, Phrase>> = regex.findAll(text).map { it to this }
 }
 

@@ -9,7 +9,7 @@ internal class Ratchet(val accepted: Map<String, Int>) {
     /** Returns the modules in [counts] with more places than accepted. */
     fun exceededBy(counts: Map<String, Int>): Map<String, Int> = counts.filter { (module, count) -> count > (accepted[module] ?: 0) }
 
-    /** Returns this with the numbers in [counts], if they are lower or new. Modules that no longer exist are removed. */
+    /** Returns this ratchet with the numbers in [counts], where they are lower or new. Modules that no longer exist are removed. */
     fun loweredTo(counts: Map<String, Int>): Ratchet =
         Ratchet(counts.mapValues { (module, count) -> minOf(count, accepted[module] ?: count) })
 

@@ -16,8 +16,8 @@ import kotlin.io.path.readBytes
 /**
  * Takes pictures of an exported [page] in Chromium, [width] × [height] pixels large.
  *
- * Chromium takes its picture when everything is loaded, but the page is still reading its log then. So a frame around the page loads
- * another file, which a local server only sends when the page is ready.
+ * Chromium takes its picture when everything is loaded, but then the page is still reading its log. A frame around the page therefore loads
+ * another file, which a local server sends only when the page is ready.
  */
 internal class PageCamera(private val page: Path, private val width: Int, private val height: Int) : AutoCloseable {
     private val threads = Executors.newCachedThreadPool()

@@ -2,7 +2,7 @@ package badlog.samples.generated.log
 
 import badlog.samples.generated.fault.Signal
 
-/** The type of a topic's values, and how WPILOG names it. */
+/** The type of a topic's values, with its name in a WPILOG. */
 internal sealed interface ValueType {
     val name: String
 
@@ -70,7 +70,7 @@ internal enum class Struct(val typeName: String, val schema: String, val parts: 
 /**
  * A topic of a generated log.
  *
- * @property signal the measured quantity; null if it has none of these.
+ * @property signal the measured quantity; null if it is not one of these.
  * @property part the part of the robot that it describes, such as `Elevator`; empty for the whole robot.
  * @property everyLoops the number of loops between two samples; 0 if a sample is taken with each status frame.
  * @property read returns its current value: a Double, Long, Boolean, String, DoubleArray, ByteArray or list of strings; null for no sample.

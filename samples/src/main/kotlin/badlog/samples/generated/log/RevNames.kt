@@ -6,7 +6,7 @@ import badlog.samples.generated.robot.MatchRun
 import kotlin.math.PI
 
 /**
- * The topics of a revlog, with the Driver Station's part of a WPILib log. They are every status signal of each Spark, each time a frame
+ * The topics of a revlog, with the Driver Station's part of a WPILib log. A revlog has every status signal of each Spark, each time a frame
  * arrives.
  */
 internal fun revTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply {

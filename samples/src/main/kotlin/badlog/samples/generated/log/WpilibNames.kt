@@ -24,7 +24,7 @@ internal fun wpilibTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply 
     mechanisms(robot)
 }.topics
 
-/** Adds the topics that WPILib logs of the Driver Station. */
+/** Adds the topics that WPILib logs about the Driver Station. */
 internal fun TopicList.station(run: MatchRun) {
     truth("DS:enabled", Signal.ENABLED) { run.isEnabled }
     truth("DS:autonomous", Signal.AUTONOMOUS) { run.phase <= Phase.AUTO }

@@ -9,7 +9,7 @@ internal class Air(private val chance: Chance, startPressure: Double) {
     /** The leak at 110 psi, in psi/s. */
     var leak = 0.02
 
-    /** Whether the compressor's circuit is whole. */
+    /** Whether the compressor's circuit is intact. */
     var hasCompressor = true
     private var isWanted = startPressure < 95
 

@@ -24,7 +24,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
     /** Whether its encoder is connected. */
     var isEncoderConnected = true
 
-    /** The part of each movement up that its encoder misses. */
+    /** The share of each upward movement that its encoder misses. */
     var encoderSlip = 0.0
     private var slipped = 0.0
 

@@ -11,7 +11,7 @@ internal class Battery(restVolts: Double, val resistance: Double) {
     private var used = 0.0
     private var slow = 0.0
 
-    /** A contact's resistance in its leads, in Ω; 0 if they are tight. */
+    /** The resistance of a loose contact in its leads, in Ω; 0 if they are tight. */
     var contact = 0.0
 
     /** The difference to a fully charged battery, in V. */

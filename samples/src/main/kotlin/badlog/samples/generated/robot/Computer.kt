@@ -14,7 +14,7 @@ internal class Computer(private val chance: Chance, hasVision: Boolean) {
     /** Load by other programs, 0 to 1. */
     var otherLoad = 0.0
 
-    /** The time that a new frame of the camera blocks the loop, in ms. */
+    /** The time for which a new frame of the camera blocks the loop, in ms. */
     var cameraMillis = 0.0
 
     /** The garbage collector's pause in the next loop, in ms. */

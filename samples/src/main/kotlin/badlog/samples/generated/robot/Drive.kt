@@ -11,8 +11,8 @@ import kotlin.math.sin
 /**
  * One driven wheel of a swerve drive, or one side of a tank drive.
  *
- * @property x its position in m, to the front from the robot's middle.
- * @property y its position in m, to the left from the robot's middle.
+ * @property x its distance forward of the robot's center, in m; negative behind it.
+ * @property y its distance to the left of the robot's center, in m; negative to the right.
  * @property steer the motor that turns it; null on a tank drive.
  */
 internal class Wheel(val name: String, val x: Double, val y: Double, val drive: Device, val steer: Device?) {
@@ -202,5 +202,5 @@ internal class Drive(val isSwerve: Boolean, val wheels: List<Wheel>, private val
     }
 }
 
-/** Returns [angle] between -π and π. */
+/** Returns [angle], wrapped to the range from -π to π. */
 internal fun wrapped(angle: Double): Double = angle - 2 * PI * kotlin.math.round(angle / (2 * PI))

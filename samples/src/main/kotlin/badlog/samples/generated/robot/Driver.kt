@@ -15,7 +15,7 @@ internal enum class Action { TRAVEL, INTAKE, SCORE }
 /** A part of the driver's plan. It ends [until] s after the start of autonomous. */
 internal class Errand(val until: Double, val x: Double, val y: Double, val heading: Double, val action: Action, val share: Double)
 
-/** The driver, and the routine of autonomous. Both fetch game pieces at one end of the field and score them at the other. */
+/** The driver and the autonomous routine. Both fetch game pieces at one end of the field and score them at the other. */
 internal class Driver(seed: Long, private val plan: RobotPlan) {
     private val chance = Chance(seed, "driver")
     private val haste = if (plan.hardship == Hardship.LONG_SPRINT) 1.0 else chance.between(0.72, 0.92)
@@ -116,7 +116,7 @@ internal class Driver(seed: Long, private val plan: RobotPlan) {
     private fun stick(value: Double) = round(value.coerceIn(-1.0, 1.0) * 128) / 128
 
     companion object {
-        /** The end of the match: autonomous, a pause, teleop. */
+        /** The end of the match after autonomous, a pause and teleop, in s. */
         const val END = 15.0 + 2.0 + 135.0
     }
 }

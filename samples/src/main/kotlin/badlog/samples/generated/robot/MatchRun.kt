@@ -9,10 +9,10 @@ import kotlin.math.sin
 
 /** Receives the events of a running match. */
 internal interface MatchObserver {
-    /** Called at the end of a loop of the robot's code, at [time] s of the log. */
+    /** Called at the end of a loop of the robot's code, at [time] on the log's clock, in s. */
     fun looped(time: Double)
 
-    /** Called when devices have sent their status frames, at [time] s of the log. */
+    /** Called when devices have sent their status frames, at [time] on the log's clock, in s. */
     fun framed(time: Double)
 }
 
@@ -28,7 +28,7 @@ internal class MatchRun(val plan: RobotPlan) {
     val planting = plan.fault?.let { Planting(robot, it, plan.strength) }
     private val chance = Chance(plan.seed, "match")
 
-    /** The start of autonomous, in s of the log. */
+    /** The start of autonomous on the log's clock, in s. */
     val autoStart = chance.between(12.0, 25.0)
     private val end = autoStart + Driver.END + chance.between(3.0, 8.0)
     private val mechanisms = Mechanisms(robot)
@@ -49,7 +49,7 @@ internal class MatchRun(val plan: RobotPlan) {
     var isBrownedOut = false
         private set
 
-    /** The current time of the log, in s, in steps of 5 ms. */
+    /** The current time on the log's clock, in s, in steps of 5 ms. */
     var now = 0.0
         private set
     private var recoveredAt = 0.0
@@ -70,7 +70,7 @@ internal class MatchRun(val plan: RobotPlan) {
         return List(count) { chance.between(20.0, Driver.END - 5).let { it..it + chance.between(1.2, 3.0) } }
     }
 
-    /** Runs the match and calls [observer] continuously. */
+    /** Runs the match, and calls [observer] throughout. */
     fun run(observer: MatchObserver) {
         planting?.prepare()
         val until = minOf(end, autoStart + (planting?.end ?: Double.POSITIVE_INFINITY))
