@@ -27,7 +27,7 @@ private fun linesOf(bytes: ByteArray): List<List<String>> {
     }
 }
 
-@Tags("InCheck")
+@Tags("InProve")
 class WpilibReaderSpec : FunSpec({
     for (naming in Naming.entries.filterNot { it.isBag }) {
         test("WPILib's reader finds the same samples in logs of ${naming.id}").config(enabledOrReasonIf = PYTHON.isHere) {

@@ -2,6 +2,7 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
+import badlog.formats.PLACE_STEP
 import badlog.formats.column.ColumnSource
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
@@ -71,7 +72,7 @@ private fun intact(from: Int, until: Int) = WHOLE.records.filter { (at, _) -> WH
 
 class WpilogDamageSpec : FunSpec({
     test("after a hole of zeros at any place, the records continue within 75 bytes, and none is invented") {
-        for (from in BODY until ROBOT.size - 6000 step 61) {
+        for (from in BODY until ROBOT.size - 6000 step 61 * PLACE_STEP) {
             val until = from + 4096
             val damaged = ROBOT.copyOf().also { it.fill(0, from, until) }
             val log = ReadLog(damaged)
@@ -161,7 +162,7 @@ class WpilogDamageSpec : FunSpec({
 
     test("the size of the pieces does not change which records are saved") {
         val random = Random(8)
-        repeat(60) {
+        repeat(60 / PLACE_STEP) {
             val damaged = ROBOT.copyOfRange(0, 9000 + random.nextInt(4000))
             repeat(random.nextInt(1, 4)) {
                 val at = random.nextInt(BODY / 2, damaged.size - 400)
