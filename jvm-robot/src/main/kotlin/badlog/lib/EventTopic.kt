@@ -84,7 +84,7 @@ internal class EventTexts(private val dropped: AtomicLong) {
         }
     }
 
-    /** Counts the events that still wait as dropped, since no row will take them. */
+    /** Counts the waiting events as dropped, because no row will contain them. */
     fun end() {
         synchronized(this) {
             dropped.addAndGet(eventsWaiting)

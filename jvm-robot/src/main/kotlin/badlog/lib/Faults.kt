@@ -14,7 +14,7 @@ internal class Faults(val counters: Counters) {
     private val ignoredCalls = ConcurrentHashMap.newKeySet<String>()
     private val ignoredNames = ConcurrentHashMap.newKeySet<String>()
 
-    /** The column that takes events, if there is one. */
+    /** The column in which faults are noted as events; null if there is none. */
     @Volatile
     var room: EventSink? = null
 

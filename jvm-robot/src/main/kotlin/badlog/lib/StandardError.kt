@@ -17,7 +17,7 @@ internal object StandardError : Thread("badlog messages") {
         isDaemon = true
     }
 
-    /** Prints [message] soon, marked as badlog's. */
+    /** Queues [message] to be printed after `badlog: `; drops it if too many are waiting. */
     fun print(message: String) {
         unprinted.incrementAndGet()
         if (!waiting.offer(message)) unprinted.decrementAndGet()

@@ -49,13 +49,13 @@ internal class Outcomes(
         }
     }
 
-    /** Reports that [file] could not be processed because of [message]. */
+    /** Reports that [file] could not be processed; [message] says why. */
     fun failed(file: Path, message: String) {
         failed++
         if (isJson) line(file, "failed", jsonOf(ErrorJson(message))) else console.fail(message)
     }
 
-    /** Reports that [input] cannot be read because of [message]; [isNoLog] if it is something other than a log. */
+    /** Reports that [input] cannot be read; [message] says why. With [isNoLog], it is something other than a log. */
     fun unreadable(input: LogInput, message: String, isNoLog: Boolean) {
         val file = input.file
         if (isNoLog && input.isFound) skipped(file, message) else failed(file, naming(file, message))
@@ -67,12 +67,12 @@ internal class Outcomes(
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message)))
     }
 
-    /** Reports that [file], found in a folder, was skipped because of [message], which is printed at once. */
+    /** Reports that [file], found in a folder, was skipped; [message], the reason, is printed at once. */
     fun skippedPart(file: Path, message: String) {
         if (isJson) line(file, "skipped", jsonOf(SkippedJson(message))) else console.warn(message)
     }
 
-    /** Records that part of the result other than logs is missing because of [message], which may already have been reported. */
+    /** Records that something other than a log is missing in the result. Prints [message], the reason, unless it is empty. */
     fun leaveOut(message: String = "") {
         isIncomplete = true
         if (message.isNotEmpty()) console.warn(message)

@@ -47,7 +47,7 @@ internal abstract class SubCommand(
     /** All arguments that are not options. */
     protected abstract val words: List<String>
 
-    /** Always true, because Clikt takes anything that begins with a sign and contains `=` for an option. */
+    /** Always true, because Clikt treats an argument that begins with punctuation and contains `=` as an option. */
     final override val treatUnknownOptionsAsArgs: Boolean get() = true
 
     /** Creates the task for the options; throws a usage error if they contradict each other. */

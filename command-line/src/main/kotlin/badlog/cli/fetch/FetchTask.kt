@@ -131,7 +131,7 @@ internal class FetchTask(
             if (isNothing) report("Nothing new on $address; ${counted(known.toLong(), "log")} fetched before.")
         }
 
-        /** Records that a round failed because of [message]. */
+        /** Records that a round failed; [message] says why. */
         fun fail(message: String) {
             close()
             if (message in said) return

@@ -25,7 +25,7 @@ internal class InfoJson private constructor(
     private val problems: List<ProblemJson>,
     private val undefined: List<UndefinedJson>,
 ) {
-    /** Creates it for a log with [signals], to which some virtual topics could not be added because of [errors]. */
+    /** Creates the JSON of the log in [summary] with these [signals]. Virtual topics with [errors] could not be added to it. */
     constructor(summary: LogSummary, signals: List<SignalTopic>, errors: List<ExpressionError>) : this(
         summary.view.recording.format.id,
         summary.bytes,

@@ -15,7 +15,7 @@ import java.nio.file.Path
 /**
  * Reads [file] with its samples, and with the topic [xTopic] as x axis unless it is null.
  *
- * @param maker makes one log of a file with several in it; null if no such file is read.
+ * @param maker makes one log from a file that contains several; null if such files are not read.
  * @param sinks the destinations of numbers that the recording is not to keep.
  * @throws badlog.files.NotReadException if there is nothing to show.
  * @throws badlog.report.TopicException if there is no such topic.

@@ -35,10 +35,10 @@ internal class Offset private constructor(val file: Path, val seconds: Double) {
 }
 
 /**
- * A log that was moved.
+ * A log with times that were moved to the common clock.
  *
- * @property edges the number of starts and ends of [what] that match the first log's; 0 if the move was given.
- * @property error the largest distance between matches, otherwise the possible error of the clocks, in s; 0 if the move was given.
+ * @property edges the number of starts and ends of [what] that match the other log's; 0 if the move was given.
+ * @property error the largest distance between matches, in s; if none match, the possible error of the clocks. 0 if the move was given.
  * @property early the number of its samples that would be before 0, and are left out of a merged log.
  */
 internal class Move(val part: LogPart, val edges: Int, val error: Double, val what: String = "enabled", val early: Long = 0)

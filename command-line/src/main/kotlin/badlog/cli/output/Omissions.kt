@@ -28,7 +28,7 @@ internal class Omissions(
             wrapped("  differs: ", what.removeSuffix(".") + placeOf(alike) + ".", indent = INDENT)
         }
 
-    /** All differences, each as a sentence or less. */
+    /** All differences, each as a sentence or a short phrase. */
     val all: List<String>
         get() = remarks + things + omissions.map { omission ->
             val topic = omission.topic?.let { "“$it”: " }.orEmpty()

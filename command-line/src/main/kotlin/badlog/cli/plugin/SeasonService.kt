@@ -22,7 +22,7 @@ public interface SeasonService {
     /**
      * Updates the lake [lake] to [logs], each with its name there. Other logs below [roots] are removed from it.
      *
-     * @param matches makes one log of the logs of a match; null if no such file is read.
+     * @param matches makes one log from a file with the logs of a match; null if such files are not read.
      * @param isBusy called from time to time while another badlog writes to that lake; returns whether to wait until it has finished.
      * @param progress called with the number of changed logs that are done. An exception from it stops the work and is passed on.
      */

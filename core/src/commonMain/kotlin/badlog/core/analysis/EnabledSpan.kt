@@ -34,7 +34,7 @@ public fun LogView.enabledSpans(): List<EnabledSpan> {
     }
 }
 
-/** Whether the recording shows when the robot was enabled; if not, [enabledSpans] is empty, whether or not it was. */
+/** Whether the recording shows when the robot was enabled; if not, [enabledSpans] is empty even if the robot was enabled. */
 public val LogView.knowsEnabled: Boolean get() = modes.enabled?.let { topicOf(it.topic) }?.let { seriesOf(it).data.isOrdered } ?: false
 
 /** Whether the recording shows which [enabledSpans] were autonomous. */

@@ -29,8 +29,8 @@ public class GraphSeries internal constructor(
     public val holds: Boolean get() = topic.times != null && !isDerived
 
     /**
-     * The part of x in which its recording has samples, in this line or in others. Where values hold, the last one holds until the end of
-     * this part. Null if there are no samples.
+     * The range of x in which its recording has samples, even if this line has none there. If values hold, the last one holds until the
+     * range ends. Null if there are no samples.
      */
     public val recorded: ClosedFloatingPointRange<Double>? get() = range()
 

@@ -76,7 +76,7 @@ internal class PendingBytes(room: Int = 2 * PIECE) {
         sawCarriageReturn = false
     }
 
-    /** Marks the bytes from which [batch] was read as arrived and read. */
+    /** Counts the bytes and lines of [batch] as read, without appending them. */
     fun pass(batch: RowBatch) {
         passed += batch.byteCount
         line += batch.lineCount

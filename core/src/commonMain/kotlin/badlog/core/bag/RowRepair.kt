@@ -49,7 +49,7 @@ internal class RowRepair(
     private val hasNumber = BooleanArray(cells.columns)
 
     /**
-     * Reads the pending bytes, from the start of a line.
+     * Reads one row at the start of the pending bytes, or skips blank or damaged lines there. The bytes begin with the start of a line.
      *
      * @param isEnd whether no more bytes will follow.
      * @param row the number of rows so far.

@@ -21,13 +21,13 @@ internal class PowersOfTen96(private val min: Int, max: Int) {
         fillDownwards()
     }
 
-    /** Returns the lowest 32 bits of 10^[power]. */
+    /** Returns the lowest 32 of the 96 bits for 10^[power]. */
     fun low(power: Int): Long = words[(power - min) * WORDS].toLong() and WORD_MASK
 
-    /** Returns bits 32 to 63 of 10^[power]. */
+    /** Returns the middle 32 of the 96 bits for 10^[power]. */
     fun middle(power: Int): Long = words[(power - min) * WORDS + 1].toLong() and WORD_MASK
 
-    /** Returns the highest 32 bits of 10^[power]; the first of them is set. */
+    /** Returns the highest 32 of the 96 bits for 10^[power]; the topmost is always set. */
     fun high(power: Int): Long = words[(power - min) * WORDS + 2].toLong() and WORD_MASK
 
     /** Powers of five times 2^96, which leaves room for three words below the shortest of them. */

@@ -5,7 +5,7 @@ import badlog.viewer.draw.mark.EventTimeline
 import badlog.viewer.shown.search.Query
 
 /**
- * The filter for listed and marked events.
+ * The filter for listed and marked events. Immutable; each transition returns a new one.
  *
  * @property text words that the text or the topic of an event must contain, regardless of case; empty for any.
  * @property topics the names of the topics with accepted events. If the recording has none of them, all topics are accepted.

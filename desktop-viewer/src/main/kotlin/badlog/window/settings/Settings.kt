@@ -36,17 +36,17 @@ internal data class Settings(
     val ringsForLogs: Boolean = false,
     val author: String = "",
 ) {
-    /** Remembers that [folder] was opened. */
+    /** Returns a copy with [folder] as the one opened last. */
     fun opened(folder: String): Settings = copy(recentFolders = (listOf(folder) + (recentFolders - folder)).take(MAX_RECENT))
 
-    /** Remembers whether the Driver Station's log [isShown] with [log]. */
+    /** Returns a copy that says whether the Driver Station's log [isShown] with [log]. */
     fun withStation(log: String, isShown: Boolean): Settings = copy(stations = stations.latest(mapOf(log to isShown)))
 
-    /** Remembers the [note] of the video of [log]; null for none. */
+    /** Returns a copy with [note] as the video of [log]; null removes it. */
     fun withVideo(log: String, note: String?): Settings =
         copy(videos = if (note == null) videos - log else videos.latest(mapOf(log to note)))
 
-    /** Remembers the [file] of the field for the logs in [folder]; null for the field beside them. */
+    /** Returns a copy with [file] as the field for the logs in [folder]; null for the field beside them. */
     fun withField(folder: String, file: String?): Settings =
         copy(fields = if (file == null) fields - folder else fields.latest(mapOf(folder to file)))
 }

@@ -6,7 +6,7 @@ import badlog.window.state.StateHolder
 import badlog.window.theme.Icons
 
 /**
- * The open parts of the window.
+ * The open parts of the window. Immutable; each transition returns a new one.
  *
  * @property library whether the list of logs is open on the left.
  * @property topics whether the topics are open beside it, see [showsTopics].

@@ -28,7 +28,7 @@ internal class Licenses(private val known: Map<String, List<String>>) {
     }
 
     companion object {
-        /** Returns the licenses with this project's own list. */
+        /** Returns the licenses, completed by this project's list of known ones. */
         fun ofProject(): Licenses {
             val stream = checkNotNull(Licenses::class.java.getResourceAsStream("licenses.txt"))
             val lines = stream.use { it.readBytes().decodeToString().lines() }.filter { it.isNotBlank() && !it.startsWith('#') }

@@ -12,7 +12,7 @@ import org.commonmark.node.Node
  * link to a folder of the repository becomes plain text.
  */
 internal class LinkRewriter(private val path: String, private val address: String, private val plan: SitePlan) : AbstractVisitor() {
-    /** The files that are linked to and are to be copied to the site, each with its address. */
+    /** The linked files to copy to the site, each with its address. */
     val copied: MutableMap<String, String> = HashMap()
 
     override fun visit(link: Link) {

@@ -28,7 +28,7 @@ internal class Downloads(private val pace: Pace, private val clock: Clock) {
         private val buffer = ByteBuffer.allocate(BUFFER_BYTES)
         var thread: Thread? = null
 
-        /** The time when bytes were last sent. */
+        /** The time when bytes were last sent, in nanoseconds of [clock]. */
         @Volatile
         var moved = 0L
 

@@ -131,7 +131,7 @@ internal class LogFolders(private val folders: List<File>, private val homes: Li
             null
         }
 
-        /** Returns the attributes of the regular file or folder at [path]; null if there is none, or if it is a link. */
+        /** Returns the attributes of the regular file or folder at [path]. Null if there is none, or if it is a link. */
         fun attributesOf(path: Path): BasicFileAttributes? = try {
             Files.readAttributes(path, BasicFileAttributes::class.java, NOFOLLOW_LINKS).takeUnless { it.isSymbolicLink || it.isOther }
         } catch (_: IOException) {

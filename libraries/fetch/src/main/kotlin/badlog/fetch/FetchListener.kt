@@ -8,7 +8,7 @@ import java.nio.file.Path
  * @property path its path on the robot.
  * @property file its file on this computer.
  * @property bytes its size in bytes.
- * @property resumedAt the number of bytes that were already here.
+ * @property resumedAt the number of bytes that were already on this computer.
  * @property title the title of its match, or null.
  * @property isLog whether it can be read as a log.
  * @property isSalvaged whether some of its data is lost.
@@ -28,7 +28,7 @@ class FetchedLog internal constructor(
  *
  * @property newLogs the number of logs that are not on this computer.
  * @property newBytes their total size in bytes.
- * @property knownLogs the number of logs that are already here.
+ * @property knownLogs the number of logs that are already on this computer.
  */
 class FoundLogs internal constructor(val newLogs: Int, val newBytes: Long, val knownLogs: Int)
 
@@ -46,13 +46,13 @@ interface FetchListener {
     /** The robot's folders were listed. */
     fun found(logs: FoundLogs) {}
 
-    /** [done] of the [total] bytes of the log [name] are here. */
+    /** [done] of the [total] bytes of the log [name] are on this computer. */
     fun advanced(name: String, done: Long, total: Long) {}
 
     /** A log was fetched. */
     fun fetched(log: FetchedLog) {}
 
-    /** The robot's log at [path] was skipped because of [message]; [isGrowing] if a later fetch will include it. */
+    /** The robot's log at [path] was skipped; [message] says why. With [isGrowing], a later fetch will include it. */
     fun skipped(path: String, message: String, isGrowing: Boolean) {}
 
     /** The log at [path] was removed from the robot. */
@@ -65,6 +65,6 @@ interface FetchListener {
  * @property address the address of the robot.
  * @property user the user that was accepted.
  * @property fetched the fetched logs, newest first.
- * @property known the number of logs that were already here.
+ * @property known the number of logs that were already on this computer.
  */
 class FetchSummary internal constructor(val address: RobotAddress, val user: String, val fetched: List<FetchedLog>, val known: Int)

@@ -7,13 +7,13 @@ internal class MessagePackReader(private val bytes: ByteBuffer) {
     /** Whether there are bytes left. */
     val hasNext: Boolean get() = bytes.hasRemaining()
 
-    /** Returns the size of the array that begins here; null if there is none. */
+    /** Returns the size of the next value if it is an array; otherwise null. */
     fun arraySize(): Int? {
         val first = unsigned()
         return if (first in FIX_ARRAY..FIX_ARRAY_END) first - FIX_ARRAY else null
     }
 
-    /** Returns the whole number here; null if there is something else. */
+    /** Returns the next value if it is a whole number; otherwise null. */
     fun number(): Long? = when (val first = unsigned()) {
         in 0..POSITIVE_END -> first.toLong()
         UINT_8 -> unsigned().toLong()
@@ -27,7 +27,7 @@ internal class MessagePackReader(private val bytes: ByteBuffer) {
         else -> null
     }
 
-    /** Returns the whole number here, or the number in 8 bytes, lowest byte first; null if there is something else. */
+    /** Returns the next value if it is a whole number, or one in 8 bytes, lowest byte first; otherwise null. */
     fun word(): Long? {
         if (bytes.get(bytes.position()).toInt() and BYTE_END != BINARY_8) return number()
         bytes.get()

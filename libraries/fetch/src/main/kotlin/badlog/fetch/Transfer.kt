@@ -49,7 +49,7 @@ internal class Transfer(
 
     val fetched = ArrayList<FetchedLog>()
 
-    /** The number of logs that were already here. */
+    /** The number of logs that were already on this computer. */
     var known = 0
         private set
 

@@ -88,7 +88,10 @@ public fun <T> wholeLogs(files: List<T>, pathOf: (T) -> Path): List<T> {
     return files.filter { file -> firstPartOf(pathOf(file))?.let { it in paths } != true }
 }
 
-/** Returns the first file of a log with the second file [file], according to its name; null for any other name. It need not exist. */
+/**
+ * Returns the path of a log's first file, derived from the name of its second file, [file]. Null if [file] is not named like a second file.
+ * The first file need not exist.
+ */
 public fun firstPartOf(file: Path): Path? = sibling(file, SECOND_ENDING, FIRST_ENDING)
 
 private fun sibling(file: Path, from: String, to: String): Path? {

@@ -14,7 +14,7 @@ import badlog.core.recording.NumberSinks
  *   has been read. Each sink receives each row once, in order. Not used for logs of records.
  * @property cores the number of cores for reading a large file; 1 for only the calling thread, if others read other files meanwhile.
  * @property name the name of the log, if the file temporarily has another one; null for the name of the file.
- * @property maker makes one log from a file that contains several; null to read no such file.
+ * @property maker makes one log from a file that contains several; null if such files are not read.
  */
 public class ReadOptions(
     public val keepSamples: Boolean = true,

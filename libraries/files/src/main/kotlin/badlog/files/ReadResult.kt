@@ -123,13 +123,13 @@ public inline fun <R> orNotRead(file: Path, otherwise: (ReadResult.NotRead) -> R
 /** Returns [message], a sentence about [file], preceded by the file's path unless it already contains the path. */
 public fun naming(file: Path, message: String): String = if ("$file" in message) message else "$file: $message"
 
-/** Returns the message, a sentence, that [what] needs too much memory, with a remedy. */
+/** Returns a sentence that says that [what] needs too much memory, and suggests a remedy. */
 public fun tooLargeSentence(what: String): String {
     val megabytes = Runtime.getRuntime().maxMemory() shr 20
     return "$what does not fit into the $megabytes MB of memory that this program may use; set JAVA_TOOL_OPTIONS, to -Xmx8g for example."
 }
 
-/** Returns the sentence about [failure], a bug in badlog that is not about one file. */
+/** Returns a sentence that reports [failure], a bug in badlog, without naming a file. */
 public fun bugSentence(failure: Throwable): String = "${bugIn(failure)}."
 
 private fun bugIn(failure: Throwable) = "This is a bug in badlog (${failure.toString().lineSequence().first()}); report it"

@@ -31,7 +31,7 @@ public class Unpacked internal constructor(
  * content.
  *
  * @param name the name of the log, if the file temporarily has another one.
- * @param maker makes a WPILOG from a file that contains several logs; null to read no such file.
+ * @param maker makes a WPILOG from a file that contains several logs; null if such files are not read.
  * @param checkpoint called from time to time while a WPILOG is made; may throw to cancel.
  * @throws UnreadableFileException if the file cannot be read, or not converted to a WPILOG.
  * @throws UnwritableFileException if the WPILOG cannot be written, such as on a full disk.

@@ -31,7 +31,7 @@ import java.nio.file.Path
  * @param cache a folder for cached results, so that an unchanged file is not read again; null for none.
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own.
  * @param signals the names of topics that the question refers to by their meaning.
- * @param maker makes one log from a file that contains several; null if no such file is read.
+ * @param maker makes one log from a file that contains several; null if such files are not read.
  */
 class Find(
     private val question: String,
@@ -51,7 +51,7 @@ class Find(
         val question: ParsedQuestion = askedQuestion(clauses.question, shape, names, signals)
     }
 
-    /** The mistake in the question that does not depend on the log, such as an unclosed parenthesis. Null if none is certain. */
+    /** The mistake in the question that is the same for every log, such as an unclosed parenthesis. Null if none is certain. */
     val mistake: Reply.NotAsked? =
         listOfNotNull(clauses.question, clauses.condition).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 

@@ -40,7 +40,7 @@ import java.nio.file.Path
  * @param xTopic the topic to use as x axis, which plain CSV does not name; null for the log's own, or its column of time.
  * @param beside returns the view on which rules run: usually the given one, or the given one with another log added. Called on many
  *   threads; the findings are then not cached.
- * @param maker makes one log from a file that contains several; null if no such file is read.
+ * @param maker makes one log from a file that contains several; null if such files are not read.
  * @param measures whether the numbers of each log are needed even if no rule compares logs.
  */
 class Report(

@@ -41,7 +41,10 @@ class NamedDevice(val type: String, val id: Int, val name: String, val subsystem
 
 /** A team's names for the [devices] on its CAN bus; logs name them by their types and ids. */
 class DeviceNames(val devices: List<NamedDevice>) {
-    /** Returns [device], named as in logs, with the team's name if it has one. For example: `Front left drive (Drive, TalonFX 3)`. */
+    /**
+     * Returns the text for [device], which is its name in logs. A name that the team gave it comes first:
+     * `Front left drive (Drive, TalonFX 3)`.
+     */
     internal fun deviceText(device: String): String {
         val named = find(device) ?: return device
         val address = BusAddress.of(device)?.let { "${it.type} ${it.id}" }

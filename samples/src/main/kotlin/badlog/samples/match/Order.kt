@@ -2,7 +2,7 @@ package badlog.samples.match
 
 import badlog.samples.robot.Superstructure
 
-/** An order of the drivers or the autonomous program, from second [at] until the next order. */
+/** An order by the drivers or the autonomous program, valid from second [at] until the next one. */
 class Order(val at: Double, val task: Task, val state: Superstructure, val note: String = "")
 
 /** A task for the drivetrain. */

@@ -23,7 +23,7 @@ class Arm {
         load.draw(if (isPowered) abs(lift) else 0.0)
     }
 
-    /** Moves the arm like a damped spring around the setpoint, so that chain slack lets it overshoot slightly. */
+    /** Moves the arm like a damped spring around the setpoint. It overshoots slightly, as with slack in the chain. */
     fun move(seconds: Double) {
         rate += (260 * (setpoint - angle) - 19 * rate) * seconds
         angle += rate * seconds

@@ -14,7 +14,7 @@ import javax.imageio.ImageIO
 import kotlin.io.path.readBytes
 
 /**
- * Takes pictures of an exported [page] in Chromium, [width] × [height] pixels large.
+ * Takes pictures of an exported [page] in Chromium, each of [width] × [height] pixels.
  *
  * Chromium takes its picture when everything is loaded, but then the page is still reading its log. A frame around the page therefore loads
  * another file, which a local server sends only when the page is ready.

@@ -111,7 +111,7 @@ private class PageScan(private val page: File) {
 
     /** Keeps only the end of the text read so far, because a tag may have been cut in two. */
     private fun forget() {
-        rest = rest.takeLast(LONGEST)
+        rest = rest.takeLast(KEPT_LENGTH)
     }
 
     private companion object {
@@ -120,8 +120,8 @@ private class PageScan(private val page: File) {
         const val ABOUT = "id=\"about\">"
         const val DAMAGED = "the log in it was damaged in copying"
 
-        /** The number of characters to keep, more than the facts about any log. */
-        const val LONGEST = 1 shl 20
+        /** The number of characters to keep of the text read so far; the facts about any log are shorter. */
+        const val KEPT_LENGTH = 1 shl 20
 
         /** The number of base64 characters for three bytes. */
         const val GROUP = 4

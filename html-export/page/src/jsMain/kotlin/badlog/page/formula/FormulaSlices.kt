@@ -22,7 +22,7 @@ internal class FormulaSlices(
     var isOver = false
         private set
 
-    /** Calculates for one slice; a timer then continues. */
+    /** Calculates until the time of one slice is over; a timer then starts the next slice. */
     fun next() {
         if (isOver) return
         val end = window.performance.now() + sliceMillis(SLICE)

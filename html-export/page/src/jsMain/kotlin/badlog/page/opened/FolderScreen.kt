@@ -31,7 +31,7 @@ import org.w3c.dom.events.KeyboardEvent
  * @param logs the logs; files that turn out not to be logs are not listed.
  * @param rules the rules that run over each log.
  * @param settings returns the settings that every page has.
- * @param again the folder, for later looks; null if the page can look into it only once.
+ * @param again the folder, to be polled for changes; null if the page can read it only once.
  * @param onLeave called to open something else.
  * @param onRead called with each log when the rules have run over it.
  * @param onOpen called with the log to open, the logs to compare with it, and whether to show the worst finding.
@@ -183,7 +183,7 @@ internal class FolderScreen(
         change(arrivals.without(log.path))
     }
 
-    /** Stops reading, because a person opens a log. Logs that arrive are read once it is shown. */
+    /** Stops reading, because a person opens a log. Logs that arrive meanwhile are read once the list is shown again. */
     fun pause() {
         isShown = false
         reading.stop()

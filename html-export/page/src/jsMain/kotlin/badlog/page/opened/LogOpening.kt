@@ -116,7 +116,7 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
-    /** Calls [work] when the rules have run over the shown log in its folder's list, until something else is shown. */
+    /** Sets the [work] to do when the folder's list has run the rules over the shown log. It is dropped once something else is shown. */
     fun onRead(work: () -> Unit) {
         onRead = work
         PageEvents.onEnd { onRead = {} }

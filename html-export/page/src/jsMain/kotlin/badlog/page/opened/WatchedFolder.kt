@@ -9,7 +9,7 @@ import kotlin.js.Promise
 internal class WatchedFolder(private val handle: dynamic) {
     val name: String get() = handle.name as String
 
-    /** The same folder, for later looks. */
+    /** This folder, to be polled for changes. */
     val again: FolderPolling get() = FolderPolling(PAUSE, ::files)
 
     /** The number of pages in it at the last look. */

@@ -56,7 +56,7 @@ internal class LogFolder(folder: Path) {
     }
 
     /**
-     * Returns the rules for the folder; null if their file, or the file of signals, is a link out of the folder. Their hooks are never run.
+     * Returns the rules for the folder. Null if their file, or the file of signals, is a link out of the folder. Their hooks are never run.
      */
     fun rules(): FolderRules? = root.resolve(RulesFile.NAME).takeIf { file ->
         // A linked file elsewhere would be read as rules, and messages about mistakes would quote its text.

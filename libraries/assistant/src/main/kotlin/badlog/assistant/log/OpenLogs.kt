@@ -76,9 +76,10 @@ internal class OpenLogs(private val logs: LogFolder) {
  */
 internal class OpenLog(val name: String, val view: LogView, private val signals: SignalVocabulary) {
     /**
-     * Returns the lines of the topics named in [arguments], each once, [most] at most.
+     * Returns the lines of the topics named in [arguments], without duplicates.
      *
-     * @throws ToolException if the log lacks one of them.
+     * @param most the maximum number of names.
+     * @throws ToolException if there is no name, if there are more than [most], or if the log lacks a topic.
      */
     fun lines(arguments: Arguments, most: Int): List<GraphSeries> {
         val names = arguments.texts("topics")

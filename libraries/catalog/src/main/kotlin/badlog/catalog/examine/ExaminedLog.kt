@@ -60,7 +60,14 @@ class ExaminedLog(
     fun numbers(reader: LogNumbersReader): LogNumbers = reader.read(LogNumbersText(numberNames, numberValues, numberDistributions))
 }
 
-/** The outcome of [rule] for a log: the reason for skipping it, its likely mistake, the missing signal. All are null if it ran. */
+/**
+ * The outcome of [rule] for a log. The other properties are null if the rule ran.
+ *
+ * @property refusal the reason for skipping it.
+ * @property mistake the mistake with its place in the file of rules, if the rule itself seems to be wrong; otherwise null.
+ * @property lacking the signal that is missing in the log; null for another reason.
+ * @property simulated why the log is considered simulated, if that is the reason; otherwise null.
+ */
 @Serializable
 data class RuleOutcome(
     @Serializable(with = RepeatedText::class) val rule: String,

@@ -14,7 +14,7 @@ import kotlinx.serialization.Serializable
  */
 @Serializable
 class UndefinedTopic internal constructor(val definition: String, val isMissing: Boolean, val message: String, val pointed: String) {
-    /** The topic of a definition that has this [error]. */
+    /** Creates the topic for a definition with this [error]. */
     constructor(error: ExpressionError) :
         this(error.text, error.kind in OF_THIS_LOG, error.message, error.pointed())
 

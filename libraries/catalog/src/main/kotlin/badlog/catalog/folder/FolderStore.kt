@@ -84,7 +84,7 @@ internal class RulesOfFolder(val rules: RuleSet, cache: Path?, version: String) 
     /** A key that identifies the rules. */
     val key: Int = rules.toJson().hashCode()
 
-    /** The names of their signals, which summaries depend on. */
+    /** The rules' vocabulary of signals as JSON; summaries depend on it. */
     val names: String = rules.signals.toJson()
 
     val examination = RuleExamination(rules, measures = true)

@@ -126,7 +126,7 @@ internal class Scanner(private val text: String) {
     private companion object {
         const val SIXTY = 60.0
 
-        /** Words that may follow a number. */
+        /** Words that may follow a number but are not units. */
         val NOT_UNITS = setOf("for", "within")
     }
 }

@@ -44,8 +44,8 @@ internal class Timestamps(private val keepsSamples: Boolean) {
     }
 
     /**
-     * Ends the times. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span]. If that start is a
-     * time since 1970, all times are then counted from it. May be called again.
+     * Completes the list. Drops times outside [span], and sorts the others; times before 0 are moved to the start of [span]. If that start
+     * is a time since 1970, all times are then counted from it. May be called again.
      */
     fun finish(span: ClosedFloatingPointRange<Double>) {
         if (isFinished || !keepsSamples) return

@@ -22,7 +22,7 @@ internal class MessageTypes {
     private val messages = HashMap<String, List<MessageField>>()
     private val enumerations = HashMap<String, Map<Long, ByteArray>>()
 
-    /** A number that grows with every descriptor, and so shows when a type is worth requesting again. */
+    /** A counter of descriptors. When it grows, a type that was null may be available. */
     var version = 0
         private set
 

@@ -102,7 +102,7 @@ internal class EntryWriter(
         }
     }
 
-    /** Returns the content of the topic that the file does not express. */
+    /** Returns the topic's content that the file cannot express. */
     fun omissions(): List<Omission> = buildList {
         if (gaps > 0) add(Omission(topic.name, "Each gap starts with NaN.", gaps))
         if (empty > 0) add(Omission(topic.name, "Empty cells have no record.", empty))

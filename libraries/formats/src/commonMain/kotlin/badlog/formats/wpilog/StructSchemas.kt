@@ -7,7 +7,7 @@ internal class StructSchemas {
     private val fields = HashMap<String, List<StructField>>()
     private val layouts = HashMap<String, ValueLayout?>()
 
-    /** A number that grows with every schema, and so shows when a layout is worth requesting again. */
+    /** The number of schemas so far. When it grows, a layout that was null may be available. */
     var version = 0
         private set
 

@@ -19,7 +19,7 @@ internal sealed interface ServerMessage {
     /** The topic [name] no longer exists. */
     class Unannounce(val name: String, val id: Long) : ServerMessage
 
-    /** The properties of the topic [name] change by [update]; a null in it removes a property. */
+    /** The properties of the topic [name] are changed to those in [update]; a null in it removes a property. */
     class Properties(val name: String, val update: JsonObject) : ServerMessage
 }
 

@@ -120,8 +120,8 @@ internal class SocketServer(
     }
 
     /**
-     * Asks again to write the data that is still queued. The library forgets a frame that is queued while its thread finishes writing the one
-     * before, until the next frame follows.
+     * Asks the library again to write the data that is still queued. It forgets a frame that is queued while its thread finishes writing
+     * the previous one, until the next frame follows.
      */
     fun writeQueued() {
         for (socket in connections) if (socket.hasBufferedData()) onWriteDemand(socket)

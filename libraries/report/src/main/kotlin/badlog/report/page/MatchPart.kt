@@ -28,7 +28,7 @@ internal class IndexedLog(val number: Int, val report: LogReport, val file: Stri
             return " <a class=\"alliance\" href=\"$address\" rel=\"noreferrer\" aria-label=\"$label\">TBA</a>"
         }
 
-    /** The attributes by which the filter finds its parts. */
+    /** The attributes by which the page's filter finds the elements for this log. */
     val data: String get() = "data-log=\"$number\" data-type=\"${escaped(report.matchType.orEmpty())}\""
 }
 

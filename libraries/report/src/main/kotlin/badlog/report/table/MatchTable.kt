@@ -86,7 +86,7 @@ class MatchTable(
         return NumberSinks { name, attributes -> if (only.any { it.matches(name) }) null else named.of(name, attributes) }
     }
 
-    /** The mistake in a question or the condition that does not depend on the log; null if none is certain. */
+    /** The first mistake, in a question or the condition, that is the same for every log; null if none is certain. */
     val mistake: Reply.NotAsked? =
         (questions + listOfNotNull(condition)).firstNotNullOfOrNull(::errorForEveryLog)?.let { notAsked(it) }
 

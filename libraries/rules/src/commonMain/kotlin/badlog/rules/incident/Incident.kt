@@ -23,7 +23,7 @@ class Incident internal constructor(
 ) {
     val severity: Severity = (causes + effects).maxOf { it.severity }
 
-    /** The finding at its beginning: its first cause or, if that is about the whole log, the first effect that [sentences] mention. */
+    /** The finding at its beginning: its first cause. If that is about the whole log, it is the first effect that [sentences] mention. */
     val first: Finding get() = causes[0].takeUnless { it.time.isNaN() } ?: firstMentioned ?: effects.firstOrNull() ?: causes[0]
 
     private val firstMentioned get() = sentences.map { it.finding }.firstOrNull { !it.time.isNaN() }

@@ -77,7 +77,7 @@ class Lake(val folder: Path) {
      * most 256 MB.
      *
      * @param rules the rules for findings, and the names of topics.
-     * @param matches makes one log from the logs of a match; null to read no such file.
+     * @param matches makes one log from a file with the logs of a match; null if such files are not read.
      * @param isBusy called from time to time while another badlog writes to the lake; returns whether to wait until it has finished. An
      *   exception from it is passed on.
      * @param batch the maximum number of logs collected before the tables of a small lake are written.

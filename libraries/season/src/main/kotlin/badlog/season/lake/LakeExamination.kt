@@ -28,9 +28,9 @@ sealed interface ExaminedLog {
 }
 
 /**
- * Reads logs, runs [rules] over them, and writes the files of single logs by [engine] if it [hasSamples]. Thread-safe.
+ * Reads logs, runs [rules] over them, and writes the files of single logs with [engine] if [hasSamples]. Thread-safe.
  *
- * @param matches makes one log from the logs of a match; null to read no such file.
+ * @param matches makes one log from a file with the logs of a match; null if such files are not read.
  */
 internal class LakeExamination(
     private val rules: RuleSet,

@@ -4,10 +4,10 @@ import badlog.core.analysis.Series
 import kotlin.math.abs
 
 /**
- * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]; otherwise 0. The position may move
- * while the switch stays [pressed]; this is counted from 0 again every [MOVE_SECONDS], since a sensor may drift farther in minutes. Or it
- * may jump as the switch closes, by more than it moved before: code that takes the switch for the end of travel does that. All arrays have
- * the same [times].
+ * Returns by how much a mechanism's [position] contradicts its limit switch, in percent of its [range]; otherwise 0. The error is a move
+ * while the switch stays [pressed], counted from 0 again every [MOVE_SECONDS], since a sensor may drift farther in minutes. Or it is a jump
+ * as the switch closes, by more than the position moved before: code that considers the switch the end of travel sets the position then.
+ * All arrays have the same [times].
  */
 fun switchError(times: DoubleArray, position: DoubleArray, pressed: DoubleArray, range: Double = rangeOf(position)): Series {
     val errors = DoubleArray(times.size)

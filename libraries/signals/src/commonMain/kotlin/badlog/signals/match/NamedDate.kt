@@ -10,7 +10,10 @@ import badlog.core.text.daysTo
  */
 class NamedDate internal constructor(val second: Long, val range: IntRange)
 
-/** Returns the date in the name of a file, such as `FRC_20240910_002949.bag`. Null if there is none, or only one of a wrong clock. */
+/**
+ * Returns the date in the name of a file, such as `FRC_20240910_002949.bag`. Null if there is none from 2000 to 2199; a clock that was not
+ * set yet makes earlier ones.
+ */
 fun dateInName(name: String): NamedDate? {
     for ((pattern, century) in listOf(FOUR_DIGIT_YEAR to 0, TWO_DIGIT_YEAR to 2000)) {
         for (match in pattern.findAll(name)) {

@@ -34,6 +34,6 @@ data class Pose(
     val role: PoseRole,
     val list: String?,
 ) {
-    /** The number of folders it is in. Poses that vendors' libraries log in addition to a robot's own are in many. */
+    /** The number of folders it is in. Poses that vendors' libraries log are in more of them than a robot's own. */
     val depth: Int get() = name.count { it == '/' }
 }

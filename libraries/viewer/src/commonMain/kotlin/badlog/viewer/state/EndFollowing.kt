@@ -19,7 +19,7 @@ data class EndFollowing(val place: Place? = null, val held: Span? = null) {
     /** Returns whether a person at [now] is at the end, and has not zoomed, panned or selected since. */
     fun isUntouched(now: Place): Boolean = isAt(now) && place?.range?.visible == now.range.visible && now.selection == null
 
-    /** Returns the state of a person at [end], the end of the log, who wants to stay there. */
+    /** Returns the state that keeps a person at the end of the log, which is now [end]. */
     fun begun(end: Place): EndFollowing = EndFollowing(place = end)
 
     /** Returns the state of a person who wants to stay at [now], though the log grows. */

@@ -76,7 +76,7 @@ internal class Arm(val device: Device, private val inertia: Double, private val 
         measured = if (isEncoderConnected) round((angle - slipped + noise) / STEP) * STEP else DEAD
     }
 
-    /** Runs the arm's code when the robot becomes enabled. */
+    /** Runs the part of the arm's code that handles becoming enabled. */
     fun enabled() {
         profile.reset(measured)
         integral = 0.0

@@ -71,7 +71,7 @@ internal class Elevator(val device: Device, private val mass: Double, private va
         }
     }
 
-    /** Runs the elevator's code when the robot becomes enabled. */
+    /** Runs the part of the elevator's code that handles becoming enabled. */
     fun enabled() = profile.reset(measured)
 
     /** Runs the elevator's code in a loop of [dt] s. */

@@ -4,7 +4,7 @@ package badlog.samples.generated.robot
 internal class Intake(val device: Device) {
     private val motor = device.motor
 
-    /** The time until which a piece is between the rollers, in s, and whether it is stuck there. */
+    /** The time until which a piece is between the rollers, in s; [isJammed] if it is stuck there. */
     var pieceUntil = -1.0
     var isJammed = false
 

@@ -44,7 +44,7 @@ internal class MatchRun(val plan: RobotPlan) {
     var isLinked = true
         private set
 
-    /** Whether the robot is enabled, as its code knows it. */
+    /** Whether the robot's code sees it as enabled, which needs a connected Driver Station. */
     val isEnabled: Boolean get() = phase.isEnabled && isLinked
     var isBrownedOut = false
         private set

@@ -6,7 +6,6 @@ import java.io.Serializable
 /**
  * The outcome for one log.
  *
- *
  * @property path the log's path in the lake's table of matches.
  * @property message the reason why it is not in the lake, as a sentence; null if it is.
  * @property isNoLog whether it is something other than a log.

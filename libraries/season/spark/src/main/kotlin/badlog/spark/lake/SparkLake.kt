@@ -24,7 +24,6 @@ import java.io.IOException
 /**
  * A file that is not in the lake.
  *
- *
  * @property path its address.
  * @property message the reason, as a sentence.
  * @property isNoLog whether it is something other than a log.
@@ -33,7 +32,6 @@ public class RefusedLog internal constructor(public val path: String, public val
 
 /**
  * The outcome for folders of logs.
- *
  *
  * @property written the number of logs written.
  * @property salvaged the number of written logs with lost data.

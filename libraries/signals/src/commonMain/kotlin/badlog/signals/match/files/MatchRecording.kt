@@ -18,8 +18,8 @@ import badlog.signals.clock.secondsPerX
  * topics at times of their own, sorted if they went backwards. It leaves out samples before the robot's log, or before 0, and samples that
  * the Driver Station logged long after it.
  *
- * A log with topics in several folders gets one, named after its file. Each file is a value in the folder `Files`, which says how
- * its clock was found and how much is left out. Missing files are values too.
+ * The topics of another log that are not in one folder are put into one, named after its file. Each file is a value in the folder `Files`,
+ * which says how its clock was found and how much is left out. Missing files are values too.
  *
  * @param left a sentence about each log that is left out, which becomes a value and a problem.
  */

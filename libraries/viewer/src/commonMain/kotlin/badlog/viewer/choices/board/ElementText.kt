@@ -22,7 +22,7 @@ internal fun lineTexts(lines: List<String>): List<String> {
 }
 
 /**
- * Returns the names of the lines in [text], one of the [lineTexts].
+ * Returns the names of the lines for which [lineTexts] wrote [text].
  *
  * @throws BoardException if the text is neither a name nor a possible range of an array.
  */

@@ -8,7 +8,7 @@ import badlog.viewer.text.countText
  * The logs that have arrived in a folder since it was opened: new files, and files that have grown. They wait until a person has dealt
  * with them. A log arrives once, when it is complete and the rules have run over it. Immutable; each transition returns a new one.
  *
- * @property waiting the logs that still wait, in the order of arrival.
+ * @property waiting the logs that are still waiting, in the order of arrival.
  */
 class Arrivals<E : ListedLog> private constructor(private val known: Map<String, Long>?, val waiting: List<E>) {
     constructor() : this(null, emptyList())
