@@ -2,7 +2,6 @@ package badlog.formats.wpilog
 
 import badlog.core.recording.ProblemKind
 import badlog.core.recording.ProblemList
-import badlog.formats.PLACE_STEP
 import badlog.formats.column.ColumnSource
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec

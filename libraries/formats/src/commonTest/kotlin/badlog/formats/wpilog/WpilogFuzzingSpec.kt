@@ -1,7 +1,6 @@
 package badlog.formats.wpilog
 
 import badlog.core.recording.ProblemKind
-import badlog.formats.PLACE_STEP
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb

@@ -1,4 +1,4 @@
-package badlog.formats
+package badlog.formats.wpilog
 
 import io.kotest.property.PropertyTesting
 
