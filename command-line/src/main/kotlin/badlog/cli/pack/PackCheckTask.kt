@@ -73,7 +73,7 @@ internal class PackCheckTask(private val path: Path, private val isJson: Boolean
             slices = verdicts.size,
             failed = verdicts.count { !it.passes },
             devices = pack.rules.devices.devices.size,
-            lacking = lacking.map { LackJson(it.rule, folderOf(it.isFiring)) },
+            lacking = lacking.map { MissingSliceJson(it.rule, folderOf(it.isFiring)) },
             ignored = pack.ignored,
         ),
     )
@@ -121,9 +121,9 @@ private class PackJson(
     private val slices: Int,
     private val failed: Int,
     private val devices: Int,
-    private val lacking: List<LackJson>,
+    private val lacking: List<MissingSliceJson>,
     private val ignored: List<String>,
 )
 
 @Serializable
-private class LackJson(private val rule: String, private val kind: String)
+private class MissingSliceJson(private val rule: String, private val kind: String)

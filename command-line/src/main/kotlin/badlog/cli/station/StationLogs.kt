@@ -45,7 +45,7 @@ internal class StationLogs(private val folder: Path) {
         val claim = found.claimOf(robot, besideOf(robot, file, given))
         if (claim.isOwn != null) return found.takeIf { claim.isOwn == true }
         throw Failure(
-            "$file: the Driver Station log ${found.log.name} may be of this robot, or of that of " +
+            "$file: the Driver Station log ${found.log.name} may belong to this robot, or to the robot of " +
                 "${claim.rivals.joinToString(" or ") { it.name }}; to merge it with one of them, name it as a log, with --align enabled.",
         )
     }

@@ -35,8 +35,8 @@ internal class TableCommand :
         "table",
         "Makes a table with a row per log.",
         "Each --value is an expression, such as 'min(battery voltage)', and gives a column; so does each value that a --hook " +
-            "returns. Each topic of --only gets columns for its min, mean and max. Answers are cached as those of find, but not " +
-            "those of hooks. Without a column, --by battery makes a table with a row per battery.",
+            "returns. Each topic of --only gets columns for its min, mean and max. Answers are cached as in find, except " +
+            "results of hooks. Without a column, --by battery makes a table with a row per battery.",
     ) {
     private val values by option("--value", metavar = "EXPRESSION").multiple().help("A column; may be repeated.")
     private val only by OnlyOption()

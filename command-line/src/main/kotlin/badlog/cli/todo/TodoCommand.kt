@@ -15,9 +15,9 @@ import com.github.ajalt.clikt.parameters.types.path
 internal class TodoCommand :
     SubCommand(
         "todo",
-        "Prints what a team has to do, from what rules found and people wrote.",
-        "The list is beside the logs, in a file per laptop; all of them are read. Errors of the last matches are on it by themselves, " +
-            "and what was done comes back when it is found in a later log. docs/todo.md explains the files.",
+        "Prints the team's to-do list: findings of rules, and items that people wrote.",
+        "The list is beside the logs, in a file per laptop; all of them are read. Errors of the last matches are added to it, " +
+            "and an item that was done returns if it is found in a later log. docs/todo.md explains the files.",
     ) {
     private val folder by argument("FOLDER").path().help("The folder of the logs.")
     private val isMarkdown by option("--markdown").flag().help("Print Markdown, for a wiki or a chat.")
@@ -25,7 +25,7 @@ internal class TodoCommand :
     private val isForced by option("--force").flag().help("Replace a file that is not such a page.")
     private val done by option("--done", metavar = "N").int().help("Mark the item with this number as done.")
     private val open by option("--open", metavar = "N").int().help("Mark it as open again.")
-    private val what by option("--what", metavar = "TEXT").help("What was done.")
+    private val what by option("--what", metavar = "TEXT").help("The work done.")
     private val author by option("--by", metavar = "NAME").help("Who did it; default: the name of your account.")
     private val isFresh by option("--no-cache").flag().help("Read every log again, and store no results.")
 

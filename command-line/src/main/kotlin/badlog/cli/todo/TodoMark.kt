@@ -44,7 +44,7 @@ internal class TodoMark(private val number: Int, private val isDone: Boolean, pr
         val title = "“${list.numbered[number - 1].title}”"
         return when {
             change != null -> "$title is ${if (isDone) "done" else "to be done"} now."
-            isDone -> "$title was done already; nothing was written. Describe with --what what was done."
+            isDone -> "$title was done already; nothing was written. Describe the work with --what."
             else -> "$title is already open; nothing was written."
         }
     }

@@ -168,7 +168,7 @@ class MatchOptionsSpec : FunSpec({
             val stations = (folder / "ds").createDirectory()
             stations.with("2026_03_07 10_04_05 Sat.dslog", stationLog().bytes)
             val (one, two) = folder.robot("one.wpilog", "Arm", 0.0) to folder.robot("two.wpilog", "Arm", -2.0)
-            val sentence = "one.wpilog: the Driver Station log 2026_03_07 10_04_05 Sat.dslog may be of this robot, or of that of two.wpilog"
+            val sentence = "one.wpilog: the Driver Station log 2026_03_07 10_04_05 Sat.dslog may belong to this robot, or to the robot of two.wpilog"
             for (command in listOf(listOf("info"), listOf("report", "--no-cache"), listOf("export", "-o", folder / "p.html"), listOf("merge", "-o", folder / "m.wpilog"))) {
                 val ended = badlog(command[0], one, "--with-ds=$stations", *command.drop(1).toTypedArray())
                 withClue(command) { ended.oneLine() shouldContain sentence }

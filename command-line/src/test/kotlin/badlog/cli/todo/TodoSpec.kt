@@ -67,7 +67,7 @@ class TodoSpec : FunSpec({
             again shouldContain "[x] Browned out"
             val place = again.lines().first { "Browned out" in it }.trim().substringBefore(' ')
             badlog("todo", folder, "--no-cache", "--done", place, "--by", "Ben").err shouldContain
-                "“Browned out” was done already; nothing was written. Describe with --what what was done."
+                "“Browned out” was done already; nothing was written. Describe the work with --what."
             TodoFolder(folder).read().changes.size shouldBe 1
             val more = badlog("todo", folder, "--no-cache", "--done", place, "--what", "new breaker", "--by", "Ben")
             more.err shouldContain "“Browned out” is done now."

@@ -29,7 +29,7 @@ import java.util.HexFormat
  * @property digest the SHA-256 digest of its bytes, in hexadecimal digits.
  * @property fetched when it was fetched, in milliseconds since 1970.
  */
-internal class LogHere(
+internal class CopiedLog(
     val robot: String,
     val path: String,
     val size: Long,
@@ -44,7 +44,7 @@ internal class LogHere(
  * Only one program can open it at a time. Must be closed.
  */
 internal class FetchedLogs private constructor(private val folder: Path, private val channel: FileChannel) : AutoCloseable {
-    private val logs = HashMap<Pair<String, String>, LogHere>()
+    private val logs = HashMap<Pair<String, String>, CopiedLog>()
 
     init {
         val text = String(Files.readAllBytes(folder.resolve(NAME)), Charsets.UTF_8)
@@ -54,19 +54,19 @@ internal class FetchedLogs private constructor(private val folder: Path, private
     }
 
     /** Returns the log of [robot] at [path] as last fetched, or null. */
-    fun find(robot: String, path: String): LogHere? = logs[robot to path]
+    fun find(robot: String, path: String): CopiedLog? = logs[robot to path]
 
     /** Returns the path of [log] on this computer. */
-    fun fileOf(log: LogHere): Path = folder.resolve(log.file)
+    fun fileOf(log: CopiedLog): Path = folder.resolve(log.file)
 
     /** Returns whether [log] is still on this computer with the bytes that were fetched. */
-    fun isSafe(log: LogHere): Boolean {
+    fun isSafe(log: CopiedLog): Boolean {
         val file = fileOf(log)
         return Files.isRegularFile(file) && Files.size(file) == log.size && digestOf(file) == log.digest
     }
 
     /** Records that [log] was fetched. */
-    fun add(log: LogHere) {
+    fun add(log: CopiedLog) {
         logs[log.robot to log.path] = log
         append(lineOf(log) + "\n")
     }
@@ -116,7 +116,7 @@ internal class FetchedLogs private constructor(private val folder: Path, private
             return HexFormat.of().formatHex(digest.digest())
         }
 
-        private fun lineOf(log: LogHere) = JsonObject(
+        private fun lineOf(log: CopiedLog) = JsonObject(
             mapOf(
                 "robot" to JsonPrimitive(log.robot),
                 "path" to JsonPrimitive(log.path),
@@ -129,11 +129,11 @@ internal class FetchedLogs private constructor(private val folder: Path, private
         ).toString()
 
         /** Returns null for a damaged line. */
-        private fun entryOf(line: String): LogHere? = try {
+        private fun entryOf(line: String): CopiedLog? = try {
             val json = Json.parseToJsonElement(line).jsonObject
             fun text(name: String) = json.getValue(name).jsonPrimitive.content
             fun number(name: String) = json.getValue(name).jsonPrimitive.long
-            LogHere(text("robot"), text("path"), number("size"), number("modified"), text("file"), text("sha256"), number("fetched"))
+            CopiedLog(text("robot"), text("path"), number("size"), number("modified"), text("file"), text("sha256"), number("fetched"))
         } catch (_: IllegalArgumentException) {
             null
         } catch (_: NoSuchElementException) {

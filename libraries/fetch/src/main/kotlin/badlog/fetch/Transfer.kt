@@ -136,7 +136,7 @@ internal class Transfer(
         // The window and file managers sort by it.
         writtenAt(log)?.let { time -> writing(file) { Files.setLastModifiedTime(file, FileTime.from(time)) } }
         val name = options.folder.relativize(file).joinToString("/")
-        here.add(LogHere(connection.robot, log.path, log.size, log.modified, name, digest, System.currentTimeMillis()))
+        here.add(CopiedLog(connection.robot, log.path, log.size, log.modified, name, digest, System.currentTimeMillis()))
         done += log.path
         val isSalvaged = recording?.isSalvaged ?: true
         val result = FetchedLog(printablePath(log.path), file, log.size, whole.from, place.title, isLog, isSalvaged)

@@ -244,7 +244,7 @@ class FetchTroubleSpec : FunSpec({
             }
             listing.second.logs shouldHaveSize 10_000
             FetchedLogs.open(pit.folder).use { here ->
-                for (log in listing.second.logs.drop(1)) here.add(LogHere(listing.first.robot, log.path, log.size, log.modified, log.name, "", 0))
+                for (log in listing.second.logs.drop(1)) here.add(CopiedLog(listing.first.robot, log.path, log.size, log.modified, log.name, "", 0))
             }
             pit.fetch(robot).known shouldBe 9_999
         }

@@ -158,7 +158,7 @@ object MatchMaker : LogMaker {
     private fun sentenceFor(found: FoundMatches, sentences: List<String>): String = if (found.matches.isEmpty()) {
         (listOf("There is no robot's log that can be read in it, with which a match begins.") + sentences).joinToString(" ")
     } else {
-        "It has the logs of ${found.matches.size} matches, those of ${found.matches.joinToString { it.robot.name }}; put each match into " +
+        "It has the logs of ${found.matches.size} matches: ${found.matches.joinToString { it.robot.name }}; put each match into " +
             "a folder or ZIP of its own, or state in a ${MatchManifest.NAME} how their clocks fit."
     }
 

@@ -13,16 +13,16 @@ import badlog.report.undefinedTexts
  * in more lines below.
  */
 fun tableText(table: MatchTable, rows: List<TableRow>, width: Int = Int.MAX_VALUE): String {
-    val asked = askedOf(rows)
-    val names = shortNames(asked.map { it.file })
-    val units = unitsOf(table, asked)
-    val topics = TopicColumn.of(asked)
-    val hooks = HookColumn.of(asked)
+    val included = includedIn(rows)
+    val names = shortNames(included.map { it.file })
+    val units = unitsOf(table, included)
+    val topics = TopicColumn.of(included)
+    val hooks = HookColumn.of(included)
     val columns = listOf(TextTable.Column("Match"), TextTable.Column("File")) + table.by.map { TextTable.Column(it) } +
         table.questions.mapIndexed { i, question -> TextTable.Column(titled(question, units[i]), isNumber = true) } +
         topics.map { TextTable.Column(titled(it.title, it.unit), isNumber = true) } +
-        hooks.map { column -> TextTable.Column(column.title, isNumber = asked.all { isNumber(column.textIn(it)) }) }
-    val lines = asked.map { row ->
+        hooks.map { column -> TextTable.Column(column.title, isNumber = included.all { isNumber(column.textIn(it)) }) }
+    val lines = included.map { row ->
         val file = names.getValue(row.file)
         listOf(row.title ?: file, file) + row.headers +
             row.cells.mapIndexed { i, cell -> textOf(cell, isUnitInTitle = units[i].isNotEmpty()) } +
@@ -34,13 +34,13 @@ fun tableText(table: MatchTable, rows: List<TableRow>, width: Int = Int.MAX_VALU
 
 /** Returns [rows] of [table] as CSV (RFC 4180): exact numbers, and an empty cell for none. */
 fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
-    val asked = askedOf(rows)
-    val units = unitsOf(table, asked)
-    val topics = TopicColumn.of(asked)
-    val hooks = HookColumn.of(asked)
+    val included = includedIn(rows)
+    val units = unitsOf(table, included)
+    val topics = TopicColumn.of(included)
+    val hooks = HookColumn.of(included)
     val head = listOf("Match", "File") + table.by + table.questions.mapIndexed { i, question -> titled(question, units[i]) } +
         topics.map { titled(it.title, it.unit) } + hooks.map { it.title }
-    val lines = asked.map { row ->
+    val lines = included.map { row ->
         listOf(row.title.orEmpty(), row.file.path.toString()) + row.headers + row.cells.map { plain(it.value) } +
             topics.map { column -> plain(column.cellIn(row)?.value ?: Double.NaN) } +
             hooks.map { it.textIn(row).orEmpty() }
@@ -50,9 +50,9 @@ fun tableCsv(table: MatchTable, rows: List<TableRow>): String {
 
 /** Returns the failures of virtual topics and hooks with their reasons, each as a sentence or more. */
 fun notesOf(rows: List<TableRow>): List<String> =
-    undefinedTexts(askedOf(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
+    undefinedTexts(includedIn(rows).map { it.undefined }) + hookTexts(rows.flatMap { row -> row.hookFailures.map { it to row.file } })
 
-private fun askedOf(rows: List<TableRow>) = rows.filter { it.unreadable == null && it.isWanted }
+private fun includedIn(rows: List<TableRow>) = rows.filter { it.unreadable == null && it.isWanted }
 
 /** A column of a topic's statistic in [rows]; [unit] is empty if it has none or several. */
 private class TopicColumn(rows: List<TableRow>, val title: String) {

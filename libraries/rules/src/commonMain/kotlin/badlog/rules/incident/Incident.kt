@@ -38,7 +38,7 @@ class Incident internal constructor(
     val sentences: List<Sentence>
         get() {
             val reported = effects.filter {
-                it.severity != Severity.NOTE && !isSaidByCause(it)
+                it.severity != Severity.NOTE && !isNamedByCause(it)
             }.sortedByDescending { it.severity }.distinctBy { it.rule }.take(MAX_EFFECTS)
             return listOf(Sentence("Likely cause: ${name.replaceFirstChar { it.lowercase() }}. ${causes[0].text}", causes[0])) +
                 reported.sortedBy { it.time }.map { Sentence(after(it) + it.text, it) } +
@@ -55,7 +55,7 @@ class Incident internal constructor(
     operator fun contains(finding: Finding): Boolean = finding in causes || finding in effects
 
     /** Returns whether it is the same as a cause at the same moment. A stalled loop, for example, need not be mentioned twice. */
-    private fun isSaidByCause(effect: Finding) =
+    private fun isNamedByCause(effect: Finding) =
         effect.topic != null && causes.any { it.time == effect.time && effect.topic in it.evidence }
 
     private fun after(effect: Finding): String {

@@ -37,7 +37,7 @@ internal fun Topic.picked(rows: IntArray, name: String, times: DoubleArray): Top
 }
 
 /** Returns the same as [picked], without the [rows] in which this topic has no sample. */
-internal fun Topic.pickedWhereSet(rows: IntArray, name: String, times: DoubleArray): Topic {
+internal fun Topic.pickedSamples(rows: IntArray, name: String, times: DoubleArray): Topic {
     val ids = textIds()
     val set = rows.indices.filter { i -> ids[rows[i]] >= 0 || (samples.isNotEmpty() && !samples[rows[i]].isNaN()) }.toIntArray()
     return picked(IntArray(set.size) { rows[set[it]] }, name, DoubleArray(set.size) { times[set[it]] })

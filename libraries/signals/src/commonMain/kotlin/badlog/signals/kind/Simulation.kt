@@ -15,12 +15,12 @@ import kotlin.math.round
  * @param topics the signals of the log.
  */
 fun simulationIn(recording: Recording, topics: SignalTopics): String? =
-    saidIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics)
+    metadataIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics)
 
 /** Returns the topics among [names] that decide whether a log is of a simulated robot, besides its battery. */
 fun namesOfKind(names: List<String>): List<String> = names.filter { saysKind(it) || it.endsWith(FPGA) || it == CLIENTS }
 
-private fun saidIn(recording: Recording): String? {
+private fun metadataIn(recording: Recording): String? {
     for (value in recording.values) {
         if (saysKind(value.name) && isSimulated(value.text)) return "its ${lastWord(value.name)} is ${value.text.trim()}"
     }

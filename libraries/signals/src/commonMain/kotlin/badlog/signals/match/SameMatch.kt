@@ -17,8 +17,8 @@ internal fun MatchOfLog.isSameAs(other: MatchOfLog): Boolean? {
     if (differ && (one in RECOUNTED || two in RECOUNTED)) return null
     // Each event counts its own matches.
     if (own == others) return if (areOtherEvents(event, other.event)) null else true
-    val isCountedOtherwise = arePlayoffs && ('-' in own) != ('-' in others)
-    if (!isCountedOtherwise) return false
+    val isNumberedDifferently = arePlayoffs && ('-' in own) != ('-' in others)
+    if (!isNumberedDifferently) return false
     return if (own.removeSuffix("-1") == others.removeSuffix("-1")) true else null
 }
 

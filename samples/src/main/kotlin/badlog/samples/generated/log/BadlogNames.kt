@@ -19,8 +19,8 @@ internal fun badlogTopics(run: MatchRun): List<LoggedTopic> = TopicList().apply 
     number("System/CAN Utilization", Signal.CAN_UTILIZATION, unit = "%", every = 5) { robot.bus.utilization * 100 }
     for (channel in robot.channels.indices) {
         val part = robot.devices.find { channel - it.motor.channel in 0 until it.motor.count }?.motor?.part
-        val whose = part ?: if (channel == Robot.COMPRESSOR_CHANNEL) "Air" else continue
-        number("PDP/Current $channel", Signal.CHANNEL_CURRENT, whose, "A", attributes = listOf("hide", "join:PDP/Currents")) {
+        val owner = part ?: if (channel == Robot.COMPRESSOR_CHANNEL) "Air" else continue
+        number("PDP/Current $channel", Signal.CHANNEL_CURRENT, owner, "A", attributes = listOf("hide", "join:PDP/Currents")) {
             robot.channels[channel]
         }
     }

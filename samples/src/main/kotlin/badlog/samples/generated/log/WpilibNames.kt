@@ -42,8 +42,8 @@ private fun TopicList.power(robot: Robot) {
     number("$BOARD/Battery Voltage", Signal.BATTERY_VOLTAGE) { robot.measuredVolts }
     for (channel in robot.channels.indices) {
         val part = robot.devices.find { channel - it.motor.channel in 0 until it.motor.count }?.motor?.part
-        val whose = part ?: if (channel == Robot.COMPRESSOR_CHANNEL) "Air" else "none"
-        number("$BOARD/PDH/Chan$channel", Signal.CHANNEL_CURRENT, whose, every = 5) { robot.channels[channel] }
+        val owner = part ?: if (channel == Robot.COMPRESSOR_CHANNEL) "Air" else "none"
+        number("$BOARD/PDH/Chan$channel", Signal.CHANNEL_CURRENT, owner, every = 5) { robot.channels[channel] }
     }
 }
 

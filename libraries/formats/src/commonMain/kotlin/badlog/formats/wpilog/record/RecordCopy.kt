@@ -93,14 +93,14 @@ public class RecordCopy(
             val where = if (entry.isValue) spans.take(1) else spans
             where.mapIndexedNotNull { index, span -> heldIn(entry, span, begins[index]) }
         }
-        val anew = log.entries.mapIndexedNotNull { index, entry -> described(entry)?.let { index to metadataOf(it) } }.toMap()
+        val rewritten = log.entries.mapIndexedNotNull { index, entry -> described(entry)?.let { index to metadataOf(it) } }.toMap()
         val written = WpilogParser(keepSamples = false)
-        write(isKept, held, anew) { written.accept(out.bytes, 0, out.size) }
+        write(isKept, held, rewritten) { written.accept(out.bytes, 0, out.size) }
         written.accept(out.bytes, 0, out.size)
-        val said = written.finish().values.mapTo(HashSet()) { it.name }
+        val present = written.finish().values.mapTo(HashSet()) { it.name }
         var id = 0
         for (value in values + log.valuesAt(first).filter { own -> values.none { it.name == own.name } }) {
-            if (value.name in said) continue
+            if (value.name in present) continue
             id = store.freeId(id + 1)
             out.start(id, value.name, "string", VALUE_METADATA, first)
             out.string(id, first, value.text.encodeToByteArray())
@@ -169,11 +169,11 @@ public class RecordCopy(
     }
 
     private fun copy(index: Int, metadata: Map<Int, String>) {
-        val anew = if (store.isControl(index)) metadata[store.entry(index)] else null
-        if (anew == null || store.controlKind(index) == ControlKind.FINISH) return store.copy(index, out)
+        val rewritten = if (store.isControl(index)) metadata[store.entry(index)] else null
+        if (rewritten == null || store.controlKind(index) == ControlKind.FINISH) return store.copy(index, out)
         if (store.controlKind(index) == ControlKind.SET_METADATA) return
         val entry = log.entries[store.entry(index)]
-        out.start(store.id(index), entry.name, entry.type, anew, store.micros(index))
+        out.start(store.id(index), entry.name, entry.type, rewritten, store.micros(index))
     }
 
     private fun flush() {

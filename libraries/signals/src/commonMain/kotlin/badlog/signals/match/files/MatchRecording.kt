@@ -10,7 +10,7 @@ import badlog.core.text.UniqueNames
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.START_VALUE
 import badlog.signals.clock.picked
-import badlog.signals.clock.pickedWhereSet
+import badlog.signals.clock.pickedSamples
 import badlog.signals.clock.secondsPerX
 
 /**
@@ -50,7 +50,7 @@ private class PartBeside(val part: MatchPart, private val robot: ClockedLog) {
             val place = places.getOrPut(x) { placeOf(x) }
             outside += place.outside
             val name = names.give(if (folder.isEmpty()) topic.name else folder + topic.name.removePrefix("/"))
-            if (topic.isSparse) topic.pickedWhereSet(place.rows, name, place.times) else topic.picked(place.rows, name, place.times)
+            if (topic.isSparse) topic.pickedSamples(place.rows, name, place.times) else topic.picked(place.rows, name, place.times)
         }
     }
 
