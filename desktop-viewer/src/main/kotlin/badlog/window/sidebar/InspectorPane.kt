@@ -110,7 +110,7 @@ internal fun InspectorPane(
                     PanelView(parts, goal = null, send, Modifier.fillMaxSize())
                 }
 
-                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
+                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, open, Modifier.fillMaxSize())
 
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
 

@@ -9,7 +9,7 @@ import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
 import badlog.page.dom.showText
-import badlog.page.pen.CanvasPen
+import badlog.page.pen.paint
 import badlog.page.view.Frame
 import badlog.page.view.Scene
 import badlog.viewer.draw.color.LINE_COLORS
@@ -19,10 +19,8 @@ import badlog.viewer.shown.swerve.ErrorSize
 import badlog.viewer.shown.swerve.SwerveDrive
 import badlog.viewer.shown.swerve.worstModuleText
 import kotlinx.browser.window
-import org.w3c.dom.CanvasRenderingContext2D
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
-import kotlin.math.round
 
 /**
  * The modules of a swerve drive: their state at the cursor, and their errors in the visible range. It opens in place of the values at the
@@ -108,12 +106,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
 
     private fun draw() {
         val picture = picture ?: return
-        val ratio = window.devicePixelRatio
-        canvas.style.height = "${picture.height}px"
-        canvas.width = round(canvas.clientWidth * ratio).toInt()
-        canvas.height = round(picture.height * ratio).toInt()
-        val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
-        picture.draw(CanvasPen(context), canvas.width.toDouble(), scene.range.now, scene.cursor.now, scene.palette.colors)
+        canvas.paint(picture.height) { pen, width -> picture.draw(pen, width, scene.range.now, scene.cursor.now, scene.palette.colors) }
     }
 
     /** Lists the errors within the visible range. */
