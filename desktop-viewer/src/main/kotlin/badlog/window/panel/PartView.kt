@@ -112,7 +112,8 @@ internal fun ButtonsView(buttons: List<Button>, send: (Action) -> Unit, areIcons
     }
 }
 
-private val PartIcon.vector: ImageVector
+/** The icon in the window. */
+internal val PartIcon.vector: ImageVector
     get() = when (this) {
         PartIcon.PREVIOUS -> Icons.Up
         PartIcon.NEXT -> Icons.Down
