@@ -43,14 +43,14 @@ internal fun TableView(table: Table, send: (Action) -> Unit) {
         for (row in table.rows) {
             if (!row.continues) Subject(row, send)
             if (isNarrow) {
-                Row { for (cell in row.cells) Value(cell, Modifier.weight(1f)) }
+                Row(verticalAlignment = Alignment.CenterVertically) { for (cell in row.cells) Value(cell, send, Modifier.weight(1f)) }
             } else {
                 for (pair in columns.zip(row.cells).chunked(2)) {
                     Row(Modifier.fillMaxWidth()) {
                         for ((column, cell) in pair) {
                             Row(Modifier.weight(1f).padding(end = 4.dp)) {
                                 Title(column, send, Modifier.width(66.dp))
-                                Value(cell, Modifier.weight(1f))
+                                Value(cell, send, Modifier.weight(1f))
                             }
                         }
                     }
@@ -86,7 +86,9 @@ private fun Subject(row: TableRow, send: (Action) -> Unit) {
 }
 
 @Composable
-private fun Value(cell: Cell, modifier: Modifier) {
+private fun Value(cell: Cell, send: (Action) -> Unit, modifier: Modifier) {
+    val go = cell.go
+    if (go != null) return Row(modifier) { ButtonsView(listOf(go), send) }
     // A number that is cut off would be a different one, so two lines are better.
     Tip(withUnit(cell.exact, cell.unit), modifier) { Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp) }
 }

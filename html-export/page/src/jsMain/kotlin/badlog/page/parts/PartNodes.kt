@@ -204,7 +204,10 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             Node("th", text = column.title.takeIf { title == null }, attributes = attributes, children = listOfNotNull(title))
         }
         val rows = table.rows.map { row ->
-            val cells = row.cells.map { Node("td", text = it.text, attributes = mapOf("title" to it.exact)) }
+            val cells = row.cells.map { cell ->
+                val go = cell.go?.let(::textButton)
+                Node("td", text = cell.text.takeIf { go == null }, attributes = mapOf("title" to cell.exact), children = listOfNotNull(go))
+            }
             Node("tr", children = listOf(Node("th", attributes = mapOf("scope" to "row"), children = subject(row))) + cells)
         }
         val parts = listOf(Node("thead", children = listOf(Node("tr", children = head))), Node("tbody", children = rows))

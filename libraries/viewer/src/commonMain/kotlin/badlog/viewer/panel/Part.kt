@@ -195,8 +195,14 @@ class TableRow(
     val tools: List<Button> = emptyList(),
 )
 
-/** A cell of a table: its displayed text, and its value to the last digit. A graph shows the [unit], which is `ul` for none, itself. */
-class Cell(val text: String, val exact: String = text, val unit: String = Topic.UNITLESS)
+/**
+ * A cell of a table.
+ *
+ * @property exact its value to the last digit.
+ * @property unit its unit, which a table below a graph does not repeat; `ul` for none.
+ * @property go a button with the displayed text; null if a press has no effect.
+ */
+class Cell(val text: String, val exact: String = text, val unit: String = Topic.UNITLESS, val go: Button? = null)
 
 /** A picture, called [name], as wide as its panel and [height] high, in CSS pixels or dp; [draw] has its width in physical pixels. */
 class Picture(override val key: String, val name: String, val height: Int, val draw: (Pen, width: Double, PenColors) -> Unit) : Part
