@@ -5,7 +5,7 @@ const [modules, style, script, output] = process.argv.slice(2)
 const { gzip } = require(`${modules}/@gfx/zopfli`)
 
 const text = Buffer.concat([readFileSync(style), Buffer.from([0]), readFileSync(script)])
-gzip(text, { numiterations: 1 }, (problem, packed) => {
+gzip(text, { numiterations: 5 }, (problem, packed) => {
     if (problem) throw problem
     writeFileSync(output, packed)
 })

@@ -11,7 +11,6 @@ import badlog.window.log.LogNotes
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.WindowPanels
 import badlog.window.todo.FolderTodo
-import badlog.window.todo.TodoSheet
 import badlog.window.video.LogVideo
 
 /** Performs the requests of actions to the window. Use it only on the window's thread. */
@@ -29,7 +28,7 @@ internal class WindowRequests(
     /** Performs [request]. */
     fun perform(request: Request) = when (request) {
         is FindingRequest -> findings.perform(request)
-        is TodoRequest -> perform(request)
+        is TodoRequest -> todo.perform(request)
         is Request.ChangeNote -> notes.rewrite(request.note)
         is Request.RemoveNote -> notes.remove(request.note, spoken.placeOf(request.note.x))
         Request.Values -> panels.change { toggled(InspectorTab.CURSOR) }
@@ -42,12 +41,6 @@ internal class WindowRequests(
         is Request.Note -> write(request)
         is Request.Mark -> notes.mark(request.x, spoken.placeOf(request.x))
         is Request.Frames -> video.step(request.count)
-    }
-
-    private fun perform(request: TodoRequest) = when (request) {
-        is TodoRequest.Write -> todo.write(request.task, request.deed)
-        is TodoRequest.AskDone -> todo.ask(TodoSheet.Done(request.item))
-        is TodoRequest.AskPerson -> todo.ask(TodoSheet.Assign(request.item))
     }
 
     private fun write(request: Request.Note) {

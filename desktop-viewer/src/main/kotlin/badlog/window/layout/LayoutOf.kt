@@ -1,8 +1,6 @@
 package badlog.window.layout
 
 import badlog.core.analysis.Span
-import badlog.viewer.choices.board.Board
-import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.comparison.Alignment
 import badlog.window.compare.Comparison
 import badlog.window.sidebar.InspectorTab

@@ -15,6 +15,7 @@ import badlog.viewer.state.EndFollowing
 import badlog.viewer.state.FindingsState
 import badlog.viewer.state.Place
 import badlog.viewer.state.PlaceAction
+import badlog.viewer.state.StatisticsState
 import badlog.viewer.state.Store
 
 /** The person's place in the log, see [Place], which [store] holds, and the current drag. Use it only on the window's thread. */
@@ -48,6 +49,9 @@ internal class AxisView(private val store: Store) {
 
     /** The search in the findings. */
     val findings: FindingsState by derivedStateOf { store.state.findings }
+
+    /** The choices for statistics. */
+    val statistics: StatisticsState by derivedStateOf { store.state.statistics }
 
     /** Whether the person has unfolded or folded the parts of panels, by the parts' keys. */
     val unfolded: Map<String, Boolean> by derivedStateOf { store.state.unfolded }

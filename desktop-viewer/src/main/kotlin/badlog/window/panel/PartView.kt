@@ -7,7 +7,9 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
@@ -18,6 +20,7 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.vector.ImageVector
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
@@ -37,11 +40,14 @@ import badlog.viewer.panel.Offers
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.Picture
 import badlog.viewer.panel.Rows
+import badlog.viewer.panel.Table
 import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
 import badlog.viewer.state.Action
 import badlog.window.findings.findingColor
+import badlog.window.pen.pen
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.Tip
@@ -50,19 +56,21 @@ import badlog.viewer.panel.Row as PanelRow
 
 /** Shows [part]. A fold shows only its title, because its content consists of further parts. */
 @Composable
-internal fun PartView(part: Part, send: (Action) -> Unit) {
+internal fun PartView(part: Part, send: (Action) -> Unit, modifier: Modifier = Modifier) {
     when (part) {
         is Heading -> HeadingView(part, send)
         is Paragraph -> ParagraphView(part, send)
         is Trouble -> TroubleView(part)
         is Buttons -> FlowRow(Modifier.padding(horizontal = 12.dp), Arrangement.spacedBy(2.dp)) { ButtonsView(part.buttons, send) }
         is Offers -> OffersView(part, send)
-        is Choice -> ChoiceView(part, send)
+        is Choice -> ChoiceView(part, send, modifier)
         is Code -> CodeView(part)
         is Field -> FieldView(part, send)
         is Fold -> FoldTitle(part, send)
         is Rows -> for (row in part.rows) PartView(row, send)
         is PanelRow -> RowView(part, send)
+        is Table -> TableView(part, send)
+        is Picture -> PictureView(part)
     }
 }
 
@@ -100,11 +108,12 @@ internal fun ToneText(paragraph: Paragraph, modifier: Modifier = Modifier) {
 internal fun ButtonsView(buttons: List<Button>, send: (Action) -> Unit, areIcons: Boolean = false) {
     for (button in buttons) {
         val text = button.label.takeIf { !areIcons }
-        ToolButton(button.hint, button.icon?.vector, text, isEnabled = button.isEnabled) { send(button.action) }
+        ToolButton(button.hint, button.icon?.vector, text, button.isOn, button.isEnabled) { send(button.action) }
     }
 }
 
-private val PartIcon.vector: ImageVector
+/** The icon in the window. */
+internal val PartIcon.vector: ImageVector
     get() = when (this) {
         PartIcon.PREVIOUS -> Icons.Up
         PartIcon.NEXT -> Icons.Down
@@ -117,6 +126,7 @@ private val PartIcon.vector: ImageVector
         PartIcon.DONE -> Icons.Check
         PartIcon.PERSON -> Icons.Flag
         PartIcon.UNDONE -> Icons.Undo
+        PartIcon.HISTOGRAM -> Icons.Chart
     }
 
 @Composable
@@ -155,15 +165,15 @@ private fun FoldTitle(fold: Fold, send: (Action) -> Unit) {
 }
 
 @Composable
-private fun ChoiceView(choice: Choice, send: (Action) -> Unit) {
+private fun ChoiceView(choice: Choice, send: (Action) -> Unit, modifier: Modifier) {
     FlowRow(
-        Modifier.fillMaxWidth().padding(horizontal = 22.dp),
+        modifier.fillMaxWidth().padding(horizontal = 22.dp),
         Arrangement.spacedBy(2.dp),
         itemVerticalAlignment = Alignment.CenterVertically,
     ) {
         Text(choice.name, color = LocalPalette.current.muted)
         for (option in choice.options) {
-            ToolButton("${choice.name} ${option.label}", text = option.label, isOn = option.isOn) { send(option.action) }
+            ToolButton("${choice.name} ${option.label}", text = option.label, isOn = option.isOn == true) { send(option.action) }
         }
     }
 }
@@ -183,4 +193,14 @@ private fun CodeView(code: Code) {
             softWrap = false,
         )
     }
+}
+
+@Composable
+private fun PictureView(picture: Picture) {
+    val colors = LocalPalette.current.pen
+    Spacer(
+        Modifier.fillMaxWidth().height(picture.height.dp).semantics { contentDescription = picture.name }.drawBehind {
+            picture.draw(pen(), size.width.toDouble(), colors)
+        },
+    )
 }

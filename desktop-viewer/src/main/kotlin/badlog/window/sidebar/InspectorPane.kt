@@ -1,7 +1,6 @@
 package badlog.window.sidebar
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -19,14 +18,9 @@ import androidx.compose.runtime.rememberCoroutineScope
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.ClipEntry
 import androidx.compose.ui.platform.LocalClipboard
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.selected
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import badlog.core.analysis.LogView
 import badlog.core.recording.Severity
@@ -110,7 +104,7 @@ internal fun InspectorPane(
                     PanelView(parts, goal = null, send, Modifier.fillMaxSize())
                 }
 
-                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, panels, open, Modifier.fillMaxSize())
+                InspectorTab.STATISTICS -> StatisticsPanel(compared, board, view, open, Modifier.fillMaxSize())
 
                 InspectorTab.CURSOR -> CursorPanel(board, findings, view, open, Modifier.fillMaxSize())
 
@@ -130,7 +124,7 @@ internal fun InspectorPane(
 
                 InspectorTab.VIDEO -> VideoPanel(video, open, Modifier.fillMaxSize())
 
-                InspectorTab.MODULES -> ModulesPanel(view, open, showGraphs, Modifier.fillMaxSize())
+                InspectorTab.MODULES -> ModulesPanel(view, open, go, Modifier.fillMaxSize())
             }
         }
     }

@@ -1,7 +1,6 @@
 package badlog.window.sidebar
 
 import androidx.compose.ui.graphics.vector.ImageVector
-import badlog.viewer.shown.statistics.ChannelOrder
 import badlog.window.state.StateHolder
 import badlog.window.theme.Icons
 
@@ -15,8 +14,6 @@ import badlog.window.theme.Icons
  * @property inspector the panel on the right, or null for none.
  * @property main the content of the middle.
  * @property front the visible part, if the window is too narrow for more than one.
- * @property statistics the range of the statistics panel.
- * @property channels how it ranks the channels of the power distribution.
  * @property help whether the help is open above everything.
  * @property hidden the panels that were open beside the graphs before a key hid them; null if none are hidden.
  */
@@ -27,8 +24,6 @@ internal data class Panels(
     val inspector: InspectorTab? = null,
     val main: MainView = MainView.GRAPHS,
     val front: FrontPart = FrontPart.GRAPHS,
-    val statistics: StatisticsRange = StatisticsRange.SHOWN,
-    val channels: ChannelOrder = ChannelOrder.CHARGE,
     val help: Boolean = false,
     val hidden: Panels? = null,
 ) {
@@ -97,18 +92,6 @@ internal enum class InspectorTab(val title: String, val icon: ImageVector) {
     CURSOR("Values", Icons.Table),
     VIDEO("Video", Icons.Video),
     MODULES("Modules", Icons.Wheels),
-}
-
-/** The range of statistics. */
-internal enum class StatisticsRange {
-    /** The selection, otherwise the range between both cursors, otherwise the visible range. */
-    SHOWN,
-
-    /** The time in which the robot was enabled. */
-    ENABLED,
-
-    /** All of the log. */
-    ALL,
 }
 
 /** The parts of the window; a narrow window shows one at a time. */

@@ -11,6 +11,7 @@ import badlog.files.LogFile
 import badlog.files.writeAtomically
 import badlog.rules.folder.FolderRules
 import badlog.signals.match.localSecondOf
+import badlog.viewer.state.TodoRequest
 import badlog.viewer.todo.FaultTask
 import badlog.viewer.todo.FoundFault
 import badlog.viewer.todo.TodoDeed
@@ -29,6 +30,9 @@ import badlog.window.task.FileWrites
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
 import badlog.window.task.openAction
+import java.io.IOException
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
@@ -37,9 +41,6 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
-import java.io.IOException
-import java.nio.file.Path
-import kotlin.time.Duration.Companion.seconds
 
 /**
  * The team's to-do list beside the logs of the open folder. Use it only on the window's thread. Other laptops may change the list as well.
@@ -125,6 +126,13 @@ internal class FolderTodo(
     /** Remembers that the person at this computer is [name], unless a person is known already. */
     fun rememberAuthor(name: String) {
         if (name.isNotBlank() && name != author && settings.state.author.isBlank()) settings.change { copy(author = name.trim()) }
+    }
+
+    /** Performs [request]. */
+    fun perform(request: TodoRequest) = when (request) {
+        is TodoRequest.Write -> write(request.task, request.deed)
+        is TodoRequest.AskDone -> ask(TodoSheet.Done(request.item))
+        is TodoRequest.AskPerson -> ask(TodoSheet.Assign(request.item))
     }
 
     /** Opens [sheet]; null closes the open one. */

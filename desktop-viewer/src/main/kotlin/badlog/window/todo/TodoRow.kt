@@ -25,11 +25,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
+import badlog.viewer.panel.offersFor
 import badlog.viewer.text.word
-import badlog.viewer.todo.TodoDeed
 import badlog.viewer.todo.TodoItem
 import badlog.viewer.todo.lines
 import badlog.window.findings.findingColor
+import badlog.window.panel.vector
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.ToolButton
@@ -39,10 +40,9 @@ import badlog.window.theme.ToolButton
 internal fun TodoRow(todo: FolderTodo, item: TodoItem, log: LogEntry?, onOpen: (LogEntry) -> Unit) {
     val palette = LocalPalette.current
     val severity = item.found?.severity?.takeIf { item.isOpen }
+    val offers = todo.state.list.offersFor(item.task)
     Row(Modifier.fillMaxWidth().padding(vertical = 6.dp), Arrangement.spacedBy(8.dp)) {
-        TickBox("${if (item.isOpen) "Mark as done" else "Not done"}: ${item.title}", !item.isOpen) {
-            if (item.isOpen) todo.ask(TodoSheet.Done(item)) else todo.write(item.task, TodoDeed.Open)
-        }
+        TickBox("${offers.first().label.trimEnd('…')}: ${item.title}", !item.isOpen) { todo.perform(offers.first().request) }
         Column(Modifier.weight(1f)) {
             FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), itemVerticalAlignment = Alignment.CenterVertically) {
                 Text(item.title, color = severity?.let(palette::findingColor) ?: palette.text, fontWeight = FontWeight.Medium)
@@ -62,8 +62,10 @@ internal fun TodoRow(todo: FolderTodo, item: TodoItem, log: LogEntry?, onOpen: (
         Row(Modifier, Arrangement.spacedBy(2.dp)) {
             if (log != null) ToolButton("Show what was found in ${log.title}", Icons.Graph) { onOpen(log) }
             // The box already is the first of them.
-            for (offer in todoOffers(todo, item).drop(1)) {
-                ToolButton("${offer.label}: ${item.title}", offer.icon, offer.label.takeIf { it.endsWith('…') }, onClick = offer.run)
+            for (offer in offers.drop(1)) {
+                ToolButton("${offer.label}: ${item.title}", offer.icon.vector, offer.label.takeIf { it.endsWith('…') }) {
+                    todo.perform(offer.request)
+                }
             }
         }
     }

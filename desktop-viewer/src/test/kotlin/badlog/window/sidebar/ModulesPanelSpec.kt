@@ -79,15 +79,7 @@ class ModulesPanelSpec : FunSpec({
         }
     }
 
-    test("without targets, arrows and no errors are shown; without modules, the button is missing, and the panel has the reason") {
-        val without = viewerOf(drive(hasTargets = false))
-        without.panels.change { inspecting(InspectorTab.MODULES) }
-        runDesktopComposeUiTest(420, 800) {
-            setContent { ViewerTheme(Theme.DARK) { TestInspector(without) } }
-            waitFor { onAllNodesWithText("This log has no targets", substring = true).fetchSemanticsNodes().isNotEmpty() }
-            onAllNodesWithContentDescription("Show modules").fetchSemanticsNodes().size shouldBe 1
-            onAllNodesWithText("RMS", substring = true).fetchSemanticsNodes().size shouldBe 0
-        }
+    test("without modules, the button is missing, and the panel has the reason") {
         val none = viewerOf(recordingOf(bagOf(listOf("Time|xaxis", "A"), listOf("0,1"))))
         none.view.press(KeyAction.MODULES)
         runDesktopComposeUiTest(420, 800) {

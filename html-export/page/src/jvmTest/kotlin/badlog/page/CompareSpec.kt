@@ -56,7 +56,7 @@ internal class CompareSpec : PageSpec({
                 legend() shouldContainExactly listOf("$VOLTS 12", "$VOLTS (other.bag) 11")
                 texts(".graph[data-name='State'] .legend-name") shouldContainExactly listOf("State", "State (other.bag)")
                 graph(VOLTS).card.findElement(By.cssSelector(".statistics-toggle")).click()
-                texts(".statistics table:first-child tbody th") shouldContainExactly listOf(VOLTS, "$VOLTS (other.bag)")
+                texts(".statistics .lines tbody th") shouldContainExactly listOf(VOLTS, "$VOLTS (other.bag)")
                 texts(".statistics .differences tbody th") shouldContainExactly listOf("$VOLTS (other.bag) − $VOLTS")
                 keepScreenshot("compare")
                 seriousForReaders() shouldBe emptyList()

@@ -5,7 +5,6 @@ import io.kotest.core.annotation.Tags
 import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldStartWith
-import org.openqa.selenium.By
 import kotlin.math.PI
 
 /** The panel with the modules of a swerve drive. */
@@ -34,11 +33,11 @@ internal class ModulesPanelSpec : PageSpec({
         onPage(page) {
             step("W opens the modules with the worst module and a link to its largest error, and the picture follows the cursor") {
                 press("w")
-                await("the errors") { texts(".module-error").size == 4 }
-                element(".modules-worst").text shouldBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
-                texts(".module-error b") shouldBe List(4) { "Module $it" }
+                await("the errors") { texts("#modules tbody tr").size == 8 }
+                element("#modules .worst").text shouldBe "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°."
+                texts("#modules .cut-name") shouldBe List(4) { "Module $it" }
                 val before = picture()
-                elements(".module-error")[1].findElement(By.tagName("button")).click()
+                elements("#modules td button")[2].click()
                 await("another picture") { picture() != before }
                 element(".cursor-readout").text shouldStartWith "3.00"
                 keepScreenshot("modules")
@@ -48,7 +47,7 @@ internal class ModulesPanelSpec : PageSpec({
             step("the errors are those in the visible range, and the values at the cursor replace the modules") {
                 click("#modules-button")
                 graph("Measured[0]/speed").drag(0.25, 0.4)
-                await("the errors of the range") { element(".modules-worst").text.let { it.isNotEmpty() && it != "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°." } }
+                await("the errors of the range") { element("#modules .worst").text.let { it.isNotEmpty() && it != "Module 1 has the largest angle error: 10.3° RMS, the others 0.0°." } }
                 press("v")
                 element("#modules").isDisplayed shouldBe false
                 element("#cursor-values").isDisplayed shouldBe true
@@ -59,15 +58,15 @@ internal class ModulesPanelSpec : PageSpec({
             click("#reset")
             step("moving the cursor does not change the list, a resized picture is redrawn, and links open the modules") {
                 script("location.hash = '#open=modules'")
-                await("the errors") { texts(".module-error").size == 4 }
+                await("the errors") { texts("#modules tbody tr").size == 8 }
                 element("#modules").isDisplayed shouldBe true
                 element("#modules canvas").getAttribute("role") shouldBe "img"
                 element("#modules canvas").getAttribute("aria-label") shouldBe "Modules at the cursor"
-                script("document.querySelector('.module-error').dataset.mark = 'same'")
+                script("document.querySelector('#modules tbody tr').dataset.mark = 'same'")
                 val before = picture()
                 graph("Measured[0]/speed").click(0.7)
                 await("another picture") { picture() != before }
-                script("return document.querySelector('.module-error').dataset.mark") shouldBe "same"
+                script("return document.querySelector('#modules tbody tr').dataset.mark") shouldBe "same"
                 script("document.querySelector('#modules').style.width = '240px'")
                 val isWhole = "return Number(document.querySelector('#modules canvas').clientWidth < 240 && " +
                     "Math.abs(document.querySelector('#modules canvas').width / devicePixelRatio - document.querySelector('#modules canvas').clientWidth) < 1)"

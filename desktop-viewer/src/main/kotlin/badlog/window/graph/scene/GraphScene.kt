@@ -12,7 +12,6 @@ import androidx.compose.ui.unit.dp
 import badlog.core.analysis.Units
 import badlog.viewer.choices.board.BoardGraph
 import badlog.viewer.choices.board.Plane
-import badlog.viewer.draw.mark.EventTimeline
 import badlog.window.choice.AxisChoice
 import badlog.window.choice.FieldChoice
 import badlog.window.choice.StationChoice

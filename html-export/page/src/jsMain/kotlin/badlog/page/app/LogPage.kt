@@ -165,7 +165,7 @@ internal class LogPage(
         PageRequests(keys, values, modules, formulaDialog, noteDialog, layouts.dialog, video, live, findingRequests::perform)
     private val goal: LinkGoal = LinkGoal(boardSection, inSight, findings)
     private val opened = ReaderParts(search, values, modules, boardSection)
-    private val problems = ProblemSection(store, view.problems, additionProblems(formulas, additions, layout))
+    private val problems = ProblemSection(scene, view.problems, additionProblems(formulas, additions, layout))
     private val printing = Printing(scene, { boardSection.cards + evidence.cards }, { folders.cards }) {
         problems.print(it)
         findings.print(it)

@@ -36,7 +36,7 @@ internal class FindingsSection(
     private val differences: () -> List<Finding>,
     private val send: (Action) -> Unit,
 ) {
-    private val nodes = PartNodes(send)
+    private val nodes = PartNodes(scene.palette, send)
     private var drawn: FindingPlace<Finding>? = null
     private var isRunning = hasRules
     private var isInside = false

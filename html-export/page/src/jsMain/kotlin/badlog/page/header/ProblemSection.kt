@@ -6,15 +6,16 @@ import badlog.page.dom.isHidden
 import badlog.page.dom.panelRoom
 import badlog.page.parts.PartNodes
 import badlog.page.parts.patch
-import badlog.page.view.PageStore
+import badlog.page.view.Scene
 import badlog.viewer.panel.PanelRoom
 import badlog.viewer.panel.Trouble
 import badlog.viewer.panel.problemsAbove
 import org.w3c.dom.HTMLElement
 
 /** The [problems] in the file and in the page's [additions], see [problemsAbove]; hidden if there are none. */
-internal class ProblemSection(private val store: PageStore, private val problems: List<Problem>, private val additions: List<Trouble>) {
-    private val nodes = PartNodes(store::send)
+internal class ProblemSection(private val scene: Scene, private val problems: List<Problem>, private val additions: List<Trouble>) {
+    private val store get() = scene.store
+    private val nodes = PartNodes(scene.palette, store::send)
 
     val element: HTMLElement = element("section") {
         id = "problems"

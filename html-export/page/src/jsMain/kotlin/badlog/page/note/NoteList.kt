@@ -12,7 +12,7 @@ import org.w3c.dom.HTMLElement
 
 /** The notes about moments of the recording, see [notesAbove]; hidden if there are none. */
 internal class NoteList(private val scene: Scene, private val notes: PageNotes) {
-    private val nodes = PartNodes(scene.store::send)
+    private val nodes = PartNodes(scene.palette, scene.store::send)
     private var query = Query("")
 
     val element: HTMLElement = element("section", "notes-written findings card") {

@@ -4,25 +4,20 @@ import badlog.core.analysis.Span
 import badlog.page.dom.Icon
 import badlog.page.dom.ResizeObserver
 import badlog.page.dom.add
-import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
 import badlog.page.dom.isHidden
-import badlog.page.dom.showText
-import badlog.page.pen.CanvasPen
+import badlog.page.parts.PartNodes
+import badlog.page.parts.patch
 import badlog.page.view.Frame
 import badlog.page.view.Scene
-import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.draw.swerve.DrivePicture
 import badlog.viewer.input.KeyAction
-import badlog.viewer.shown.swerve.ErrorSize
+import badlog.viewer.panel.Part
+import badlog.viewer.panel.modulesPanel
 import badlog.viewer.shown.swerve.SwerveDrive
-import badlog.viewer.shown.swerve.worstModuleText
 import kotlinx.browser.window
-import org.w3c.dom.CanvasRenderingContext2D
-import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
-import kotlin.math.round
 
 /**
  * The modules of a swerve drive: their state at the cursor, and their errors in the visible range. It opens in place of the values at the
@@ -31,10 +26,9 @@ import kotlin.math.round
  * @param beforeOpening closes the other panel, which has the same place.
  */
 internal class ModulesPanel(private val scene: Scene, private val beforeOpening: () -> Unit) {
-    private lateinit var worst: HTMLElement
-    private lateinit var canvas: HTMLCanvasElement
-    private lateinit var list: HTMLElement
-    private lateinit var condition: HTMLElement
+    private lateinit var body: HTMLElement
+    private val nodes = PartNodes(scene.palette, scene.store::send)
+    private var parts = emptyList<Part>()
     private val frame = Frame(::draw)
 
     /** The range of the listed errors; null if none are listed. */
@@ -49,15 +43,7 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
             add("h2", "findings-title", "Modules")
             add("div", "graph-tools") { addIconButton("", Icon.CLOSE, "Close the modules (${KeyAction.MODULES.shortcut})") { close() } }
         }
-        add("div", "cursor-panel-rows") {
-            worst = add("p", "modules-worst")
-            canvas = add("canvas").unsafeCast<HTMLCanvasElement>()
-            canvas.setAttribute("role", "img")
-            canvas.setAttribute("aria-label", "Modules at the cursor")
-            add("p", "cursor-panel-hint", SwerveDrive.ARROWS)
-            list = add("div", "modules-errors")
-            condition = add("p", "cursor-panel-hint")
-        }
+        body = add("div", "cursor-panel-rows")
         isHidden = true
     }
 
@@ -106,38 +92,18 @@ internal class ModulesPanel(private val scene: Scene, private val beforeOpening:
         listing = window.setTimeout(::listErrors, if (listed == null) 0 else AFTER_MOVING)
     }
 
-    private fun draw() {
-        val picture = picture ?: return
-        val ratio = window.devicePixelRatio
-        canvas.style.height = "${picture.height}px"
-        canvas.width = round(canvas.clientWidth * ratio).toInt()
-        canvas.height = round(picture.height * ratio).toInt()
-        val context = canvas.getContext("2d").unsafeCast<CanvasRenderingContext2D>()
-        picture.draw(CanvasPen(context), canvas.width.toDouble(), scene.range.now, scene.cursor.now, scene.palette.colors)
-    }
+    private fun draw() = body.patch(nodes.of(parts))
 
     /** Lists the errors within the visible range. */
     private fun listErrors() {
         val drive = scene.drive ?: return
+        val picture = picture ?: return
         val range = scene.range.now
         listed = range
-        val sizes = drive.errors?.within(range)
-        worst.showText(sizes?.let(::worstModuleText) ?: drive.errorsLack.orEmpty())
-        condition.showText(drive.errors?.condition.orEmpty())
-        list.textContent = ""
-        sizes.orEmpty().forEachIndexed { i, error ->
-            list.add("div", "module-error") {
-                add("span", "swatch line-${i % LINE_COLORS}")
-                add("b", "", error.label)
-                error.angle?.let { size(it) }
-                error.speed?.let { size(it) }
-            }
+        parts = modulesPanel(drive, drive.errors?.within(range).orEmpty(), scene::xText, picture) { pen, width, colors ->
+            draw(pen, width, scene.range.now, scene.cursor.now, colors)
         }
-    }
-
-    private fun HTMLElement.size(size: ErrorSize) {
-        add("span", "", size.rmsText)
-        addButton("text-button", size.largestText, size.goText(scene.xText(size.largestAt))) { scene.goTo(size.largestAt) }
+        draw()
     }
 
     private companion object {

@@ -1,6 +1,7 @@
 package badlog.page.parts
 
 import badlog.page.dom.Icon
+import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
 
 /**
@@ -11,6 +12,7 @@ import org.w3c.dom.events.Event
  * @property attributes its attributes, without those that are null.
  * @property icon the icon at its beginning; null if there is none.
  * @property press the effect of a press on a button.
+ * @property draw draws the content of a canvas, which must be on the page.
  * @property on the handlers of other events, by event type.
  */
 internal class Node(
@@ -21,6 +23,7 @@ internal class Node(
     val attributes: Map<String, String?> = emptyMap(),
     val icon: Icon? = null,
     val press: (() -> Unit)? = null,
+    val draw: ((HTMLElement) -> Unit)? = null,
     val on: Map<String, (Event) -> Unit> = emptyMap(),
     val children: List<Node> = emptyList(),
 ) {

@@ -1,6 +1,9 @@
 package badlog.page.parts
 
 import badlog.page.dom.Icon
+import badlog.page.pen.paint
+import badlog.page.view.Palette
+import badlog.viewer.draw.color.LINE_COLORS
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
 import badlog.viewer.panel.Choice
@@ -13,16 +16,23 @@ import badlog.viewer.panel.Offers
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
+import badlog.viewer.panel.Picture
 import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.TableRow
 import badlog.viewer.panel.Trouble
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
+import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.events.Event
 
-/** Makes nodes from the parts of a panel; the class of each is the first word of its key. A person's actions go to [send]. */
-internal class PartNodes(private val send: (Action) -> Unit) {
+/**
+ * Makes nodes from the parts of a panel; the class of each is the first word of its key. Pictures have the colors of [palette], and a
+ * person's actions go to [send].
+ */
+internal class PartNodes(private val palette: Palette, private val send: (Action) -> Unit) {
     private val shared = ArrayList<List<String>>()
 
     /** Returns the [parts] of a panel as nodes. */
@@ -45,6 +55,8 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         is Fold -> fold(part)
         is Rows -> rows(part)
         is Row -> row(part)
+        is Table -> table(part)
+        is Picture -> picture(part)
     }
 
     private fun heading(heading: Heading) = Node(
@@ -84,10 +96,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     }
 
     private fun choice(choice: Choice): Node {
-        val options = choice.options.map { option ->
-            val attributes = mapOf("aria-pressed" to "${option.isOn}")
-            Node("button", "text-button", option.label, attributes = attributes, press = { send(option.action) })
-        }
+        val options = choice.options.map(::textButton)
         val named = mapOf("role" to "group", "aria-label" to choice.name)
         val name = Node("span", text = "${choice.name} ", attributes = mapOf("aria-hidden" to "true"))
         return Node("div", "choice ${choice.className}", key = choice.key, attributes = named, children = listOf(name) + options)
@@ -176,17 +185,52 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     }
 
     private fun textButton(button: Button): Node {
-        val attributes = mapOf("title" to button.hint.takeIf { it != button.label }, "disabled" to button.disabled)
+        val attributes = mapOf("title" to button.hint.takeIf { it != button.label }) + button.state
         return Node("button", "text-button", button.label, attributes = attributes, press = { send(button.action) })
     }
 
     private fun iconButton(button: Button, className: String = ""): Node {
-        val attributes = mapOf("title" to button.hint, "aria-label" to button.hint, "disabled" to button.disabled)
+        val attributes = mapOf("title" to button.hint, "aria-label" to button.hint) + button.state
         val names = "icon-button $className".trim()
         return Node("button", names, key = button.label, attributes = attributes, icon = button.icon?.icon, press = { send(button.action) })
     }
 
-    private val Button.disabled: String? get() = "".takeIf { !isEnabled }
+    private val Button.state get() = mapOf("disabled" to "".takeIf { !isEnabled }, "aria-pressed" to isOn?.toString())
+
+    private fun table(table: Table): Node {
+        val head = table.columns.map { column ->
+            val title = column.sort?.let { textButton(Button(column.title + if (column.isSorted) " ↓" else "", it)) }
+            val attributes = mapOf("title" to column.hint, "aria-sort" to "descending".takeIf { column.isSorted })
+            Node("th", text = column.title.takeIf { title == null }, attributes = attributes, children = listOfNotNull(title))
+        }
+        val rows = table.rows.map { row ->
+            val cells = row.cells.map { cell ->
+                val go = cell.go?.let(::textButton)
+                Node("td", text = cell.text.takeIf { go == null }, attributes = mapOf("title" to cell.exact), children = listOfNotNull(go))
+            }
+            Node("tr", children = listOf(Node("th", attributes = mapOf("scope" to "row"), children = subject(row))) + cells)
+        }
+        val parts = listOf(Node("thead", children = listOf(Node("tr", children = head))), Node("tbody", children = rows))
+        return Node("table", table.className, key = table.key, children = parts)
+    }
+
+    private fun subject(row: TableRow): List<Node> {
+        if (row.continues) return emptyList()
+        val swatch = row.color?.let { Node("span", "swatch line-${it % LINE_COLORS}") }
+        // Within its own direction, a slash at the beginning stays there.
+        val name = Node("span", "cut-name", children = listOf(Node("bdi", text = row.name)))
+        return listOfNotNull(swatch, name) + row.tools.map(::iconButton)
+    }
+
+    private fun picture(picture: Picture) = Node(
+        "canvas",
+        picture.className,
+        key = picture.key,
+        attributes = mapOf("role" to "img", "aria-label" to picture.name),
+        draw = { canvas ->
+            canvas.unsafeCast<HTMLCanvasElement>().paint(picture.height) { pen, width -> picture.draw(pen, width, palette.colors) }
+        },
+    )
 
     private val Part.className: String get() = key.substringBefore(' ')
 }
@@ -203,4 +247,5 @@ private val PartIcon.icon: Icon
         PartIcon.CLOSE -> Icon.CLOSE
         PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
         PartIcon.UNDONE -> Icon.UNDO
+        PartIcon.HISTOGRAM -> Icon.BARS
     }

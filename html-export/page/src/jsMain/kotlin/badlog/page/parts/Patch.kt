@@ -64,4 +64,5 @@ private fun HTMLElement.update(node: Node) {
         shown = emptyList()
     }
     if (node.text == null && node.icon == null) patch(node.children)
+    node.draw?.invoke(this)
 }

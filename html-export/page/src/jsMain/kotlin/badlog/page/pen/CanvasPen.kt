@@ -8,8 +8,19 @@ import badlog.viewer.draw.pen.Points
 import badlog.viewer.draw.pen.TextSide
 import kotlinx.browser.window
 import org.w3c.dom.CanvasRenderingContext2D
+import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLImageElement
 import kotlin.math.PI
+import kotlin.math.round
+
+/** Makes this canvas as wide as its place on the page and [height] CSS pixels high, and calls [draw] with its width in physical pixels. */
+internal fun HTMLCanvasElement.paint(height: Int, draw: (Pen, width: Double) -> Unit) {
+    val ratio = window.devicePixelRatio
+    style.height = "${height}px"
+    width = round(clientWidth * ratio).toInt()
+    this.height = round(height * ratio).toInt()
+    draw(CanvasPen(getContext("2d").unsafeCast<CanvasRenderingContext2D>()), width.toDouble())
+}
 
 /** A pen that draws on the canvas of [context]. All canvases of the page share its layers. */
 internal class CanvasPen(private val context: CanvasRenderingContext2D) : Pen {

@@ -1,6 +1,9 @@
 package badlog.viewer.panel
 
 import badlog.core.recording.Severity
+import badlog.core.recording.Topic
+import badlog.viewer.draw.color.PenColors
+import badlog.viewer.draw.pen.Pen
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
 
@@ -52,11 +55,18 @@ class Trouble(
     val word: String = severity.word,
 ) : Part
 
-/** A button with its [action]. */
-class Button(val label: String, val action: Action, val icon: PartIcon? = null, val hint: String = label, val isEnabled: Boolean = true)
+/** A button with its [action]. [isOn] is null unless it stands for something that can be on. */
+class Button(
+    val label: String,
+    val action: Action,
+    val icon: PartIcon? = null,
+    val hint: String = label,
+    val isEnabled: Boolean = true,
+    val isOn: Boolean? = null,
+)
 
 /** The icons of buttons. */
-enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE, PERSON, UNDONE }
+enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE, PERSON, UNDONE, HISTOGRAM }
 
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
@@ -64,11 +74,8 @@ class Buttons(override val key: String, val buttons: List<Button>) : Part
 /** Buttons with sentences, below each other in a box with a [title]. */
 class Offers(override val key: String, val title: String, val buttons: List<Button>) : Part
 
-/** A choice of one of [options]; the one with [Option.isOn] is chosen. */
-class Choice(override val key: String, val name: String, val options: List<Option>) : Part
-
-/** An option of a [Choice], called [label]. */
-class Option(val label: String, val isOn: Boolean, val action: Action)
+/** A choice of one of [options]; the one with [Button.isOn] is chosen. */
+class Choice(override val key: String, val name: String, val options: List<Button>) : Part
 
 /** Lines of a program, called [name] by screen readers. */
 class Code(override val key: String, val name: String, val text: String) : Part
@@ -158,3 +165,44 @@ class Line(
     val hint: String = "",
     val isCurrent: Boolean = false,
 )
+
+/** A table; the first of its [columns] has the names of its [rows]. */
+class Table(override val key: String, val columns: List<Column>, val rows: List<TableRow>) : Part
+
+/**
+ * A column of a table.
+ *
+ * @property hint an explanation of its title; empty for none.
+ * @property sort sorts by it, the largest first; null if that is impossible.
+ */
+class Column(val title: String, val hint: String = "", val sort: Action? = null, val isSorted: Boolean = false)
+
+/**
+ * A row of a table.
+ *
+ * @property name its subject; shown unless the row before is about the same, see [continues].
+ * @property unit the unit of the line it is about; `ul` for none.
+ * @property log the name of the log it is about; empty if there is only one.
+ * @property color the index of the color of the line it is about; null for none.
+ */
+class TableRow(
+    val name: String,
+    val cells: List<Cell>,
+    val unit: String = Topic.UNITLESS,
+    val log: String = "",
+    val color: Int? = null,
+    val continues: Boolean = false,
+    val tools: List<Button> = emptyList(),
+)
+
+/**
+ * A cell of a table.
+ *
+ * @property exact its value to the last digit.
+ * @property unit its unit, which a table below a graph does not repeat; `ul` for none.
+ * @property go a button with the displayed text; null if a press has no effect.
+ */
+class Cell(val text: String, val exact: String = text, val unit: String = Topic.UNITLESS, val go: Button? = null)
+
+/** A picture, called [name], as wide as its panel and [height] high, in CSS pixels or dp; [draw] has its width in physical pixels. */
+class Picture(override val key: String, val name: String, val height: Int, val draw: (Pen, width: Double, PenColors) -> Unit) : Part

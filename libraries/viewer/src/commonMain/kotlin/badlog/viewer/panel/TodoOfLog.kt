@@ -3,7 +3,6 @@ package badlog.viewer.panel
 import badlog.rules.Finding
 import badlog.viewer.choices.note.Note
 import badlog.viewer.state.Action
-import badlog.viewer.state.Request
 import badlog.viewer.state.TodoRequest
 import badlog.viewer.todo.NoteTask
 import badlog.viewer.todo.TodoDeed
@@ -48,21 +47,26 @@ class ListedTasks(private val list: TodoList, private val log: String) : TodoOfL
     }
 
     private fun buttonsOf(task: TodoTask): List<Button> {
-        val item = list.itemOrNew(task)
-        fun button(label: String, icon: PartIcon, request: Request) = Button(label, Action.Ask(request), icon, "$label: ${item.title}")
-        val assign = button("Assign…", PartIcon.PERSON, TodoRequest.AskPerson(item))
-        return when {
-            !item.isOpen -> listOf(button("Not done", PartIcon.UNDONE, TodoRequest.Write(task, TodoDeed.Open)), assign)
-
-            else -> listOf(
-                button("Mark as done…", PartIcon.DONE, TodoRequest.AskDone(item)),
-                assign,
-                if (list.item(task) == null) {
-                    button("Put on the list", PartIcon.ADD, TodoRequest.Write(task, TodoDeed.Open))
-                } else {
-                    button("Take off the list", PartIcon.REMOVE, TodoRequest.Write(task, TodoDeed.Remove))
-                },
-            )
-        }
+        val title = list.itemOrNew(task).title
+        return list.offersFor(task).map { Button(it.label, Action.Ask(it.request), it.icon, "${it.label}: $title") }
     }
+}
+
+/** A possible action on an item of the team's list. */
+class TodoOffer(val label: String, val icon: PartIcon, val request: TodoRequest)
+
+/** Returns a person's possible actions on [task], which need not be on the list yet; the first marks it as done or not done. */
+fun TodoList.offersFor(task: TodoTask): List<TodoOffer> {
+    val item = itemOrNew(task)
+    val assign = TodoOffer("Assign…", PartIcon.PERSON, TodoRequest.AskPerson(item))
+    if (!item.isOpen) return listOf(TodoOffer("Not done", PartIcon.UNDONE, TodoRequest.Write(task, TodoDeed.Open)), assign)
+    return listOf(
+        TodoOffer("Mark as done…", PartIcon.DONE, TodoRequest.AskDone(item)),
+        assign,
+        if (item(task) == null) {
+            TodoOffer("Put on the list", PartIcon.ADD, TodoRequest.Write(task, TodoDeed.Open))
+        } else {
+            TodoOffer("Take off the list", PartIcon.REMOVE, TodoRequest.Write(task, TodoDeed.Remove))
+        },
+    )
 }

@@ -10,6 +10,9 @@ sealed interface Action {
     /** Unfolds the part of a panel with the key [fold], or folds it. */
     class Unfold(val fold: String, val isOpen: Boolean) : Action
 
+    /** Chooses the range of [statistics], and the order of channels. */
+    class Measure(val statistics: StatisticsState) : Action
+
     /** Asks for a [Request], which only the shell can perform. */
     data class Ask(val request: Request) : Action
 }

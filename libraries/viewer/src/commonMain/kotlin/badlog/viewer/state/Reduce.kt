@@ -9,6 +9,7 @@ fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (ac
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
     is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
     is Action.Unfold -> Outcome(state.copy(unfolded = state.unfolded + (action.fold to action.isOpen)))
+    is Action.Measure -> Outcome(state.copy(statistics = action.statistics))
     is FindingAction -> state.after(shown, action)
     is BoardAction -> state.after(shown, action)
     is PlaceAction -> Outcome(state.after(shown, action))

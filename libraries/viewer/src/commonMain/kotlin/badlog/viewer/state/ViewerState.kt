@@ -11,6 +11,7 @@ import badlog.viewer.choices.board.BoardHistory
  * @property place the person's place in the log.
  * @property board the graphs that the person put together, with their history.
  * @property findings the search in the findings.
+ * @property statistics the choices for statistics.
  * @property unfolded the parts of panels that a person has unfolded, or folded, by their keys.
  * @property added each graph added to show a finding, in its original form, except graphs that a person keeps: undoing also brings back
  *   the graphs of previous findings.
@@ -20,6 +21,7 @@ data class ViewerState(
     val place: Place,
     val board: BoardHistory,
     val findings: FindingsState = FindingsState(),
+    val statistics: StatisticsState = StatisticsState(),
     val unfolded: Map<String, Boolean> = emptyMap(),
     val added: Set<BoardGraph> = emptySet(),
     val following: EndFollowing = EndFollowing(),

@@ -181,7 +181,7 @@ class FindingsPanelSpec : FunSpec({
         first.filterIsInstance<Code>().single().text shouldBe """SmartDashboard.putNumber("Battery Voltage", RobotController.getBatteryVoltage());"""
         val options = first.filterIsInstance<Choice>().single().options
         options.map { it.label } shouldBe listOf("WPILib", "AdvantageKit", "Epilogue", "DogLog", "Phoenix 6", "badlog")
-        options.filter { it.isOn }.map { it.label } shouldBe listOf("WPILib")
+        options.filter { it.isOn == true }.map { it.label } shouldBe listOf("WPILib")
         options[3].action shouldSend FindingAction.ShowLines(LoggingLibrary.DOGLOG)
         parts(FindingsState(library = LoggingLibrary.DOGLOG)).filterIsInstance<Code>().single().text shouldBe
             """DogLog.log("Battery Voltage", RobotController.getBatteryVoltage());"""

@@ -16,7 +16,6 @@ import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
 import badlog.viewer.panel.Offers
-import badlog.viewer.panel.Option
 import badlog.viewer.panel.PanelRoom
 import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
@@ -208,7 +207,7 @@ private fun howToLog(library: LoggingLibrary, signals: List<String>): List<Part>
         Paragraph("station $signal", "“$signal” is in the Driver Station's log: open that beside this one.", Tone.MUTED)
     }
     if (lines.isEmpty()) return ofStation
-    val options = LoggingLibrary.entries.map { Option(it.title, it == library, FindingAction.ShowLines(it)) }
+    val options = LoggingLibrary.entries.map { Button(it.title, FindingAction.ShowLines(it), isOn = it == library) }
     return listOf(
         Choice("logging-library", "How to log what is missing, with", options),
         Paragraph("logging-place", library.place, Tone.MUTED),

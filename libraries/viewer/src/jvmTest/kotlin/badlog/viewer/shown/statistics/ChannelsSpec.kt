@@ -6,6 +6,12 @@ import badlog.core.bag.BagParser
 import badlog.rules.BUILT_IN
 import badlog.rules.RuleSet
 import badlog.signals.signalTopicsOf
+import badlog.viewer.panel.Measured
+import badlog.viewer.panel.NamedSpan
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.statisticsOf
+import badlog.viewer.state.Action
+import badlog.viewer.state.StatisticsState
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactly
@@ -22,14 +28,16 @@ class ChannelsSpec : FunSpec({
 
     val all = listOf(Span(0.0, 100.0))
 
-    test("channels are ranked by charge or by their highest current, with their share") {
+    test("the panel of statistics ranks channels, and sorts them by the column that a person chooses") {
         val channels = channelsOf("PDP/Current 0", "PDP/Current 1", "PDP/Current 2") { listOf(36.0, if (it == 50) 90.0 else 0.0, 0.0) }
-        val byCharge = channels.ranked(all, ChannelOrder.CHARGE)
-        byCharge.map { it.name } shouldContainExactly listOf("Current 0", "Current 1")
-        byCharge.map { it.chargeText } shouldContainExactly listOf("1 Ah", "0.025 Ah")
-        byCharge.map { it.shareText } shouldContainExactly listOf("97.6 %", "2.4 %")
-        channels.ranked(all, ChannelOrder.PEAK).map { it.name to it.peakText } shouldContainExactly
-            listOf("Current 1" to "90 A", "Current 0" to "36 A")
+        val axis = LogView.of(BagParser().finish()).xAxis
+        fun table(state: StatisticsState) = statisticsOf(Measured(emptyList(), emptyList(), channels), NamedSpan("Whole log", all.single()), axis, state, emptyMap()).last() as Table
+        val ranked = table(StatisticsState())
+        ranked.columns.map { it.title to it.isSorted } shouldContainExactly
+            listOf("Channel" to false, "Charge" to true, "Peak" to false, "Share" to false)
+        ranked.rows.map { row -> row.name to row.cells.map { it.text } } shouldContainExactly
+            listOf("Current 0" to listOf("1 Ah", "36 A", "97.6 %"), "Current 1" to listOf("0.025 Ah", "90 A", "2.4 %"))
+        table((ranked.columns[2].sort as Action.Measure).statistics).rows.first().name shouldBe "Current 1"
     }
 
     test("only the parts of x count") {

@@ -1,0 +1,97 @@
+package badlog.window.panel
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.Button
+import badlog.viewer.panel.Cell
+import badlog.viewer.panel.Column
+import badlog.viewer.panel.Table
+import badlog.viewer.panel.TableRow
+import badlog.viewer.state.Action
+import badlog.viewer.text.withUnit
+import badlog.window.theme.LocalPalette
+import badlog.window.theme.NameCut
+import badlog.window.theme.NameText
+import badlog.window.theme.Tip
+
+/** Shows [table]: the cells of a row below its name, side by side if there are few, otherwise each with its title, in two columns. */
+@Composable
+internal fun TableView(table: Table, send: (Action) -> Unit) {
+    val isNarrow = table.columns.size <= MAX_BESIDE
+    Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
+        val columns = table.columns.drop(1)
+        if (isNarrow) {
+            Row(verticalAlignment = Alignment.CenterVertically) {
+                for (column in columns) Title(column, send, Modifier.weight(1f))
+            }
+        }
+        for (row in table.rows) {
+            if (!row.continues) Subject(row, send)
+            if (isNarrow) {
+                Row(verticalAlignment = Alignment.CenterVertically) { for (cell in row.cells) Value(cell, send, Modifier.weight(1f)) }
+            } else {
+                for (pair in columns.zip(row.cells).chunked(2)) {
+                    Row(Modifier.fillMaxWidth()) {
+                        for ((column, cell) in pair) {
+                            Row(Modifier.weight(1f).padding(end = 4.dp)) {
+                                Title(column, send, Modifier.width(66.dp))
+                                Value(cell, send, Modifier.weight(1f))
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun Title(column: Column, send: (Action) -> Unit, modifier: Modifier) {
+    val sort = column.sort
+    if (sort !=
+        null
+    ) {
+        return Row(modifier) { ButtonsView(listOf(Button(column.title, sort, hint = column.hint, isOn = column.isSorted)), send) }
+    }
+    Tip(column.hint, modifier) { NameText(column.title, color = LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.MIDDLE) }
+}
+
+/** The name of [row], its log if there are several, and its buttons. */
+@Composable
+private fun Subject(row: TableRow, send: (Action) -> Unit) {
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        NameText(row.name, Modifier.weight(1f), fontWeight = FontWeight.SemiBold)
+        ButtonsView(row.tools, send, areIcons = true)
+    }
+    if (row.log.isEmpty()) return
+    Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+        row.color?.let { Box(Modifier.size(8.dp).background(LocalPalette.current.line(it), RoundedCornerShape(2.dp))) }
+        NameText(row.log, color = LocalPalette.current.muted, fontSize = 12.sp)
+    }
+}
+
+@Composable
+private fun Value(cell: Cell, send: (Action) -> Unit, modifier: Modifier) {
+    val go = cell.go
+    if (go != null) return Row(modifier) { ButtonsView(listOf(go), send) }
+    // A number that is cut off would be a different one, so two lines are better.
+    Tip(withUnit(cell.exact, cell.unit), modifier) { Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp) }
+}
+
+/** The number of columns, with the names, whose cells fit beside each other. */
+private const val MAX_BESIDE = 5
