@@ -98,6 +98,8 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.5" }
     },
+    // The limit is at the setpoint.
+    "Stopped by a limit" to { flag("Elevator/Upper Limit") { TestMatch.height(it) > 0.98 } },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.05 * step(it) else 0.0 } },
     "Away from its setpoint" to {
         from(16.0, "Elevator/Height") { (0.95 * TestMatch.height(it)).toString() }
@@ -137,6 +139,13 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 0.5 else 0.0 }
         number("Vision/Robot/translation/y") { 3 + TestMatch.wave(it / 7) }
+    },
+    // A driver set the heading anew, which jumps.
+    "Heading leaves the camera" to {
+        number("Vision/Pose[0]") { 5.0 }
+        number("Vision/Pose[1]") { 3.0 }
+        number("Vision/Pose[2]") { 40 * TestMatch.wave(it / 9) }
+        number("Gyro/Angle") { 40 * TestMatch.wave(it / 9) + if (it < 22) 10.0 else 33.0 }
     },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { (0.95 * TestMatch.position(it)).toString() } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (5.45 + TestMatch.wave(it / 10)).toString() } },
@@ -204,6 +213,13 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Button held while disabled" to {
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 4 }
+    },
+    // It is held for as long, and then let go. A switch was never only pressed, and the other one seldom.
+    "Button stuck" to {
+        flag("/DriverStation/Enabled") { true }
+        flag("DS:joystick0/buttons[0]") { (it > 3 && it < 39) || it % 0.5 < 0.1 }
+        flag("DS:joystick0/buttons[1]") { it > 3 }
+        flag("DS:joystick0/buttons[2]") { it > 3 || it in 1.0..1.5 }
     },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }

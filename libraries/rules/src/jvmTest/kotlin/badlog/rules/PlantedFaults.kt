@@ -74,6 +74,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.9" }
     },
+    "Stopped by a limit" to {
+        number("Elevator/Height") { minOf(TestMatch.height(it), 0.85) }
+        flag("Elevator/Upper Limit") { TestMatch.height(it) > 0.85 }
+    },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.3 * step(it) else 0.0 } },
     "Away from its setpoint" to {
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
@@ -106,6 +110,12 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 3.0 else 0.0 }
         number("Vision/Robot/translation/y") { 3 + TestMatch.wave(it / 7) }
+    },
+    "Heading leaves the camera" to {
+        number("Vision/Pose[0]") { 5.0 }
+        number("Vision/Pose[1]") { 3.0 }
+        number("Vision/Pose[2]") { 40 * TestMatch.wave(it / 9) }
+        number("Gyro/Angle") { 40 * TestMatch.wave(it / 9) + 10.0 + if (it < 10) 0.0 else 0.6 * (it - 10) }
     },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { "10" } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (6 + TestMatch.wave(it / 10)).toString() } },
@@ -166,6 +176,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Button held while disabled" to {
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 12 }
+    },
+    "Button stuck" to {
+        flag("/DriverStation/Enabled") { true }
+        flag("DS:joystick0/buttons[0]") { it > 3 || it % 0.5 < 0.1 }
     },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }

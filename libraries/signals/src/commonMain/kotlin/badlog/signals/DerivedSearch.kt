@@ -1,19 +1,26 @@
 package badlog.signals
 
 import badlog.core.analysis.Series
+import badlog.expression.signals.SignalKind
 import badlog.signals.derived.airGain
 import badlog.signals.derived.airLoss
 import badlog.signals.derived.channelChanges
+import badlog.signals.derived.headingGap
 import badlog.signals.derived.headingJump
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.largestOf
 import badlog.signals.derived.missedPulls
+import badlog.signals.derived.scaled
 import badlog.signals.derived.sightError
+import badlog.signals.derived.stuckButton
 import badlog.signals.derived.timesOf
 import badlog.signals.derived.unexplainedDrop
+import badlog.signals.pose.Pose
 import badlog.signals.pose.SeenPath
+import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
+import kotlin.math.PI
 
 /** The names of all [DerivedSignal]s; true for those that a log has at most once. */
 val DERIVED_NAMES: Map<String, Boolean> = mapOf(
@@ -25,7 +32,8 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "side friction" to false,
     "switch error" to false, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
-    "largest current" to true, "friction rise" to false, "missed pulls" to false,
+    "largest current" to true, "friction rise" to false, "missed pulls" to false, "heading gap" to false, "held by limit" to false,
+    "stuck button" to false,
 )
 
 /**
@@ -39,13 +47,16 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private val robot = RobotParts(names, vocabulary)
     private val modules = robot.modules
     private val bus = BusSignals(robot.devices, modules)
+    private val wheels = ModuleSignals(robot, bus)
 
     val signals: List<DerivedSignal> =
         listOfNotNull(totalCurrent(), largestCurrent(), voltageLost(), airLoss(), airGain(), shape.sight?.let(::sight)) +
-            MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + ModuleSignals(robot, bus).signals +
+            MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + wheels.signals +
             channels() +
             rests() +
             headings() +
+            buttons() +
+            shape.sight?.seen?.let(::headingGaps).orEmpty() +
             sideSignals(robot) +
             bus.signals
 
@@ -98,6 +109,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         return topics.mapIndexed { at, topic ->
             DerivedSignal("channel change", "", topic, listOf(topic)) { samples ->
                 val changes = samples.channelChanges.getOrPut("") {
+                    // A motor that logs its own current is named instead: a channel is only a number.
+                    if (wheels.sharesIn(samples).orEmpty().any { it != null && it < WEAK }) return@getOrPut emptyList()
                     val series = topics.map(samples::raw)
                     val times = timesOf(series)
                     channelChanges(times, series.map { it.heldAt(times) }, samples.enabledAt(times)).orEmpty()
@@ -129,8 +142,48 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         DerivedSignal("heading jump", "deg", topic.device, heading.topics) { headingJump(it.of(heading), 1.0) }
     }
 
+    /** Whether each button of a controller sticks. Some logs have a bit of a number for each. */
+    private fun buttons(): List<DerivedSignal> {
+        val single = found.of("joystick button").map { topic ->
+            val button = NamedSignal.of("joystick button", listOf(topic))
+            stuck(topic.topic, topic.topic) { it.of(button) }
+        }
+        val masks = names.filter { it.kind == SignalKind.NUMBER && BUTTON_BITS.matches(it.name) }
+        return single + masks.flatMap { mask ->
+            (0 until MAX_BUTTONS).map { bit ->
+                stuck("Button ${bit + 1} of ${mask.name}", mask.name) { samples ->
+                    val values = samples.raw(mask.name)
+                    Series(values.x, DoubleArray(values.size) { ((values.y[it].toLong() shr bit) and 1).toDouble() })
+                }
+            }
+        }
+    }
+
+    private fun stuck(label: String, topic: String, pressed: (NamedSamples) -> Series) =
+        DerivedSignal("stuck button", "", label, listOf(topic)) { samples -> stuckButton(pressed(samples), samples::enabledSecondsFrom) }
+
+    /** How fast each gyro turns away from what the camera sees. */
+    private fun headingGaps(seen: Pose): List<DerivedSignal> {
+        val name = seen.heading.singleOrNull() ?: return emptyList()
+        return found.of("gyro angle").map { topic ->
+            val heading = NamedSignal.of("gyro angle", listOf(topic))
+            DerivedSignal("heading gap", "deg/s", topic.device, heading.topics + name) { samples ->
+                val camera = samples.raw(name)
+                headingGap(samples.of(heading), Series(camera.x, scaled(camera.y, seen.radians / DEGREE)))
+            }
+        }
+    }
+
     private companion object {
+        const val DEGREE = PI / 180
+
+        /** AdvantageKit's name. */
+        val BUTTON_BITS = NamePattern("*DriverStation/Joystick*/Button Values")
+        const val MAX_BUTTONS = 16
         const val SHOWN = 4
+
+        /** The share of the others' current below which a drive motor is weak. */
+        const val WEAK = 0.82
         const val TOTAL_CURRENT = "total current"
 
         /** The rating of the largest breakers of a power distribution's channels, in A. */
