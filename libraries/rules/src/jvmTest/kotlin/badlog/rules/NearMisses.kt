@@ -99,7 +99,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Output") { "0.5" }
     },
     // The limit is at the setpoint.
-    "Stopped by a limit" to { flag("Elevator/Upper Limit") { TestMatch.height(it) > 0.98 } },
+    "Stopped by a limit" to { flag("Elevator/Upper Limit") { it in 17.0..24.0 } },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.05 * step(it) else 0.0 } },
     "Away from its setpoint" to {
         from(16.0, "Elevator/Height") { (0.95 * TestMatch.height(it)).toString() }

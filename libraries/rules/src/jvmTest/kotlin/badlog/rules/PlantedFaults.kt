@@ -76,7 +76,7 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     },
     "Stopped by a limit" to {
         number("Elevator/Height") { minOf(TestMatch.height(it), 0.85) }
-        flag("Elevator/Upper Limit") { TestMatch.height(it) > 0.85 }
+        flag("Elevator/Upper Limit") { it in 17.0..24.0 }
     },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.3 * step(it) else 0.0 } },
     "Away from its setpoint" to {
