@@ -177,10 +177,6 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         flag("/DriverStation/Enabled") { it in 10.0..38.0 }
         flag("DS:joystick0/buttons[0]") { it < 12 }
     },
-    "Button stuck" to {
-        flag("/DriverStation/Enabled") { true }
-        flag("DS:joystick0/buttons[0]") { it > 3 || it % 0.5 < 0.1 }
-    },
     "Restarted in the match" to {
         flag("/DriverStation/Enabled") { it < 38 }
         number("/DriverStation/MatchTime") { 90 - it }

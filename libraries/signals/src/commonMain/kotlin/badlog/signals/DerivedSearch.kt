@@ -1,7 +1,6 @@
 package badlog.signals
 
 import badlog.core.analysis.Series
-import badlog.expression.signals.SignalKind
 import badlog.signals.derived.airGain
 import badlog.signals.derived.airLoss
 import badlog.signals.derived.channelChanges
@@ -12,12 +11,10 @@ import badlog.signals.derived.largestOf
 import badlog.signals.derived.missedPulls
 import badlog.signals.derived.scaled
 import badlog.signals.derived.sightError
-import badlog.signals.derived.stuckButton
 import badlog.signals.derived.timesOf
 import badlog.signals.derived.unexplainedDrop
 import badlog.signals.pose.Pose
 import badlog.signals.pose.SeenPath
-import badlog.signals.vocabulary.NamePattern
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
 import kotlin.math.PI
@@ -33,7 +30,6 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "switch error" to false, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
     "largest current" to true, "friction rise" to false, "missed pulls" to false, "heading gap" to false, "held by limit" to false,
-    "stuck button" to false,
 )
 
 /**
@@ -55,7 +51,6 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
             channels() +
             rests() +
             headings() +
-            buttons() +
             shape.sight?.seen?.let(::headingGaps).orEmpty() +
             sideSignals(robot) +
             bus.signals
@@ -142,26 +137,6 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         DerivedSignal("heading jump", "deg", topic.device, heading.topics) { headingJump(it.of(heading), 1.0) }
     }
 
-    /** Whether each button of a controller sticks. Some logs have a bit of a number for each. */
-    private fun buttons(): List<DerivedSignal> {
-        val single = found.of("joystick button").map { topic ->
-            val button = NamedSignal.of("joystick button", listOf(topic))
-            stuck(topic.topic, topic.topic) { it.of(button) }
-        }
-        val masks = names.filter { it.kind == SignalKind.NUMBER && BUTTON_BITS.matches(it.name) }
-        return single + masks.flatMap { mask ->
-            (0 until MAX_BUTTONS).map { bit ->
-                stuck("Button ${bit + 1} of ${mask.name}", mask.name) { samples ->
-                    val values = samples.raw(mask.name)
-                    Series(values.x, DoubleArray(values.size) { ((values.y[it].toLong() shr bit) and 1).toDouble() })
-                }
-            }
-        }
-    }
-
-    private fun stuck(label: String, topic: String, pressed: (NamedSamples) -> Series) =
-        DerivedSignal("stuck button", "", label, listOf(topic)) { samples -> stuckButton(pressed(samples), samples::enabledSecondsFrom) }
-
     /** How fast each gyro turns away from what the camera sees. */
     private fun headingGaps(seen: Pose): List<DerivedSignal> {
         val name = seen.heading.singleOrNull() ?: return emptyList()
@@ -176,10 +151,6 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
 
     private companion object {
         const val DEGREE = PI / 180
-
-        /** AdvantageKit's name. */
-        val BUTTON_BITS = NamePattern("*DriverStation/Joystick*/Button Values")
-        const val MAX_BUTTONS = 16
         const val SHOWN = 4
 
         /** The share of the others' current below which a drive motor is weak. */

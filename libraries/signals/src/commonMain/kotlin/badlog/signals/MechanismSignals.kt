@@ -101,7 +101,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     /**
      * How far a part stands from its target while the limit that is in its way is reached, in percent of its range. A limit that is reached all along
-     * is none, or is wired the other way.
+     * is none, or is wired the other way. A part rests at its lower end, where a switch closes a little early.
      */
     private fun heldByLimit(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
         val limits = byPart[target.part].orEmpty().filter { it.quantity == Quantity.SWITCH }.mapNotNull { limit ->
@@ -119,7 +119,10 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             val reached = limits.map { (limit, way) -> samples.raw(limit.signal.name).heldAt(times) to way }.filter { (state) -> state.any { it == 0.0 } }
             Series(
                 away.x,
-                DoubleArray(away.size) { i -> if (reached.any { (state, way) -> state[i] == 1.0 && off[i] * way > 0 }) away.y[i] else 0.0 },
+                DoubleArray(away.size) { i ->
+                    val isHeld = reached.any { (state, way) -> state[i] == 1.0 && off[i] * way > 0 && (way > 0 || away.y[i] > EARLY_PERCENT) }
+                    if (isHeld) away.y[i] else 0.0
+                },
             )
         }
     }
@@ -234,6 +237,8 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
         /** The whole robot may hang on these. */
         val CLIMBING = listOf("climb", "hang", "winch")
+
+        const val EARLY_PERCENT = 12.0
 
         /** More than holds something up that is not loaded. */
         const val BLOCKED_AMPERES = 20.0

@@ -121,9 +121,6 @@ class NamedSamples(private val log: Signals, private val view: LogView) {
         }
     }
 
-    /** Returns for how many seconds the robot was enabled from [time] on; none if the log does not show it. */
-    internal fun enabledSecondsFrom(time: Double): Double = log.enabled.orEmpty().sumOf { maxOf(0.0, it.span.to - maxOf(it.span.from, time)) }
-
     private val bounds = HashMap<DoubleArray, SampleBounds>()
 
     /** Returns the bounds of the samples of [series]. */
