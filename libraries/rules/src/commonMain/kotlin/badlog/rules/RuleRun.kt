@@ -13,6 +13,7 @@ import badlog.signals.NamedSignals
 import badlog.signals.derived.busDeviceIn
 import badlog.signals.kind.NoSensors
 import badlog.signals.vocabulary.FRACTION
+import kotlin.math.abs
 import kotlin.math.round
 
 /**
@@ -40,10 +41,20 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         val asked = if (isByName) step.questions.filter { it.topic.orEmpty() !in noSensors } else step.questions
         val all = asked.filter { known.isEmpty() || subjectOf(rule, it.topic) !in known }.flatMap { find(rule, it) }
         if (all.isNotEmpty()) found[rule.name] = all.mapTo(HashSet()) { subjectOf(rule, it.topic) }
-        val findings = if (rule.isOncePerEvent && !rule.isForEachText) all.distinctBy { it.spans.ifEmpty { it } } else all
+        val findings = if (rule.isOncePerEvent && !rule.isForEachText) oncePerEvent(all) else all
         // A silent rule's findings still keep the rules quiet that follow from it.
         return RuleResult(rule, findings.filter { rule.standing != Standing.SILENT }, step.refusal)
     }
+
+    /** Returns the first of those [findings] that begin together each time: topics of one thing may be logged one after the other. */
+    private fun oncePerEvent(findings: List<Finding>): List<Finding> {
+        val kept = ArrayList<Finding>()
+        for (finding in findings) if (finding.spans.isEmpty() || kept.none { isSameEvent(it, finding) }) kept += finding
+        return kept
+    }
+
+    private fun isSameEvent(one: Finding, other: Finding) = one.spans.isNotEmpty() &&
+        other.spans.all { span -> one.spans.any { abs(it.from - span.from) <= SAME_EVENT } }
 
     // A finding about a log's start or end is about the log.
     private fun subjectOf(rule: Rule, topic: String?) = if (rule.needs.isEmpty()) topic?.let(::busDeviceIn) ?: topic else null
@@ -179,6 +190,9 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         /** The maximum number of different texts of a topic that are listed for a rule. */
         const val MAX_TEXTS = 20
         const val PERCENT = 100.0
+
+        /** In seconds, the unit of nearly all logs. */
+        const val SAME_EVENT = 1.0
 
         const val MAX_CAVEATS = 2
         const val MAX_STEPS = 2000

@@ -26,6 +26,14 @@ class BlockedSpec : FunSpec({
         lift({ if (it < 17) TestMatch.height(it) else 0.5 }, { if (it in 17.0..24.0) 45.0 else 6.0 }) shouldBe listOf("Elevator")
     }
 
+    test("a lift whose topics have short names in snake case is blocked, too") {
+        TestMatch().apply {
+            number("lift_goal") { TestMatch.setpoint(it) }
+            number("lift_pos") { if (it < 17) TestMatch.height(it) else 0.5 }
+            number("lift_amps") { if (it in 17.0..24.0) 45.0 else 6.0 }
+        }.blocked() shouldBe listOf("Lift")
+    }
+
     test("a lift that its motor holds at its setpoint, or that still moves, is not blocked") {
         lift(TestMatch::height) { 45.0 } shouldBe emptyList()
         lift({ if (it in 16.0..24.0) 0.5 + 0.05 * (it - 16) else TestMatch.height(it) }, { if (it in 16.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
@@ -50,6 +58,17 @@ class BlockedSpec : FunSpec({
         rollers("Supply Current Amps") shouldBe listOf("Intake")
         rollers("Current Amps") shouldBe listOf("Intake")
         rollers() shouldBe emptyList()
+    }
+
+    test("rollers that are driven both ways without turning are blocked, also if a current limit lowers their output; those that hold a piece are not") {
+        fun rollers(back: Double) = TestMatch().apply {
+            fun isStill(time: Double) = time in 20.0..24.0 || time in 26.0..26.9
+            number("Intake/Applied Volts") { if (it in 26.0..26.9) back else if (isStill(it)) 4.0 else 12 * TestMatch.output(it) }
+            number("Intake/Velocity RPM") { if (isStill(it) || it in 24.0..26.0) 0.0 else 3000 * TestMatch.output(it) }
+            number("Intake/Current Amps") { if (isStill(it)) 35 + 0.1 * TestMatch.wave(it) else if (it in 24.0..26.0) 0.0 else 35 * TestMatch.output(it) }
+        }.blocked()
+        rollers(back = -4.0) shouldBe listOf("Intake")
+        rollers(back = 4.0) shouldBe emptyList()
     }
 
     test("several motors that do not turn at once push the robot against something") {

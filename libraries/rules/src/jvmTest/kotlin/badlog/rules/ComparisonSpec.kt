@@ -73,6 +73,18 @@ class ComparisonSpec : FunSpec({
         found.count { it.rule == "Unlike other matches" } shouldBeLessThanOrEqual 3
     }
 
+    test("three motors that differ alike were driven harder; two may be on one gearbox") {
+        fun motors(random: Random, share: Double, count: Int) = LogNumbers(
+            MatchKind.MATCH,
+            List(4) { NumberKey("motor current", "Drive/$it/Current", Measure.TELEOP, "A") },
+            DoubleArray(4) { 12 * (0.95 + 0.1 * random.nextDouble()) * if (it < count) share else 1.0 },
+            0.8,
+        )
+        val others = Random(7).let { random -> List(12) { motors(random, 1.0, 0) } }
+        texts(others + motors(Random(1), 1.8, 3)).flatten().shouldBeEmpty()
+        texts(others + motors(Random(1), 1.8, 2)).last().size shouldBe 2
+    }
+
     test("less than usual counts for a motor while the robot drives and for a battery, more than usual for the others") {
         texts(logs(20) + log(Random(1), 0 to 5.0)).last().single() shouldContain "below"
         texts(logs(20) + log(Random(1), 3 to 5.0)).last().single() shouldContain " V below your 20 other matches"

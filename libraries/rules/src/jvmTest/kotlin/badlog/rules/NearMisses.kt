@@ -63,7 +63,7 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Output saturated" to { within(20.0..20.8, "Elevator/Output") { "1.0" } },
     "Output without voltage" to { within(20.0..20.15, "Drive/Left/AppliedVolts") { "0" } },
     "Motor fault" to { flag("Drive/Left/StickyFault_BootDuringEnable") { true } },
-    "Device lost" to { flag("Drive/Left/Connected") { it > 0.5 && it !in 20.0..20.1 } },
+    "Device lost" to { flag("Drive/Left/Connected") { it > 0.5 && it !in 20.0..20.4 } },
     "Linked motor without current" to { from(20.0, "Drive/Right/SupplyCurrentAmps") { "0.5" } },
     "Linked motors unequal" to { number("Drive/Right/SupplyCurrentAmps") { 0.6 * TestMatch.load(it) / 4 } },
     "Linked speeds differ" to { from(20.0, "Drive/Right/VelocityRadPerSec") { (42 * TestMatch.output(it)).toString() } },
@@ -97,6 +97,13 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Output without effect" to {
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.5" }
+    },
+    // The limit is at the setpoint.
+    // At the lower end, the switch closes a little early.
+    "Stopped by a limit" to {
+        number("Elevator/Height") { maxOf(TestMatch.height(it), 0.1) }
+        flag("Elevator/Upper Limit") { it in 17.0..24.0 }
+        flag("Elevator/Lower Limit") { TestMatch.height(it) < 0.1 }
     },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.05 * step(it) else 0.0 } },
     "Away from its setpoint" to {
@@ -137,6 +144,13 @@ internal val NEAR_MISSES: Map<String, TestMatch.() -> Unit> = mapOf(
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 0.5 else 0.0 }
         number("Vision/Robot/translation/y") { 3 + TestMatch.wave(it / 7) }
+    },
+    // A driver set the heading anew, which jumps.
+    "Heading leaves the camera" to {
+        number("Vision/Pose[0]") { 5.0 }
+        number("Vision/Pose[1]") { 3.0 }
+        number("Vision/Pose[2]") { 40 * TestMatch.wave(it / 9) }
+        number("Gyro/Angle") { 40 * TestMatch.wave(it / 9) + if (it < 22) 10.0 else 33.0 }
     },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { (0.95 * TestMatch.position(it)).toString() } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (5.45 + TestMatch.wave(it / 10)).toString() } },

@@ -128,6 +128,31 @@ class NoFaultSpec : FunSpec({
         match.findings().filter { it.rule == "Controller unplugged" }.map { it.topic } shouldBe listOf("DS:joystick0/axes[0]")
     }
 
+    test("a log that begins in teleop while the program had run for minutes was only begun late") {
+        fun begins(at: Double) = TestMatch().apply(PLANTED.getValue("Log begins in teleop")).view { it + at }.let { HEARD_RULES.over(it, "test.bag") }
+            .findings.count { it.rule == "Log begins in teleop" }
+        begins(at = 12.0) shouldBe 1
+        begins(at = 112.0) shouldBe 0
+    }
+
+    test("axes that vanish one after the other are still one controller; a controller that is unplugged later is another finding") {
+        fun gone(vararg from: Double) = TestMatch().apply {
+            for ((axis, start) in from.withIndex()) cells("DS:joystick0/axes[$axis]") { if (it in start..start + 5) "" else "0.01" }
+        }.findings().count { it.rule == "Controller unplugged" }
+        gone(20.0, 20.1, 20.3, 20.04) shouldBe 1
+        gone(20.0, 20.1, 28.0) shouldBe 2
+    }
+
+    test("a steering motor that counts turns does not overshoot the angle that its wheel should have") {
+        fun overshoots(part: String) = TestMatch().apply {
+            number("$part Angle (deg)") { 90 * (TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.25 * step(it) else 0.0) }
+            number("$part Setpoint (deg)") { 90 * TestMatch.setpoint(it) }
+        }.findings().any { it.rule == "Overshoot" && part in it.text }
+        overshoots("Wrist") shouldBe true
+        overshoots("Front Left Turn") shouldBe false
+        overshoots("fl_turn") shouldBe false
+    }
+
     test("of a loop's messages on the console, the line with the error is quoted") {
         val match = TestMatch().apply {
             event("messages", 20.0 to "********** Robot program starting **********\\nError at frc.Lights: no Arduino\\n\\tat java.Lang")

@@ -74,6 +74,10 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
         from(16.0, "Elevator/Output") { "0.9" }
     },
+    "Stopped by a limit" to {
+        number("Elevator/Height") { minOf(TestMatch.height(it), 0.85) }
+        flag("Elevator/Upper Limit") { it in 17.0..24.0 }
+    },
     "Overshoot" to { number("Elevator/Height") { TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.3 * step(it) else 0.0 } },
     "Away from its setpoint" to {
         from(16.0, "Elevator/Height") { (0.75 * TestMatch.height(it)).toString() }
@@ -106,6 +110,12 @@ internal val PLANTED: Map<String, TestMatch.() -> Unit> = mapOf(
     "Vision jumps" to {
         number("Vision/Robot/translation/x") { 5 + TestMatch.wave(it / 10) + if ((it * TestMatch.ROWS).toInt() % 400 == 100) 3.0 else 0.0 }
         number("Vision/Robot/translation/y") { 3 + TestMatch.wave(it / 7) }
+    },
+    "Heading leaves the camera" to {
+        number("Vision/Pose[0]") { 5.0 }
+        number("Vision/Pose[1]") { 3.0 }
+        number("Vision/Pose[2]") { 40 * TestMatch.wave(it / 9) }
+        number("Gyro/Angle") { 40 * TestMatch.wave(it / 9) + 10.0 + if (it < 10) 0.0 else 0.6 * (it - 10) }
     },
     "Encoders disagree" to { from(20.0, "Drive/Right/PositionRad") { "10" } },
     "Pose jumped" to { from(20.0, "Odometry/Robot/translation/x") { (6 + TestMatch.wave(it / 10)).toString() } },

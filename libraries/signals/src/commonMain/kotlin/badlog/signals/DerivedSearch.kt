@@ -4,16 +4,20 @@ import badlog.core.analysis.Series
 import badlog.signals.derived.airGain
 import badlog.signals.derived.airLoss
 import badlog.signals.derived.channelChanges
+import badlog.signals.derived.headingGap
 import badlog.signals.derived.headingJump
 import badlog.signals.derived.heldAt
 import badlog.signals.derived.largestOf
 import badlog.signals.derived.missedPulls
+import badlog.signals.derived.scaled
 import badlog.signals.derived.sightError
 import badlog.signals.derived.timesOf
 import badlog.signals.derived.unexplainedDrop
+import badlog.signals.pose.Pose
 import badlog.signals.pose.SeenPath
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
+import kotlin.math.PI
 
 /** The names of all [DerivedSignal]s; true for those that a log has at most once. */
 val DERIVED_NAMES: Map<String, Boolean> = mapOf(
@@ -25,7 +29,7 @@ val DERIVED_NAMES: Map<String, Boolean> = mapOf(
     "side friction" to false,
     "switch error" to false, "output without effect" to false, "module current share" to false,
     "channel change" to false, "device silent" to false, "side frozen" to false, "total current" to true,
-    "largest current" to true, "friction rise" to false, "missed pulls" to false,
+    "largest current" to true, "friction rise" to false, "missed pulls" to false, "heading gap" to false, "held by limit" to false,
 )
 
 /**
@@ -39,13 +43,15 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     private val robot = RobotParts(names, vocabulary)
     private val modules = robot.modules
     private val bus = BusSignals(robot.devices, modules)
+    private val wheels = ModuleSignals(robot, bus)
 
     val signals: List<DerivedSignal> =
         listOfNotNull(totalCurrent(), largestCurrent(), voltageLost(), airLoss(), airGain(), shape.sight?.let(::sight)) +
-            MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + ModuleSignals(robot, bus).signals +
+            MechanismSignals(robot, named("battery")?.let { battery -> { it.of(battery) } }).signals + wheels.signals +
             channels() +
             rests() +
             headings() +
+            shape.sight?.seen?.let(::headingGaps).orEmpty() +
             sideSignals(robot) +
             bus.signals
 
@@ -98,6 +104,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         return topics.mapIndexed { at, topic ->
             DerivedSignal("channel change", "", topic, listOf(topic)) { samples ->
                 val changes = samples.channelChanges.getOrPut("") {
+                    // A motor that logs its own current is named instead: a channel is only a number.
+                    if (wheels.sharesIn(samples).orEmpty().any { it != null && it < WEAK }) return@getOrPut emptyList()
                     val series = topics.map(samples::raw)
                     val times = timesOf(series)
                     channelChanges(times, series.map { it.heldAt(times) }, samples.enabledAt(times)).orEmpty()
@@ -129,8 +137,24 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         DerivedSignal("heading jump", "deg", topic.device, heading.topics) { headingJump(it.of(heading), 1.0) }
     }
 
+    /** How fast each gyro turns away from what the camera sees. */
+    private fun headingGaps(seen: Pose): List<DerivedSignal> {
+        val name = seen.heading.singleOrNull() ?: return emptyList()
+        return found.of("gyro angle").map { topic ->
+            val heading = NamedSignal.of("gyro angle", listOf(topic))
+            DerivedSignal("heading gap", "deg/s", topic.device, heading.topics + name) { samples ->
+                val camera = samples.raw(name)
+                headingGap(samples.of(heading), Series(camera.x, scaled(camera.y, seen.radians / DEGREE)))
+            }
+        }
+    }
+
     private companion object {
+        const val DEGREE = PI / 180
         const val SHOWN = 4
+
+        /** The share of the others' current below which a drive motor is weak. */
+        const val WEAK = 0.82
         const val TOTAL_CURRENT = "total current"
 
         /** The rating of the largest breakers of a power distribution's channels, in A. */

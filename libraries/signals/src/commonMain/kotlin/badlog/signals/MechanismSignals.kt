@@ -15,6 +15,9 @@ import badlog.signals.derived.stall
 import badlog.signals.derived.steppedTimes
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
+import badlog.signals.swerve.STEER_WORDS
+import badlog.signals.swerve.cornerOf
+import badlog.signals.vocabulary.wordsOf
 
 /** Signals of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
 internal class MechanismSignals(private val robot: RobotParts, private val battery: ((NamedSamples) -> Series)?) {
@@ -23,11 +26,17 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     val signals: List<DerivedSignal> get() = standingAlone(following() + byPart.values.flatMap(::ofPart))
 
     /** The pairs of a target and what follows it. */
-    private fun following(): List<DerivedSignal> = robot.mechanisms.filter { it.isTarget && it.quantity in TARGETS }
+    private fun following(): List<DerivedSignal> = robot.mechanisms.filter { it.isTarget && it.quantity in TARGETS && !isSteering(it.part) }
         .sortedBy { "goal" in it.signal.name.lowercase() }
         .mapNotNull { target -> robot.measuredOf(target)?.let { target to it } }
         .distinctBy { (_, measured) -> measured.signal.name }
         .flatMap { (target, measured) -> ofPair(target, measured) }
+
+    /**
+     * Returns whether [part] steers a wheel. Its target is an angle, but its motor counts turns, and it may turn the wheel backward instead of around:
+     * the modules' own signals know that.
+     */
+    private fun isSteering(part: List<String>) = part.any { it in STEER_WORDS } && cornerOf(part) != null
 
     private fun ofPair(target: PartTopic, measured: PartTopic): List<DerivedSignal> {
         val topics = (listOf(measured, target) + beside(target.part, Quantity.CURRENT, Quantity.OUTPUT)).map { it.signal.name }.distinct()
@@ -44,6 +53,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
                 dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null },
                 effortOf(target, topics, ::following),
                 heldBackOf(target, measured, scale),
+                heldByLimit(target, measured, scale),
                 friction(target.part, measured),
             )
     }
@@ -86,6 +96,34 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             val times = steppedTimes(listOf(measured, target).map { samples.raw(it.signal.name) } + drive, STEP_SECONDS)
             val away = followingOf(samples, target, measured, scale, times).standingAway()
             unlessHanging(heldBack(away, drive, BLOCKED_AMPERES), samples)
+        }
+    }
+
+    /**
+     * How far a part stands from its target while the limit that is in its way is reached, in percent of its range. A limit that is reached all along
+     * is none, or is wired the other way. A part rests at its lower end, where a switch closes a little early.
+     */
+    private fun heldByLimit(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
+        val limits = byPart[target.part].orEmpty().filter { it.quantity == Quantity.SWITCH }.mapNotNull { limit ->
+            val words = wordsOf(limit.signal.name)
+            if (words.any { it in FORWARD }) limit to 1.0 else if (words.any { it in BACKWARD }) limit to -1.0 else null
+        }.ifEmpty { return null }
+        val topics = (listOf(measured, target) + limits.map { it.first }).map { it.signal.name }
+        return DerivedSignal("held by limit", "%", target.label, topics) { samples ->
+            val times = steppedTimes(topics.map(samples::raw), STEP_SECONDS)
+            val away = followingOf(samples, target, measured, scale, times).missed()
+            val off = samples.raw(target.signal.name).heldAt(times).also { wanted ->
+                val place = samples.raw(measured.signal.name).heldAt(times)
+                for (i in wanted.indices) wanted[i] -= scale * place[i]
+            }
+            val reached = limits.map { (limit, way) -> samples.raw(limit.signal.name).heldAt(times) to way }.filter { (state) -> state.any { it == 0.0 } }
+            Series(
+                away.x,
+                DoubleArray(away.size) { i ->
+                    val isHeld = reached.any { (state, way) -> state[i] == 1.0 && off[i] * way > 0 && (way > 0 || away.y[i] > EARLY_PERCENT) }
+                    if (isHeld) away.y[i] else 0.0
+                },
+            )
         }
     }
 
@@ -194,8 +232,13 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             "leader", "follower", "master", "slave",
         )
 
+        val FORWARD = setOf("forward", "fwd", "upper", "top")
+        val BACKWARD = setOf("reverse", "rev", "lower", "bottom")
+
         /** The whole robot may hang on these. */
         val CLIMBING = listOf("climb", "hang", "winch")
+
+        const val EARLY_PERCENT = 12.0
 
         /** More than holds something up that is not loaded. */
         const val BLOCKED_AMPERES = 20.0

@@ -13,6 +13,9 @@ import badlog.signals.derived.scaled
 import badlog.signals.derived.timesOf
 import badlog.signals.swerve.ModuleTopics
 import badlog.signals.swerve.STEER_WORDS
+import badlog.signals.swerve.cornerOf
+import badlog.signals.swerve.labelOfCorner
+import badlog.signals.swerve.withoutCorner
 import badlog.signals.vocabulary.wordsOf
 
 /** Signals of the modules of a swerve drive. */
@@ -21,8 +24,22 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
 
     val signals: List<DerivedSignal> get() = modules.indices.flatMap { at ->
         val angles = if (modules.all { it.targetAngle != null }) listOf(angleLag(at), angleError(at)) else emptyList()
-        angles + listOfNotNull(speedShare(at), currentShare(at))
-    }
+        angles + speedShare(at)
+    } + wheels.indices.map(::currentShare)
+
+    /** A wheel with a drive motor that logs its current; [topics] show it, the current first. */
+    private class Wheel(val label: String, val topics: List<String>)
+
+    /** The four wheels of the modules; a log that numbers its modules may name their motors by corners. */
+    private val wheels: List<Wheel> = modules.mapNotNull { module ->
+        driveTopicsOf(module, Quantity.CURRENT).firstOrNull()?.let { Wheel(module.label, listOf(it.signal.name) + module.topics.reversed()) }
+    }.takeIf { it.isNotEmpty() && it.size == modules.size } ?: wheelsByCorner()
+
+    private fun wheelsByCorner(): List<Wheel> = robot.topics
+        .filter { part -> part.quantity == Quantity.CURRENT && !part.isTarget && part.part.none { it in STEER_WORDS } && cornerOf(part.part) != null }
+        .groupBy { withoutCorner(it.part) }.values
+        .firstNotNullOfOrNull { alike -> alike.mapNotNull { part -> cornerOf(part.part)?.let { it to part } }.toMap().takeIf { it.size == CORNERS } }.orEmpty()
+        .map { (corner, part) -> Wheel(labelOfCorner(corner), listOf(part.signal.name)) }
 
     /** The targets and the measurements of a drive's modules. */
     private class Steering(
@@ -42,19 +59,22 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     /** The topics of a module's drive motor that [ModuleTopics] lacks. */
     private fun driveTopicsOf(module: ModuleTopics, vararg quantities: Quantity): List<PartTopic> {
         val words = wordsOf(module.label)
+        val corner = cornerOf(words)
         return robot.topics.filter { part ->
-            part.quantity in quantities && !part.isTarget && part.part.containsAll(words) && part.part.none { it in STEER_WORDS }
+            val isOfModule = part.part.containsAll(words) || (corner != null && cornerOf(part.part) == corner)
+            part.quantity in quantities && !part.isTarget && isOfModule && part.part.none { it in STEER_WORDS }
         }
     }
 
-    private fun currentShare(at: Int): DerivedSignal? {
-        val currents = modules.map { driveTopicsOf(it, Quantity.CURRENT).firstOrNull()?.signal?.name ?: return null }
-        val topics = listOf(currents[at]) + modules[at].topics.reversed()
-        return DerivedSignal("module current share", "", modules[at].label, topics) { samples ->
-            val series = currents.map(samples::raw)
-            val times = timesOf(series)
-            once(times, currentShares(times, series.map { it.heldAt(times) }, samples.enabledAt(times))?.get(at))
-        }
+    private fun currentShare(at: Int) = DerivedSignal("module current share", "", wheels[at].label, wheels[at].topics) { samples ->
+        once(samples.raw(wheels[0].topics[0]).x, sharesIn(samples)?.get(at))
+    }
+
+    /** Returns the current of each wheel's motor as a share of the others'; null if they are not known. */
+    fun sharesIn(samples: NamedSamples): List<Double?>? {
+        val series = wheels.ifEmpty { return null }.map { samples.raw(it.topics[0]) }
+        val times = timesOf(series)
+        return currentShares(times, series.map { it.heldAt(times) }, samples.enabledAt(times))
     }
 
     private fun steering(samples: NamedSamples): Steering {
@@ -101,6 +121,8 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     private companion object {
         /** The lag above which a module does not follow, as a multiple of the others' lag. */
         const val BEHIND = 1.15
+
+        const val CORNERS = 4
 
         /** The same where angles come seldom. */
         const val SELDOM_BEHIND = 1.5

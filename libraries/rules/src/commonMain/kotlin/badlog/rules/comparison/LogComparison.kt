@@ -82,12 +82,17 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         }
         if (found.isEmpty()) return LogDifferences.NONE
         // For each topic, only the largest difference is kept.
-        val differences = found.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
+        val differences = found.filterNot { isOfDriving(it, found) }.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
         val strong = rules.flatMap { rule -> differences.filter { it.rule === rule && it.strength >= 1 }.take(rule.findings) }
         val findings = strong.sortedByDescending { it.strength }.associateWith { findingOf(it, log) }
         val all = differences.map { findings[it] ?: findingOf(it, log) }
         return LogDifferences(findings.values.toList(), findings.keys.map { it.key }, all)
     }
+
+    /** Returns whether as many motors as no gearbox has differ like [one]: the robot was driven harder, or its pauses were shorter. */
+    private fun isOfDriving(one: Difference, all: List<Difference>): Boolean = all.count { other ->
+        other.key.signal == one.key.signal && other.key.measure == one.key.measure && (other.value > other.usual.median) == (one.value > one.usual.median)
+    } >= MANY_MOTORS
 
     private fun columnsOf(log: LogNumbers) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
 
@@ -182,6 +187,7 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         const val BEYOND_SECOND = 1.5
         const val MIN_RATIO = 3.0
         const val MIN_AMPS = 0.5
+        const val MANY_MOTORS = 3
 
         /** Only a few numbers are related to an incident, so a smaller difference is enough. */
         const val MIN_STRENGTH = 0.5

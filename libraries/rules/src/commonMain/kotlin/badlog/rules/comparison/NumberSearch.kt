@@ -74,11 +74,10 @@ private class NumberSearch(
     init {
         val enabled = united(stretches.map { it.span }, gap = 0.0)
         val driving = common(enabled, drivenSpans())
-        val (autonomous, teleop) = stretches.filterNot { it.isTest }.partition { it.isAutonomous }
+        val teleop = stretches.filterNot { it.isTest || it.isAutonomous }
         // If the log does not show autonomous, all of it would count as teleop.
         val isKnown = view.knowsAutonomous
         spans = mapOf(
-            Measure.AUTONOMOUS to if (isKnown) autonomous.map { it.span } else emptyList(),
             Measure.TELEOP to if (isKnown) teleop.map { it.span } else emptyList(),
             Measure.DRIVING to driving,
             Measure.ENABLED to enabled,
@@ -151,7 +150,6 @@ private class NumberSearch(
         weights.getOrPut(measure to series.x) { timeWithin(spans.getValue(measure), series.x, end) }
 
     private fun leastOf(measure: Measure) = second * when (measure) {
-        Measure.AUTONOMOUS -> MIN_AUTONOMOUS
         Measure.DRIVING -> MIN_DRIVING
         else -> MIN_ENABLED
     }
@@ -178,7 +176,6 @@ private class NumberSearch(
     private companion object {
         /** The share of a second before its end in which a log is at its end. */
         const val LAST = 10
-        const val MIN_AUTONOMOUS = 5.0
         const val MIN_DRIVING = 10.0
         const val MIN_ENABLED = 20.0
         const val MIN_VOLTS = 1.0

@@ -17,7 +17,8 @@ internal class ComparedSignal(
     val isOfMotor: Boolean = false,
 ) {
     companion object {
-        private val CURRENT = listOf(Measure.AUTONOMOUS, Measure.TELEOP, Measure.DRIVING, Measure.ENABLED)
+        // Not in autonomous: what takes current there depends on which of several routines the team chose.
+        private val CURRENT = listOf(Measure.TELEOP, Measure.DRIVING, Measure.ENABLED)
 
         val ALL = listOf(
             ComparedSignal("battery", listOf(Measure.LOWEST), least = 0.8, isRatio = false, isWorseBelow = true),

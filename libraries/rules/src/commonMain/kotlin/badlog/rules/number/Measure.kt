@@ -6,9 +6,6 @@ package badlog.rules.number
  * @property words the condition, as part of a sentence; empty if there is none.
  */
 enum class Measure(val words: String) {
-    /** The mean over autonomous. */
-    AUTONOMOUS("in autonomous"),
-
     /** The mean over teleop. */
     TELEOP("in teleop"),
 

@@ -20,9 +20,9 @@ fun airLoss(pressure: Series, compressor: Series): Series {
             if (pressure.x[i] - pressure.x[first] < LOSS_SECONDS * 0.9) {
                 Double.NaN
             } else {
-                // A leak lasts; cylinders take air for moments only, small ones hardly more than the error of a sensor.
+                // A leak lasts; cylinders take air for moments only, however often, and small ones hardly more than the error of a sensor.
                 val ends = IntArray(PARTS + 1) { part -> indexBefore(pressure.x, i, LOSS_SECONDS * (PARTS - part) / PARTS, first) }
-                DoubleArray(PARTS) { part -> lossOver(pressure, ends[part], ends[part + 1]) }.apply { sort() }[SECOND_LOWEST]
+                DoubleArray(PARTS) { part -> lossOver(pressure, ends[part], ends[part + 1]) }.apply { sort() }[TWO_THIRDS_FALL]
             }
         },
     )
@@ -53,7 +53,7 @@ fun airGain(pressure: Series, compressor: Series): Series {
 
 private fun lossOver(pressure: Series, from: Int, to: Int): Double {
     val seconds = pressure.x[to] - pressure.x[from]
-    val fall = ends(pressure, from - AVERAGED / 2, from + AVERAGED / 2) - ends(pressure, to - AVERAGED, to)
+    val fall = ends(pressure, from - AVERAGED / 2, from + AVERAGED / 2) - ends(pressure, to - AVERAGED / 2, to + AVERAGED / 2)
     return if (seconds > 0) fall / seconds else 0.0
 }
 
@@ -66,8 +66,10 @@ private fun ends(pressure: Series, from: Int, to: Int): Double {
 }
 
 private const val LOSS_SECONDS = 4.0
-private const val PARTS = 4
-private const val SECOND_LOWEST = 1
+private const val PARTS = 16
+
+/** The sixth lowest: the pressure falls in two thirds of the parts. */
+private const val TWO_THIRDS_FALL = 5
 private const val RUN_SECONDS = 8.0
 private const val USE_SECONDS = 0.15
 private const val USE_PSI = 2.5

@@ -6,7 +6,8 @@ import kotlin.math.abs
 /**
  * Returns the drift of a mechanism's sensor [moved] from its motor's position [turned], in percent of the mechanism's range. It is 0 while one ratio
  * holds for both. It counts from the first time the robot was enabled, since code may set either position before. All arrays have the same [times].
- * Empty if the motor hardly moved, or if the two were never coupled.
+ * Empty if the motor hardly moved, or if the two were never coupled. While the motor's position is still exactly the one with which both agreed, it may
+ * only not be read.
  */
 fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, isEnabled: BooleanArray): Series {
     val range = quantile(moved, 0.98) - quantile(moved, 0.02)
@@ -16,7 +17,15 @@ fun couplingError(times: DoubleArray, turned: DoubleArray, moved: DoubleArray, i
     val rest = DoubleArray(times.size) { moved[it] - ratio * turned[it] }
     val until = times.indices.firstOrNull { times[it] > times[first] + START_SECONDS } ?: times.size
     val start = quantile(rest.copyOfRange(first, until), 0.5)
-    return Series(times, DoubleArray(times.size) { if (it < first) 0.0 else 100 * (rest[it] - start) / range })
+    var isMoved = false
+    return Series(
+        times,
+        DoubleArray(times.size) { i ->
+            val error = if (i < first) 0.0 else 100 * (rest[i] - start) / range
+            isMoved = abs(error) >= AGREEING_PERCENT && (isMoved || (i > 0 && turned[i] != turned[i - 1]))
+            if (isMoved) error else 0.0
+        },
+    )
 }
 
 /**
@@ -116,6 +125,7 @@ private fun ratioOf(turned: DoubleArray, moved: DoubleArray, first: Int): Double
     return ratio.takeIf { it != 0.0 && it.isFinite() && isOne }
 }
 
+private const val AGREEING_PERCENT = 3.0
 private const val HALF_TURN = 0.5
 private const val FEW_TURNS = 3
 private const val KNOWN_SECONDS = 60.0

@@ -157,8 +157,19 @@ class Following(
             if (abs(measured[i] - target[i]) > near) start = i + 1
             if (start > i || times[i] - times[start] < SWING_SECONDS) continue
             val first = indexBefore(times, i, SWING_SECONDS, start)
-            swings[i] = turnsIn(first, i, whole)
+            val swing = turnsIn(first, i, whole)
+            swings[i] = if (swing.isNaN() || isSmooth(first, i)) swing else Double.NaN
         }
+    }
+
+    /**
+     * Returns whether the measurement changes little from one value to the next, beside all its changes. Noise does not, nor does a swing of which the
+     * log has fewer than eight values: they look the same.
+     */
+    private fun isSmooth(from: Int, to: Int): Boolean {
+        val values = (from..to).filter { it == from || measured[it] != measured[it - 1] }.map { measured[it] }
+        val mean = values.average()
+        return values.zipWithNext { one, next -> (next - one) * (next - one) }.sum() < SMOOTH * values.sumOf { (it - mean) * (it - mean) }
     }
 
     /**
@@ -235,6 +246,9 @@ class Following(
         const val SWING_SECONDS = 2.0
         const val MIN_SWING = 0.012
         const val MIN_TURNS = 3
+
+        // 2 for noise, 0.6 for a sine with eight values.
+        const val SMOOTH = 0.6
         const val MIN_EVEN = 0.4
     }
 }

@@ -81,15 +81,15 @@ private fun quantityOf(words: List<String>, unit: String, kind: SignalKind): Qua
 private const val ROTATION = "/value"
 private val STRUCT_FIELDS = listOf("/x", "/y", "/z", "/w", "/angle/value", "/speed", "/omega", "/vx", "/vy", "/length", "/type", "/schema")
 
-private val POSITIONS = setOf("position", "angle", "height", "extension", "rotation", "rotations", "yaw")
-private val VELOCITIES = setOf("velocity", "speed", "rpm", "rps")
+private val POSITIONS = setOf("position", "pos", "angle", "height", "extension", "rotation", "rotations", "yaw")
+private val VELOCITIES = setOf("velocity", "vel", "speed", "rpm", "rps")
 private val CURRENTS = setOf("current", "amps", "amperes")
 private val VOLTAGES = setOf("volts", "voltage")
 private val OUTPUTS = setOf("output", "percent", "duty", "cycle")
 private val SWITCHES = setOf("limit", "switch")
 private val QUANTITY_WORDS = POSITIONS + VELOCITIES + CURRENTS + VOLTAGES + OUTPUTS + SWITCHES
 
-private val ABSOLUTE = setOf("absolute", "abs", "encoder", "cancoder", "throughbore")
+private val ABSOLUTE = setOf("absolute", "abs", "encoder", "enc", "cancoder", "throughbore")
 private val MOTOR = setOf("motor", "rotor")
 private val QUALIFIERS = ABSOLUTE + MOTOR + setOf(
     "applied", "supply", "stator", "input", "measured", "measurement", "actual", "bottom", "top", "lower", "upper", "forward",

@@ -11,6 +11,8 @@ import kotlin.math.abs
  *
  * A mechanism that holds a game piece stands under power, too. Its program then lowers the output, so times with a lowered output do not
  * count. If [outputs] is null because none are logged, something that stands more than once and turns in between does not count as blocked.
+ * What is driven both ways without turning in between counts in any case: a held piece moves when it is pushed out, and a current limit lowers the
+ * output of a blocked motor.
  */
 fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double, outputs: DoubleArray? = null): Series {
     val turning = TURNING * quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
@@ -20,14 +22,19 @@ fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: 
     val driven = outputs?.let { LOWERED * whileTurning(it, 0.5) } ?: 0.0
     val hard = maxOf(0.5 * quantile(DoubleArray(times.size) { abs(current[it]) }, 0.995), least)
     val stalled = DoubleArray(times.size)
+    val bothWays = BothWays(times)
     var isOld = false
     var since = Double.NaN
     var standings = 0
     for (at in times.indices) {
         isOld = at > 0 && current[at] == current[at - 1] && (isOld || abs(speeds[at - 1]) > turning)
-        if (abs(speeds[at]) > turning) since = Double.NaN
-        val isHard = abs(current[at]) >= hard && !(abs(current[at]) < usual) && !isOld
-        if (isHard && turning > 0 && abs(speeds[at]) < 0.2 * turning && !(outputs != null && abs(outputs[at]) < driven)) {
+        if (abs(speeds[at]) > turning) {
+            since = Double.NaN
+            bothWays.turns()
+        }
+        val isHard = abs(current[at]) >= hard && !isOld && turning > 0 && abs(speeds[at]) < 0.2 * turning
+        if (isHard) bothWays.stands(at, outputs?.get(at) ?: current[at])
+        if (isHard && !(abs(current[at]) < usual) && !(outputs != null && abs(outputs[at]) < driven)) {
             stalled[at] = 1.0
             if (since.isNaN()) since = times[at]
             if (times[at] - since >= HELD_SECONDS) {
@@ -36,7 +43,32 @@ fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: 
             }
         }
     }
-    return Series(times, if (standings > 1 && outputs == null) DoubleArray(times.size) else stalled)
+    bothWays.turns()
+    val isUsual = standings > 1 && outputs == null
+    return Series(times, DoubleArray(times.size) { if (bothWays.isBlocked[it]) 1.0 else if (isUsual) 0.0 else stalled[it] })
+}
+
+/** Finds where something is driven each way for [EACH_WAY_SECONDS] without turning in between. */
+private class BothWays(private val times: DoubleArray) {
+    /** Whether something is driven at each time, and stands although it is driven the other way, too. */
+    val isBlocked = BooleanArray(times.size)
+    private val stood = ArrayList<Int>()
+    private var forward = 0.0
+    private var backward = 0.0
+
+    fun turns() {
+        if (minOf(forward, backward) >= EACH_WAY_SECONDS) for (at in stood) isBlocked[at] = true
+        stood.clear()
+        forward = 0.0
+        backward = 0.0
+    }
+
+    /** Adds the sample [at], at which it stands although it is driven [way]. */
+    fun stands(at: Int, way: Double) {
+        val seconds = if (stood.lastOrNull() == at - 1) times[at] - times[at - 1] else 0.0
+        if (way > 0) forward += seconds else backward += seconds
+        stood += at
+    }
 }
 
 /** The share of its usual speed at which something clearly turns. */
@@ -45,3 +77,4 @@ private const val TURNING = 0.2
 /** Of the output with which it turns. */
 private const val LOWERED = 0.75
 private const val HELD_SECONDS = 1.0
+private const val EACH_WAY_SECONDS = 0.5

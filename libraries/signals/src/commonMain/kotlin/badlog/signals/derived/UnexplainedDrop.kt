@@ -138,7 +138,7 @@ private const val MIN_READS = 2
 /** With a higher current, a battery that sags more than in proportion explains a dip, too. */
 private const val MAX_AMPERES = 100.0
 private const val UNMEASURED_AMPERES = 85.0
-private const val LOAD_AMPERES = 40.0
+private const val LOAD_AMPERES = 30.0
 private const val REST_AMPERES = 10.0
 private const val HIGH_AMPERES = 60.0
 private const val MIN_OHMS = 0.010

@@ -41,7 +41,7 @@ private fun listedModules(names: List<Signal>): List<ModuleTopics> {
 }
 
 private fun namedModules(parts: List<PartTopic>): List<ModuleTopics> {
-    val ofCorners = parts.filter { topic -> topic.part.count { it in CORNERS } == 2 }
+    val ofCorners = parts.filter { cornerOf(it.part) != null }
     val byModule = ofCorners.groupBy { topic -> topic.part.dropLastWhile { it in DRIVE_WORDS || it in STEER_WORDS } }
     val found = byModule.mapNotNull { (module, topics) -> moduleOf(module, topics) }
     return if (found.size == 4) found else emptyList()
@@ -58,11 +58,11 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
     // “Front Left Setpoint” is the setpoint of the speed if “Front Left Angle Setpoint” is beside it.
     val targetSpeed = speeds(isTarget = true).firstOrNull() ?: of(Quantity.NONE, isTarget = true, STEER_WORDS).firstOrNull()
     return ModuleTopics(
-        part.filter { it in CORNERS }.joinToString(" ") { word -> word.replaceFirstChar { it.uppercase() } },
+        labelOfCorner(cornerOf(part) ?: return null),
         speed.signal.name,
         angle.signal.name,
         targetSpeed?.signal?.name,
-        angles(isTarget = true).firstOrNull()?.signal?.name,
+        (angles(isTarget = true) + of(Quantity.NONE, isTarget = true, DRIVE_WORDS).filter { it.part.last() in STEER_WORDS }).firstOrNull()?.signal?.name,
         if (angle.unit == "rad") 1.0 else PI / 180,
     )
 }
@@ -70,4 +70,3 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
 /** The words in names that mean the steering motor of a module. */
 internal val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
 private val DRIVE_WORDS = setOf("drive", "driving")
-private val CORNERS = setOf("front", "back", "rear", "left", "right")

@@ -70,6 +70,18 @@ private fun cornerAt(words: List<String>, i: Int): Pair<Int, Int>? {
     return LETTERS[words[i]]?.let { it to 1 }
 }
 
+/** Returns the corner that [words] name: 0 for the front left one, then front right, back left, back right. Null if they name none. */
+internal fun cornerOf(words: List<String>): Int? = words.indices.firstNotNullOfOrNull { cornerAt(words, it)?.first }
+
+/** Returns [words] without those for a corner. */
+internal fun withoutCorner(words: List<String>): List<String> {
+    val at = words.indices.firstOrNull { cornerAt(words, it) != null } ?: return words
+    return words.take(at) + words.drop(at + (cornerAt(words, at)?.second ?: 0))
+}
+
+/** Returns the name of [corner] for people. */
+internal fun labelOfCorner(corner: Int): String = LABELS[corner]
+
 /** Returns the side that [word] names, 0 for left and 1 for right; logs also have `Rightt` and `LeftSide`. */
 private fun sideOf(word: String?): Int? = SIDES.indexOfFirst { word?.startsWith(it) == true }.takeIf { it >= 0 }
 

@@ -3,7 +3,7 @@ package badlog.signals.vocabulary
 /** Words for a target value. */
 val TARGET_WORDS: Set<String> = setOf(
     "target", "targets", "setpoint", "setpoints", "goal", "goals", "desired", "reference", "ref", "commanded", "command", "cmd",
-    "demand", "demanded", "requested", "wanted", "optimized",
+    "demand", "demanded", "requested", "wanted", "optimized", "set",
 )
 
 /** Returns the words of [name] in lower case, split at anything but letters and digits, before capitals, and before digits. */

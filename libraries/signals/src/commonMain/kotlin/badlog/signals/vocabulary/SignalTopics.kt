@@ -44,7 +44,17 @@ class SignalTopics(
     private val empty: Set<String> = emptySet(),
 ) {
     // With names that begin with a dot, WPILib's dashboards describe their topics.
-    private val folded by lazy { names.signals.filter { it.name !in empty && "/." !in it.name }.map { it to NamePattern.folded(it.name) } }
+    private val topics by lazy { names.signals.filter { it.name !in empty && "/." !in it.name }.map(::NamedTopic) }
+
+    /** A topic, its name as patterns compare it, and the same without a unit at its end; null if it has none. */
+    private inner class NamedTopic(val source: Signal) {
+        val folded = NamePattern.folded(source.name)
+        val unitless = vocabulary.withoutUnit(source.name).takeIf { it != source.name }
+        private val foldedUnitless = unitless?.let(NamePattern::folded)
+
+        fun fits(pattern: NamePattern) = pattern.matchesFolded(folded) || (foldedUnitless != null && pattern.matchesFolded(foldedUnitless))
+    }
+
     private val found = HashMap<String, List<SignalTopic>>()
 
     /** All topics that were recognized as signals, in the order of the vocabulary. */
@@ -72,17 +82,19 @@ class SignalTopics(
     private fun search(signal: SignalName): List<SignalTopic> {
         val taken = LinkedHashMap<String, SignalTopic>()
         for (pattern in signal.topics) {
-            for ((source, name) in folded) {
-                if (source.name == timeTopic || source.name in taken || !pattern.pattern.matchesFolded(name)) continue
-                if (!pattern.fits(source.kind, signal.content) || signal.except.any { it.matchesFolded(name) }) continue
-                taken[source.name] = taken(signal, pattern, source) ?: continue
+            for (topic in topics) {
+                val source = topic.source
+                if (source.name == timeTopic || source.name in taken || !topic.fits(pattern.pattern)) continue
+                if (!pattern.fits(source.kind, signal.content) || signal.except.any(topic::fits)) continue
+                val named = if (pattern.pattern.matchesFolded(topic.folded)) source.name else topic.unitless.orEmpty()
+                taken[source.name] = taken(signal, pattern, source, pattern.pattern.deviceIn(named)) ?: continue
                 if (!signal.isMany) return taken.values.toList()
             }
         }
         return taken.values.toList()
     }
 
-    private fun taken(signal: SignalName, pattern: TopicPattern, source: Signal): SignalTopic? {
+    private fun taken(signal: SignalName, pattern: TopicPattern, source: Signal, device: String): SignalTopic? {
         if (signal.content == SignalContent.CONDITION) {
             val how = pattern.unit?.let { ", read as “$it”" }.orEmpty()
             return SignalTopic(
@@ -91,7 +103,7 @@ class SignalTopics(
                 unit = "",
                 "fits “${pattern.pattern.text}”$how",
                 scale = 1.0,
-                pattern.pattern.deviceIn(source.name),
+                device,
                 pattern.reading.takeIf { pattern.unit != null },
             )
         }
@@ -108,7 +120,6 @@ class SignalTopics(
         }
         val scale = if (wanted == null || unit == null) 1.0.takeIf { unit != null } else unitScale(unit, wanted) ?: return null
         val reason = "fits “${pattern.pattern.text}”" + if (isKnownFrom.isEmpty()) "" else ", $isKnownFrom"
-        val device = pattern.pattern.deviceIn(source.name)
         return SignalTopic(signal.name, source, wanted ?: unit.orEmpty(), reason, scale, device, atMost = signal.atMost)
     }
 

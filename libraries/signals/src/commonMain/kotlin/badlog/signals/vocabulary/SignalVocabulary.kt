@@ -22,8 +22,14 @@ class SignalVocabulary(val signals: List<SignalName>, internal val units: List<N
     }
 
     /** Returns whether a topic called [name] may be one of the signals. */
-    fun mayBe(name: String): Boolean = NamePattern.folded(name).let { folded ->
+    fun mayBe(name: String): Boolean = setOf(name, withoutUnit(name)).map(NamePattern::folded).any { folded ->
         signals.any { signal -> signal.topics.any { it.pattern.matchesFolded(folded) } }
+    }
+
+    /** Returns [name] without a unit at its end: `Gyro/Yaw` for `Gyro/Yaw (deg)` and `Gyro/YawDeg`. */
+    internal fun withoutUnit(name: String): String {
+        val unit = unitIn(name)?.takeIf { !name.endsWith(']') } ?: return name
+        return name.trimEnd(')').dropLast(unit.ending.length).trimEnd(' ', '_', '-', '.', '(').ifEmpty { name }
     }
 
     /** Returns the unit at the end of [name]; the longest match counts, as in “RadPerSec”. Null for none. */

@@ -108,6 +108,8 @@ class DriveSpec : FunSpec({
         val off = times.series { 0.0 }
         airLoss(times.series { 110 - 0.5 * it }, off).most() shouldBe (0.5 plusOrMinus 0.05)
         airLoss(times.series { 110 - 5.0 * (it / 10).toInt() }, off).most() shouldBeLessThan 0.1
+        // A small cylinder moves once a second.
+        airLoss(times.series { 110 - 2.2 * it.toInt() }, off).most() shouldBeLessThan 0.1
         airGain(times.series { 90.0 }, times.series { 1.0 }).most() shouldBe 0.0
         airGain(times.series { 90 + it }, times.series { 1.0 }).most() shouldBeGreaterThan 0.9
     }

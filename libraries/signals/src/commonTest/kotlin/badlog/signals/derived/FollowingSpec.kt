@@ -7,6 +7,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import kotlin.math.cos
 import kotlin.math.exp
+import kotlin.random.Random
 
 class FollowingSpec : FunSpec({
     val times = timesFor(40)
@@ -63,6 +64,15 @@ class FollowingSpec : FunSpec({
         following({ 4000 - if (it % 2 < 0.3) 400.0 else 0.0 }, speed).swing().most().isNaN() shouldBe true
         // Between shots it is a little too fast.
         following({ 4000 - if (it % 1 < 0.3) 400.0 else -60.0 }, speed).swing().most().isNaN() shouldBe true
+    }
+
+    test("noise around a target is no swing, however large: a wheel does not turn back from one value to the next") {
+        val random = Random(1)
+        val noise = DoubleArray(times.size) { 60 * (random.nextDouble() - 0.5) + 60 * (random.nextDouble() - 0.5) }
+        val speed = times.of { 1500.0 }
+        fun swings(size: Double) = Following(times, speed, DoubleArray(times.size) { 1500 + noise[it] + size * swing(times[it], 0.8) }, times.always()).swing()
+        swings(0.0).most().isNaN() shouldBe true
+        swings(100.0).most() shouldBeGreaterThan 10.0
     }
 
     test("a place swings by a share of its range, also around 0") {

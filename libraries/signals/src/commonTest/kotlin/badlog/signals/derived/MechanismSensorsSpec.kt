@@ -18,6 +18,14 @@ class MechanismSensorsSpec : FunSpec({
         error { 90 * swing(it) + if (it < 40) 0.0 else 18.0 }.most(from = 41.0) shouldBe (9.0 plusOrMinus 1.0)
     }
 
+    test("a motor whose position is no longer read does not slip while its mechanism moves on") {
+        // It is lost while it rests.
+        fun moved(time: Double) = swing(if (time in 27.0..29.0) 27.0 else time)
+        val lost = times.of { 25 * moved(if (it in 28.0..40.0) 28.0 else it) }
+        couplingError(times, lost, times.of { 90 * moved(it) }, times.always()).most(to = 39.9) shouldBeLessThan 3.0
+        error { 90 * swing(it) + if (it < 40) 0.0 else 18.0 }.most(from = 41.0) shouldBeGreaterThan 8.0
+    }
+
     test("a motor that hardly moved does not show a coupling") {
         couplingError(times, times.of { 0.0 }, times.of { swing(it) }, times.always()).size shouldBe 0
     }
