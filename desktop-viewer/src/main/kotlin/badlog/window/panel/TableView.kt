@@ -29,19 +29,20 @@ import badlog.window.theme.NameCut
 import badlog.window.theme.NameText
 import badlog.window.theme.Tip
 
-/** Shows [table]: the cells of a row below its name, side by side if there are few, otherwise each with its title, in two columns. */
+/** Shows [table]: the cells of a row below its subject, side by side if there are few, otherwise each with its title, in two columns. */
 @Composable
 internal fun TableView(table: Table, send: (Action) -> Unit) {
     val isNarrow = table.columns.size <= MAX_BESIDE
     Column(Modifier.fillMaxWidth().padding(start = 12.dp, end = 14.dp, top = 10.dp)) {
         val columns = table.columns.drop(1)
-        if (isNarrow) {
-            Row(verticalAlignment = Alignment.CenterVertically) {
-                for (column in columns) Title(column, send, Modifier.weight(1f))
-            }
+        val isOne = table.rows.drop(1).all { it.continues }
+        if (isNarrow && !isOne) {
+            Text(table.columns.first().title, fontWeight = FontWeight.SemiBold)
+            Titles(columns, send)
         }
         for (row in table.rows) {
             if (!row.continues) Subject(row, send)
+            if (!row.continues && isNarrow && isOne) Titles(columns, send)
             if (isNarrow) {
                 Row(verticalAlignment = Alignment.CenterVertically) { for (cell in row.cells) Value(cell, send, Modifier.weight(1f)) }
             } else {
@@ -61,28 +62,38 @@ internal fun TableView(table: Table, send: (Action) -> Unit) {
 }
 
 @Composable
+private fun Titles(columns: List<Column>, send: (Action) -> Unit) {
+    Row(verticalAlignment = Alignment.CenterVertically) { for (column in columns) Title(column, send, Modifier.weight(1f)) }
+}
+
+@Composable
 private fun Title(column: Column, send: (Action) -> Unit, modifier: Modifier) {
     val sort = column.sort
-    if (sort !=
-        null
-    ) {
-        return Row(modifier) { ButtonsView(listOf(Button(column.title, sort, hint = column.hint, isOn = column.isSorted)), send) }
+    if (sort == null) {
+        Tip(column.hint, modifier) { NameText(column.title, color = LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.MIDDLE) }
+    } else {
+        Row(modifier) { ButtonsView(listOf(Button(column.title, sort, hint = column.hint, isOn = column.isSorted)), send) }
     }
-    Tip(column.hint, modifier) { NameText(column.title, color = LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.MIDDLE) }
 }
 
 /** The name of [row], its log if there are several, and its buttons. */
 @Composable
 private fun Subject(row: TableRow, send: (Action) -> Unit) {
-    Row(verticalAlignment = Alignment.CenterVertically) {
+    Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
+        if (row.log.isEmpty()) Swatch(row)
         NameText(row.name, Modifier.weight(1f), fontWeight = FontWeight.SemiBold)
         ButtonsView(row.tools, send, areIcons = true)
     }
     if (row.log.isEmpty()) return
     Row(horizontalArrangement = Arrangement.spacedBy(6.dp), verticalAlignment = Alignment.CenterVertically) {
-        row.color?.let { Box(Modifier.size(8.dp).background(LocalPalette.current.line(it), RoundedCornerShape(2.dp))) }
+        Swatch(row)
         NameText(row.log, color = LocalPalette.current.muted, fontSize = 12.sp)
     }
+}
+
+@Composable
+private fun Swatch(row: TableRow) {
+    row.color?.let { Box(Modifier.size(8.dp).background(LocalPalette.current.line(it), RoundedCornerShape(2.dp))) }
 }
 
 @Composable
@@ -93,5 +104,5 @@ private fun Value(cell: Cell, send: (Action) -> Unit, modifier: Modifier) {
     Tip(withUnit(cell.exact, cell.unit), modifier) { Text(withUnit(cell.text, cell.unit), fontSize = 12.sp, lineHeight = 15.sp) }
 }
 
-/** The number of columns, with the names, whose cells fit beside each other. */
+/** The largest number of columns, including the one of names, that fit beside each other. */
 private const val MAX_BESIDE = 5

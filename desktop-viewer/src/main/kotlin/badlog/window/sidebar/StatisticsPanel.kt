@@ -85,7 +85,7 @@ internal data class StatisticsInput(
     private fun lineOf(name: String, place: Int, short: String = name): MeasuredLine? {
         val (recording, offset, log) = drawn[place]
         val signal = recording.signal(name)?.takeIf { it.hasFigures || it.states != null } ?: return null
-        return MeasuredLine(signal.line, short, place, if (drawn.size > 1) log else "", offset)
+        return if (drawn.size > 1) MeasuredLine(signal.line, short, place, log, offset) else MeasuredLine(signal.line, short, color = null)
     }
 }
 

@@ -30,9 +30,6 @@ import badlog.window.task.FileWrites
 import badlog.window.task.LongTasks
 import badlog.window.task.Notices
 import badlog.window.task.openAction
-import java.io.IOException
-import java.nio.file.Path
-import kotlin.time.Duration.Companion.seconds
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
@@ -41,6 +38,9 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
+import java.io.IOException
+import java.nio.file.Path
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * The team's to-do list beside the logs of the open folder. Use it only on the window's thread. Other laptops may change the list as well.

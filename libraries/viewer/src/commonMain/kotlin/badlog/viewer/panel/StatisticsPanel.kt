@@ -28,11 +28,11 @@ import badlog.viewer.text.exactText
  * A line with statistics.
  *
  * @property name its name among the others.
- * @property color the index of its color.
+ * @property color the index of its color; null if all lines of the log have the same.
  * @property log the name of its log; empty if only one is drawn.
  * @property offset the number added to its x to align it with the open log.
  */
-class MeasuredLine(val line: GraphSeries, val name: String, val color: Int, val log: String = "", val offset: Double = 0.0) {
+class MeasuredLine(val line: GraphSeries, val name: String, val color: Int?, val log: String = "", val offset: Double = 0.0) {
     /** Its states over x. */
     val runs: StateRuns by lazy { line.stateRuns() }
 }
@@ -125,7 +125,7 @@ private class StatisticsTables(
     private fun histogram(key: String, line: MeasuredLine, found: SeriesStatistics): Part {
         val histogram = Histogram.of(line.line, partsOf(line), found) ?: return Paragraph("unit $key", Histogram.NONE, Tone.MUTED)
         return Picture(key, "Histogram of ${line.name}", HISTOGRAM_HEIGHT) { pen, width, colors ->
-            pen.drawHistogram(histogram, line.line.unit, line.color, width, colors)
+            pen.drawHistogram(histogram, line.line.unit, line.color ?: 0, width, colors)
         }
     }
 

@@ -21,8 +21,7 @@ class ModulesPanelSpec : FunSpec({
     fun drive(vararg sides: String): SwerveDrive {
         val topics = sides.flatMap { side ->
             List(3) { module ->
-                fun line(name: String, value: (Double) -> Double): Topic =
-                    timedTopic("$side[$module]/$name", *times.map { it to value(it) }.toTypedArray())
+                fun line(name: String, value: (Double) -> Double): Topic = timedTopic("$side[$module]/$name", *times.map { it to value(it) }.toTypedArray())
                 val isAside = module == 1 && side == "Measured"
                 listOf(line("speed") { 2.0 }, line("angle/value") { it / 5 + if (!isAside) 0.0 else (if (it in 3.0..3.5) 15 else 10) * PI / 180 })
             }.flatten()
@@ -30,8 +29,7 @@ class ModulesPanelSpec : FunSpec({
         return SwerveDrive.of(timedView(*topics.toTypedArray()))!!
     }
 
-    fun panel(drive: SwerveDrive) =
-        modulesPanel(drive, drive.errors?.within(Span(0.0, 10.0)).orEmpty(), { "${it.toInt()} s" }, DrivePicture(drive, drive.errors)) { _, _, _ -> }
+    fun panel(drive: SwerveDrive) = modulesPanel(drive, drive.errors?.within(Span(0.0, 10.0)).orEmpty(), { "${it.toInt()} s" }, DrivePicture(drive, drive.errors)) { _, _, _ -> }
 
     test("the worst module is named, and each module has its errors, with a way to the largest") {
         val parts = panel(drive("Measured", "Setpoints"))
