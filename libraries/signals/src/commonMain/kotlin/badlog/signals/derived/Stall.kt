@@ -45,7 +45,11 @@ fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: 
     }
     bothWays.turns()
     val isUsual = standings > 1 && outputs == null
-    return Series(times, DoubleArray(times.size) { if (bothWays.isBlocked[it]) 1.0 else if (isUsual) 0.0 else stalled[it] })
+    for (at in times.indices) {
+        if (isUsual) stalled[at] = 0.0
+        if (bothWays.isBlocked[at]) stalled[at] = 1.0
+    }
+    return Series(times, stalled)
 }
 
 /** Finds where something is driven each way for [EACH_WAY_SECONDS] without turning in between. */
