@@ -63,9 +63,21 @@ class BlockedSpec : FunSpec({
     test("rollers that are driven both ways without turning are blocked, also if a current limit lowers their output; those that hold a piece are not") {
         fun rollers(back: Double) = TestMatch().apply {
             fun isStill(time: Double) = time in 20.0..24.0 || time in 26.0..26.9
-            number("Intake/Applied Volts") { if (it in 26.0..26.9) back else if (isStill(it)) 4.0 else 12 * TestMatch.output(it) }
+            number("Intake/Applied Volts") {
+                when {
+                    it in 26.0..26.9 -> back
+                    isStill(it) -> 4.0
+                    else -> 12 * TestMatch.output(it)
+                }
+            }
             number("Intake/Velocity RPM") { if (isStill(it) || it in 24.0..26.0) 0.0 else 3000 * TestMatch.output(it) }
-            number("Intake/Current Amps") { if (isStill(it)) 35 + 0.1 * TestMatch.wave(it) else if (it in 24.0..26.0) 0.0 else 35 * TestMatch.output(it) }
+            number("Intake/Current Amps") {
+                when {
+                    isStill(it) -> 35 + 0.1 * TestMatch.wave(it)
+                    it in 24.0..26.0 -> 0.0
+                    else -> 35 * TestMatch.output(it)
+                }
+            }
         }.blocked()
         rollers(back = -4.0) shouldBe listOf("Intake")
         rollers(back = 4.0) shouldBe emptyList()

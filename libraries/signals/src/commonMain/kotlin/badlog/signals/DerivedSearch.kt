@@ -137,7 +137,7 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
         DerivedSignal("heading jump", "deg", topic.device, heading.topics) { headingJump(it.of(heading), 1.0) }
     }
 
-    /** How fast each gyro turns away from what the camera sees. */
+    /** How fast each gyro turns away from the heading that the camera sees. */
     private fun headingGaps(seen: Pose): List<DerivedSignal> {
         val name = seen.heading.singleOrNull() ?: return emptyList()
         return found.of("gyro angle").map { topic ->

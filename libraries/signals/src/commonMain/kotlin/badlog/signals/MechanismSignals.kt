@@ -104,26 +104,34 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
      * is none, or is wired the other way. A part rests at its lower end, where a switch closes a little early.
      */
     private fun heldByLimit(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
-        val limits = byPart[target.part].orEmpty().filter { it.quantity == Quantity.SWITCH }.mapNotNull { limit ->
-            val words = wordsOf(limit.signal.name)
-            if (words.any { it in FORWARD }) limit to 1.0 else if (words.any { it in BACKWARD }) limit to -1.0 else null
-        }.ifEmpty { return null }
-        val topics = (listOf(measured, target) + limits.map { it.first }).map { it.signal.name }
+        val limits = byPart[target.part].orEmpty().filter { it.quantity == Quantity.SWITCH }
+            .mapNotNull { limit -> wayOf(limit)?.let { way -> limit.signal.name to way } }.ifEmpty { return null }
+        val topics = listOf(measured, target).map { it.signal.name } + limits.map { it.first }
         return DerivedSignal("held by limit", "%", target.label, topics) { samples ->
             val times = steppedTimes(topics.map(samples::raw), STEP_SECONDS)
             val away = followingOf(samples, target, measured, scale, times).missed()
-            val off = samples.raw(target.signal.name).heldAt(times).also { wanted ->
-                val place = samples.raw(measured.signal.name).heldAt(times)
-                for (i in wanted.indices) wanted[i] -= scale * place[i]
+            val wanted = samples.raw(target.signal.name).heldAt(times)
+            val place = samples.raw(measured.signal.name).heldAt(times)
+            val held = DoubleArray(away.size)
+            for ((name, way) in limits) {
+                val state = samples.raw(name).heldAt(times)
+                if (state.none { it == 0.0 }) continue
+                val least = if (way > 0) 0.0 else EARLY_PERCENT
+                for (i in held.indices) {
+                    if (state[i] == 1.0 && (wanted[i] - scale * place[i]) * way > 0 && away.y[i] > least) held[i] = away.y[i]
+                }
             }
-            val reached = limits.map { (limit, way) -> samples.raw(limit.signal.name).heldAt(times) to way }.filter { (state) -> state.any { it == 0.0 } }
-            Series(
-                away.x,
-                DoubleArray(away.size) { i ->
-                    val isHeld = reached.any { (state, way) -> state[i] == 1.0 && off[i] * way > 0 && (way > 0 || away.y[i] > EARLY_PERCENT) }
-                    if (isHeld) away.y[i] else 0.0
-                },
-            )
+            Series(away.x, held)
+        }
+    }
+
+    /** Returns 1 for a limit at the upper end of its mechanism, -1 for one at the lower end; null if its name does not say. */
+    private fun wayOf(limit: PartTopic): Double? {
+        val words = wordsOf(limit.signal.name)
+        return when {
+            words.any { it in FORWARD } -> 1.0
+            words.any { it in BACKWARD } -> -1.0
+            else -> null
         }
     }
 

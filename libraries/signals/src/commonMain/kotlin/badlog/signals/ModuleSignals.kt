@@ -31,15 +31,26 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     private class Wheel(val label: String, val topics: List<String>)
 
     /** The four wheels of the modules; a log that numbers its modules may name their motors by corners. */
-    private val wheels: List<Wheel> = modules.mapNotNull { module ->
-        driveTopicsOf(module, Quantity.CURRENT).firstOrNull()?.let { Wheel(module.label, listOf(it.signal.name) + module.topics.reversed()) }
-    }.takeIf { it.isNotEmpty() && it.size == modules.size } ?: wheelsByCorner()
+    private val wheels: List<Wheel> =
+        modules.mapNotNull(::wheelOf).takeIf { it.isNotEmpty() && it.size == modules.size } ?: wheelsByCorner()
 
-    private fun wheelsByCorner(): List<Wheel> = robot.topics
-        .filter { part -> part.quantity == Quantity.CURRENT && !part.isTarget && part.part.none { it in STEER_WORDS } && cornerOf(part.part) != null }
-        .groupBy { withoutCorner(it.part) }.values
-        .firstNotNullOfOrNull { alike -> alike.mapNotNull { part -> cornerOf(part.part)?.let { it to part } }.toMap().takeIf { it.size == CORNERS } }.orEmpty()
-        .map { (corner, part) -> Wheel(labelOfCorner(corner), listOf(part.signal.name)) }
+    private fun wheelOf(module: ModuleTopics): Wheel? {
+        val current = driveTopicsOf(module, Quantity.CURRENT).firstOrNull()?.signal?.name ?: return null
+        return Wheel(module.label, listOf(current) + module.topics.reversed())
+    }
+
+    private fun wheelsByCorner(): List<Wheel> {
+        val currents = robot.topics.filter { topic ->
+            topic.quantity == Quantity.CURRENT && !topic.isTarget && topic.part.none { it in STEER_WORDS }
+        }
+        for (alike in currents.groupBy { withoutCorner(it.part) }.values) {
+            val byCorner = alike.mapNotNull { topic -> cornerOf(topic.part)?.let { it to topic } }.toMap()
+            if (byCorner.size == CORNERS) {
+                return byCorner.map { (corner, topic) -> Wheel(labelOfCorner(corner), listOf(topic.signal.name)) }
+            }
+        }
+        return emptyList()
+    }
 
     /** The targets and the measurements of a drive's modules. */
     private class Steering(

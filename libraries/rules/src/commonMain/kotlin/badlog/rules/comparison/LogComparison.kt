@@ -68,7 +68,9 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         }
     }
 
-    private class Difference(val rule: ComparisonRule, val key: NumberKey, val value: Double, val usual: Baseline, val strength: Double)
+    private class Difference(val rule: ComparisonRule, val key: NumberKey, val value: Double, val usual: Baseline, val strength: Double) {
+        val isAbove get() = value > usual.median
+    }
 
     fun differencesOf(place: Int): LogDifferences {
         val log = logs[place]
@@ -82,7 +84,8 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
         }
         if (found.isEmpty()) return LogDifferences.NONE
         // For each topic, only the largest difference is kept.
-        val differences = found.filterNot { isOfDriving(it, found) }.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
+        val ofRobot = found.filterNot { isOfDriving(it, found) }
+        val differences = ofRobot.sortedByDescending { it.strength }.distinctBy { it.key.topic to it.rule }
         val strong = rules.flatMap { rule -> differences.filter { it.rule === rule && it.strength >= 1 }.take(rule.findings) }
         val findings = strong.sortedByDescending { it.strength }.associateWith { findingOf(it, log) }
         val all = differences.map { findings[it] ?: findingOf(it, log) }
@@ -90,9 +93,12 @@ private class LogComparison(private val rules: List<ComparisonRule>, private val
     }
 
     /** Returns whether as many motors as no gearbox has differ like [one]: the robot was driven harder, or its pauses were shorter. */
-    private fun isOfDriving(one: Difference, all: List<Difference>): Boolean = all.count { other ->
-        other.key.signal == one.key.signal && other.key.measure == one.key.measure && (other.value > other.usual.median) == (one.value > one.usual.median)
-    } >= MANY_MOTORS
+    private fun isOfDriving(one: Difference, all: List<Difference>): Boolean {
+        val alike = all.count { other ->
+            other.key.signal == one.key.signal && other.key.measure == one.key.measure && other.isAbove == one.isAbove
+        }
+        return alike >= MANY_MOTORS
+    }
 
     private fun columnsOf(log: LogNumbers) = columnsOf.getOrPut(log.keys) { log.keys.map { columns.getOrPut(it) { Column() } } }
 

@@ -163,8 +163,8 @@ class Following(
     }
 
     /**
-     * Returns whether the measurement changes little from one value to the next, beside all its changes. Noise does not, nor does a swing of which the
-     * log has fewer than eight values: they look the same.
+     * Returns whether the measurement changes little from one value to the next, beside all its changes. Noise does not, nor does a swing
+     * with fewer than eight values in the log: they look the same.
      */
     private fun isSmooth(from: Int, to: Int): Boolean {
         val values = (from..to).filter { it == from || measured[it] != measured[it - 1] }.map { measured[it] }

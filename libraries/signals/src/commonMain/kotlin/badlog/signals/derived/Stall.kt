@@ -11,8 +11,8 @@ import kotlin.math.abs
  *
  * A mechanism that holds a game piece stands under power, too. Its program then lowers the output, so times with a lowered output do not
  * count. If [outputs] is null because none are logged, something that stands more than once and turns in between does not count as blocked.
- * What is driven both ways without turning in between counts in any case: a held piece moves when it is pushed out, and a current limit lowers the
- * output of a blocked motor.
+ * A mechanism that is driven both ways without turning in between counts in any case: a held piece moves when it is pushed out, and a current limit
+ * lowers the output of a blocked motor.
  */
 fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: Double, outputs: DoubleArray? = null): Series {
     val turning = TURNING * quantile(DoubleArray(times.size) { abs(speeds[it]) }, 0.98)
@@ -45,7 +45,11 @@ fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: 
     }
     bothWays.turns()
     val isUsual = standings > 1 && outputs == null
-    return Series(times, DoubleArray(times.size) { if (bothWays.isBlocked[it]) 1.0 else if (isUsual) 0.0 else stalled[it] })
+    for (at in times.indices) {
+        if (isUsual) stalled[at] = 0.0
+        if (bothWays.isBlocked[at]) stalled[at] = 1.0
+    }
+    return Series(times, stalled)
 }
 
 /** Finds where something is driven each way for [EACH_WAY_SECONDS] without turning in between. */

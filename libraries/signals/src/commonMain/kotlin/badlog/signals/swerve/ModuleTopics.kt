@@ -56,13 +56,14 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
     val speed = speeds(isTarget = false).firstOrNull() ?: return null
     val angle = angles(isTarget = false).find { "angle" in wordsOf(it.signal.name) } ?: return null
     // “Front Left Setpoint” is the setpoint of the speed if “Front Left Angle Setpoint” is beside it.
+    val steered = of(Quantity.NONE, isTarget = true, DRIVE_WORDS).filter { it.part.last() in STEER_WORDS }
     val targetSpeed = speeds(isTarget = true).firstOrNull() ?: of(Quantity.NONE, isTarget = true, STEER_WORDS).firstOrNull()
     return ModuleTopics(
         labelOfCorner(cornerOf(part) ?: return null),
         speed.signal.name,
         angle.signal.name,
         targetSpeed?.signal?.name,
-        (angles(isTarget = true) + of(Quantity.NONE, isTarget = true, DRIVE_WORDS).filter { it.part.last() in STEER_WORDS }).firstOrNull()?.signal?.name,
+        (angles(isTarget = true) + steered).firstOrNull()?.signal?.name,
         if (angle.unit == "rad") 1.0 else PI / 180,
     )
 }
