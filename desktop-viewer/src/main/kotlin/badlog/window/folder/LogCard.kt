@@ -26,9 +26,9 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.panel.Cell
-import badlog.viewer.panel.Table
-import badlog.viewer.panel.TableRow
+import badlog.viewer.panel.EntryCell
+import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Entry
 import badlog.viewer.panel.folder.PREVIEW
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.state.Action
@@ -44,7 +44,7 @@ import badlog.window.theme.Tip
 
 /** Shows [row] of [table] in a narrow list: its title, facts, what happened, a preview, and the files of a match with several. */
 @Composable
-internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: Boolean, send: (Action) -> Unit) {
+internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected: Boolean, send: (Action) -> Unit) {
     val palette = LocalPalette.current
     val interactions = remember { MutableInteractionSource() }
     val isHovered by interactions.collectIsHoveredAsState()
@@ -83,13 +83,13 @@ internal fun LogCard(row: TableRow, table: Table, isOpen: Boolean, isSelected: B
 }
 
 @Composable
-private fun FileLine(file: Cell, send: (Action) -> Unit) {
+private fun FileLine(file: EntryCell, send: (Action) -> Unit) {
     val press = file.open?.let { open -> Modifier.clickable { send(open) } } ?: Modifier
     NameText(file.text, press, LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.FILE)
 }
 
 @Composable
-private fun Facts(cells: List<Cell>) {
+private fun Facts(cells: List<EntryCell>) {
     val palette = LocalPalette.current
     val text = buildAnnotatedString {
         cells.forEachIndexed { i, cell ->

@@ -29,7 +29,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.recording.Severity
-import badlog.viewer.panel.Cell
+import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.Check
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
@@ -46,7 +46,7 @@ import badlog.window.theme.Tip
  * @param isHovered whether the pointer is over its row.
  */
 @Composable
-internal fun CellView(cell: Cell, row: String, color: Color, weight: FontWeight, isHovered: Boolean, send: (Action) -> Unit) {
+internal fun CellView(cell: EntryCell, row: String, color: Color, weight: FontWeight, isHovered: Boolean, send: (Action) -> Unit) {
     val palette = LocalPalette.current
     val open = cell.open
     val pressed = if (open == null) {

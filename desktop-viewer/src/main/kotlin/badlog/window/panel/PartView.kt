@@ -38,7 +38,7 @@ import badlog.viewer.panel.Paragraph
 import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
 import badlog.viewer.panel.Rows
-import badlog.viewer.panel.Table
+import badlog.viewer.panel.EntryTable
 import badlog.viewer.panel.Tone
 import badlog.viewer.panel.Trouble
 import badlog.viewer.state.Action
@@ -64,7 +64,7 @@ internal fun PartView(part: Part, send: (Action) -> Unit) {
         is Fold -> FoldTitle(part, send)
         is Rows -> for (row in part.rows) PartView(row, send)
         is PanelRow -> RowView(part, send)
-        is Table -> TableView(part, send)
+        is EntryTable -> EntryTableView(part, send)
     }
 }
 

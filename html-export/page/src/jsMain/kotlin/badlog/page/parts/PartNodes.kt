@@ -4,10 +4,10 @@ import badlog.core.recording.Severity
 import badlog.page.dom.Icon
 import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
-import badlog.viewer.panel.Cell
+import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
-import badlog.viewer.panel.Column
+import badlog.viewer.panel.EntryColumn
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -18,8 +18,8 @@ import badlog.viewer.panel.Part
 import badlog.viewer.panel.PartIcon
 import badlog.viewer.panel.Row
 import badlog.viewer.panel.Rows
-import badlog.viewer.panel.Table
-import badlog.viewer.panel.TableRow
+import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Entry
 import badlog.viewer.panel.Trouble
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
@@ -50,7 +50,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         is Fold -> fold(part)
         is Rows -> rows(part)
         is Row -> row(part)
-        is Table -> table(part)
+        is EntryTable -> table(part)
     }
 
     private fun heading(heading: Heading) = Node(
@@ -163,7 +163,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
 
     private fun badge(severity: Severity) = Node("span", "severity is-${severity.word}", severity.word)
 
-    private fun table(table: Table): Node {
+    private fun table(table: EntryTable): Node {
         val titles = table.columns.map { column ->
             val order = column.isDescending?.let { if (it) "descending" else "ascending" }
             val arrow = column.isDescending?.let { if (it) " ↓" else " ↑" }.orEmpty()
@@ -185,7 +185,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         )
     }
 
-    private fun row(row: TableRow, columns: List<Column>): Node {
+    private fun row(row: Entry, columns: List<EntryColumn>): Node {
         val checks = row.checks.map { check ->
             val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
             Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
@@ -201,7 +201,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
         )
     }
 
-    private fun cell(cell: Cell): Node {
+    private fun cell(cell: EntryCell): Node {
         val bar = cell.share?.let {
             Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
         }
@@ -216,7 +216,7 @@ internal class PartNodes(private val send: (Action) -> Unit) {
     }
 
     /** The classes of a column, by which the style sheet arranges cards. */
-    private val Column.look: String get() = if (isNumber) "$key is-number" else key
+    private val EntryColumn.look: String get() = if (isNumber) "$key is-number" else key
 
     private fun framed(row: Row): List<Node> {
         val lines = row.lines.mapIndexed { i, line ->

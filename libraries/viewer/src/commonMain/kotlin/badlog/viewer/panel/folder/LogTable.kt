@@ -2,12 +2,12 @@ package badlog.viewer.panel.folder
 
 import badlog.core.recording.Severity
 import badlog.viewer.catalog.ListedLog
-import badlog.viewer.panel.Cell
+import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.Check
-import badlog.viewer.panel.Column
-import badlog.viewer.panel.RowGroup
-import badlog.viewer.panel.Table
-import badlog.viewer.panel.TableRow
+import badlog.viewer.panel.EntryColumn
+import badlog.viewer.panel.EntryGroup
+import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Entry
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.MatchRun
@@ -25,24 +25,24 @@ import badlog.viewer.text.countText
  * @param checked the paths of the logs to compare.
  * @param limit the maximum number of rows.
  */
-fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: Int = Int.MAX_VALUE): Table {
+fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: Int = Int.MAX_VALUE): EntryTable {
     val columns = LogColumn.entries.filter { column -> listing.entries.any { listing.cellOf(it, column) != null } }
     var left = limit
     val groups = listing.rows.groupBy(listing::groupOf).map { (title, runs) ->
         val rows = runs.take(left).map { rowOf(listing, it, columns, checked) }
         left -= rows.size
-        RowGroup(title, countText(runs.sumOf { it.logs.size }, "log"), rows)
+        EntryGroup(title, countText(runs.sumOf { it.logs.size }, "log"), rows)
     }
     val titles = columns.map {
-        Column(it.name, it.title, it.isNumber, if (it == listing.column) listing.isDescending else null, FolderAction.Sort(it))
+        EntryColumn(it.name, it.title, it.isNumber, if (it == listing.column) listing.isDescending else null, FolderAction.Sort(it))
     }
-    return Table("log-table", "Logs", titles, groups.filter { it.rows.isNotEmpty() })
+    return EntryTable("log-table", "Logs", titles, groups.filter { it.rows.isNotEmpty() })
 }
 
-private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns: List<LogColumn>, checked: Set<String>): TableRow {
+private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns: List<LogColumn>, checked: Set<String>): Entry {
     val worst = run.worst
     val logs = run.logs.sortedByDescending { it === worst }
-    return TableRow(
+    return Entry(
         worst.path,
         worst.fileName,
         logs.filter { it.isReadable }.map { Check("Compare ${it.fileName}", it.path in checked, FolderAction.Check(it.path)) },
@@ -59,42 +59,42 @@ private fun Listing<*>.groupOf(run: MatchRun<*>): String = when (column) {
     else -> ""
 }
 
-private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn): Cell? {
+private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn): EntryCell? {
     val text = column.text(log)
     val open = FolderAction.Open(log.path, showsFinding = false)
     return when (column) {
-        LogColumn.MATCH -> Cell(text ?: shortFileName(nameOf(log)), hint = log.path, open = open)
+        LogColumn.MATCH -> EntryCell(text ?: shortFileName(nameOf(log)), hint = log.path, open = open)
 
         LogColumn.FINDINGS -> happened(log, text)
 
         // Otherwise the file's name is the title.
-        LogColumn.FILE -> if (LogColumn.MATCH.has(log)) Cell(shortFileName(nameOf(log)), hint = log.path, open = open) else null
+        LogColumn.FILE -> if (LogColumn.MATCH.has(log)) EntryCell(shortFileName(nameOf(log)), hint = log.path, open = open) else null
 
         else -> if (text == null) null else cellOf(log, column, text)
     }
 }
 
-private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn, text: String): Cell = when (column) {
-    LogColumn.DATE -> Cell(if (this.column == column) text.substringAfter(DAY_END) else text)
+private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn, text: String): EntryCell = when (column) {
+    LogColumn.DATE -> EntryCell(if (this.column == column) text.substringAfter(DAY_END) else text)
 
     LogColumn.BATTERY -> {
         val share = ((log.summary.batteryMinimum ?: EMPTY) - EMPTY) / (FULL - EMPTY)
-        Cell(text, if (log.isNearBrownout) Severity.ERROR else null, share = share.coerceIn(0.0, 1.0))
+        EntryCell(text, if (log.isNearBrownout) Severity.ERROR else null, share = share.coerceIn(0.0, 1.0))
     }
 
-    LogColumn.PROBLEMS -> Cell(text, log.problemSeverity, problemSentence(log))
+    LogColumn.PROBLEMS -> EntryCell(text, log.problemSeverity, problemSentence(log))
 
-    else -> Cell(text)
+    else -> EntryCell(text)
 }
 
-private fun Listing<*>.happened(log: ListedLog, text: String?): Cell? {
+private fun Listing<*>.happened(log: ListedLog, text: String?): EntryCell? {
     val worst = log.found?.worst
     return when {
-        log.path in recording -> Cell("recording")
-        log.isGray -> Cell(log.summary.content.saying)
+        log.path in recording -> EntryCell("recording")
+        log.isGray -> EntryCell(log.summary.content.saying)
         text == null -> null
-        worst == null -> Cell(text)
-        else -> Cell(text, worst, foundLines(log), open = FolderAction.Open(log.path, showsFinding = true))
+        worst == null -> EntryCell(text)
+        else -> EntryCell(text, worst, foundLines(log), open = FolderAction.Open(log.path, showsFinding = true))
     }
 }
 

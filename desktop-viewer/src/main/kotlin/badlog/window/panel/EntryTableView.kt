@@ -48,11 +48,11 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import badlog.viewer.panel.Cell
-import badlog.viewer.panel.Column
-import badlog.viewer.panel.RowGroup
-import badlog.viewer.panel.Table
-import badlog.viewer.panel.TableRow
+import badlog.viewer.panel.EntryCell
+import badlog.viewer.panel.EntryColumn
+import badlog.viewer.panel.EntryGroup
+import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Entry
 import badlog.viewer.state.Action
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
@@ -65,13 +65,13 @@ import badlog.window.theme.LocalPalette
  * @param onSelect called with the row that a person presses.
  */
 @Composable
-internal fun TableView(
-    table: Table,
+internal fun EntryTableView(
+    table: EntryTable,
     send: (Action) -> Unit,
     list: LazyListState = rememberLazyListState(),
     selected: String? = null,
     open: String? = null,
-    onSelect: (TableRow) -> Unit = {},
+    onSelect: (Entry) -> Unit = {},
 ) {
     val sideways = rememberScrollState()
     BoxWithConstraints(Modifier.fillMaxSize()) {
@@ -81,7 +81,7 @@ internal fun TableView(
             HorizontalDivider()
             LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
                 rows(table) { row ->
-                    TableRowView(row, table.columns, widths, row.key == open, row.key == selected, { onSelect(row) }, send)
+                    EntryView(row, table.columns, widths, row.key == open, row.key == selected, { onSelect(row) }, send)
                 }
             }
         }
@@ -91,7 +91,7 @@ internal fun TableView(
 }
 
 /** Adds the groups of [table] to a list, with their titles. */
-internal fun LazyListScope.rows(table: Table, row: @Composable (TableRow) -> Unit) {
+internal fun LazyListScope.rows(table: EntryTable, row: @Composable (Entry) -> Unit) {
     for (group in table.groups) {
         if (group.title.isNotEmpty()) item("group ${group.title}") { GroupTitle(group) }
         items(group.rows, key = { it.key }) { row(it) }
@@ -102,7 +102,7 @@ internal fun LazyListScope.rows(table: Table, row: @Composable (TableRow) -> Uni
 private val CHECKS: Dp = 34.dp
 
 /** Returns the widths of the columns of [table], in the width [available]: enough for their texts, and in proportion for the rest. */
-private fun widthsOf(table: Table, available: Dp): List<Dp> {
+private fun widthsOf(table: EntryTable, available: Dp): List<Dp> {
     val rows = table.groups.flatMap { it.rows }
     val needed = table.columns.mapIndexed { i, column ->
         val letters = rows.maxOfOrNull { row -> row.cells[i].maxOfOrNull(::lettersOf) ?: 0 } ?: 0
@@ -112,7 +112,7 @@ private fun widthsOf(table: Table, available: Dp): List<Dp> {
     return needed.map { (it * share).dp }
 }
 
-private fun lettersOf(cell: Cell) = cell.text.length + when {
+private fun lettersOf(cell: EntryCell) = cell.text.length + when {
     cell.preview != null -> PREVIEW_LETTERS
     cell.share != null || cell.severity != null -> MARK_LETTERS
     else -> 0
@@ -120,7 +120,7 @@ private fun lettersOf(cell: Cell) = cell.text.length + when {
 
 /** The titles of the columns of [table]; a click sorts. */
 @Composable
-private fun TableHead(table: Table, widths: List<Dp>, send: (Action) -> Unit) {
+private fun TableHead(table: EntryTable, widths: List<Dp>, send: (Action) -> Unit) {
     val palette = LocalPalette.current
     Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = CHECKS)) {
         table.columns.forEachIndexed { i, column ->
@@ -156,7 +156,7 @@ private fun TableHead(table: Table, widths: List<Dp>, send: (Action) -> Unit) {
 
 /** The title of [group], with its count. */
 @Composable
-private fun GroupTitle(group: RowGroup) {
+private fun GroupTitle(group: EntryGroup) {
     Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 12.dp, top = 10.dp, bottom = 4.dp), Arrangement.spacedBy(8.dp)) {
         Text(
             group.title,
@@ -171,9 +171,9 @@ private fun GroupTitle(group: RowGroup) {
 
 /** Shows [row] of a table with [columns]. A press selects it, a double click opens it. */
 @Composable
-private fun TableRowView(
-    row: TableRow,
-    columns: List<Column>,
+private fun EntryView(
+    row: Entry,
+    columns: List<EntryColumn>,
     widths: List<Dp>,
     isOpen: Boolean,
     isSelected: Boolean,
@@ -228,7 +228,7 @@ private fun LineOf(arrangement: Arrangement.Horizontal, content: @Composable () 
     Row(Modifier.fillMaxWidth().height(28.dp), arrangement, Alignment.CenterVertically) { content() }
 }
 
-private val Column.arrangement: Arrangement.Horizontal get() = if (isNumber) Arrangement.End else Arrangement.Start
+private val EntryColumn.arrangement: Arrangement.Horizontal get() = if (isNumber) Arrangement.End else Arrangement.Start
 
 /** The width of a letter, in dp. */
 private const val LETTER = 7.5f

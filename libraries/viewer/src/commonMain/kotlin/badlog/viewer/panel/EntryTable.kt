@@ -6,32 +6,32 @@ import badlog.viewer.catalog.TopicSummary
 import badlog.viewer.state.Action
 
 /** A table with [columns], called [name] by screen readers. Without room for its columns, its rows are cards. */
-class Table(override val key: String, val name: String, val columns: List<Column>, val groups: List<RowGroup>) : Part
+class EntryTable(override val key: String, val name: String, val columns: List<EntryColumn>, val groups: List<EntryGroup>) : Part
 
 /**
- * A column of a [Table].
+ * A column of an [EntryTable].
  *
  * @property isDescending the order of the rows, if they are sorted by it; otherwise null.
  * @property sort the effect of a press on its [title]; null for none.
  */
-class Column(val key: String, val title: String, val isNumber: Boolean, val isDescending: Boolean?, val sort: Action?)
+class EntryColumn(val key: String, val title: String, val isNumber: Boolean, val isDescending: Boolean?, val sort: Action?)
 
 /** The [rows] of a table under a common [title], with their [count]; an empty title is not shown. */
-class RowGroup(val title: String, val count: String, val rows: List<TableRow>)
+class EntryGroup(val title: String, val count: String, val rows: List<Entry>)
 
 /**
- * A row of a [Table], called [name] by screen readers.
+ * A row of an [EntryTable], called [name] by screen readers.
  *
  * @property checks its check boxes, below each other.
  * @property cells for each column, its entries, below each other.
  * @property open the effect of a press on the row.
  * @property isMuted whether there is nothing to see in it.
  */
-class TableRow(
+class Entry(
     val key: String,
     val name: String,
     val checks: List<Check>,
-    val cells: List<List<Cell>>,
+    val cells: List<List<EntryCell>>,
     val open: Action,
     val isMuted: Boolean,
 )
@@ -40,14 +40,14 @@ class TableRow(
 class Check(val label: String, val isOn: Boolean, val action: Action)
 
 /**
- * An entry of a [TableRow].
+ * A cell of an [Entry].
  *
  * @property severity its severity, in color, and without a [share] also as a shape and word; null if it does not matter.
  * @property share the length of a bar beside it, 0 to 1; null for none.
  * @property preview the shape of a series; null for none.
  * @property open the effect of a press on it; null for the effect of the row.
  */
-class Cell(
+class EntryCell(
     val text: String,
     val severity: Severity? = null,
     val hint: String = "",
