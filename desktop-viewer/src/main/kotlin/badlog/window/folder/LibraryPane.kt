@@ -12,14 +12,12 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
-import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.LinearProgressIndicator
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.focusRequester
@@ -37,16 +35,14 @@ import androidx.compose.ui.unit.sp
 import badlog.catalog.folder.LogEntry
 import badlog.formats.READABLE_LOGS
 import badlog.viewer.shown.folder.Listing
-import badlog.viewer.shown.folder.sameMatches
+import badlog.window.panel.rows
 import badlog.window.robot.RobotBar
 import badlog.window.robot.RobotLink
 import badlog.window.robot.RobotRecording
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.Icons
-import badlog.window.theme.KeepInSight
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.SearchField
-import badlog.window.theme.StayAtTop
 import badlog.window.theme.ToolButton
 import badlog.window.theme.rememberAskedFocus
 
@@ -77,27 +73,15 @@ internal fun LibraryPane(
 
 @Composable
 private fun LogList(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions) {
-    val visible = library.state.visible
-    val topic = settings.state.previewTopic
-    val previews = remember(visible, topic) { Previews(visible, topic) }
-    val ofOneMatch = remember(visible) { sameMatches(visible) }
+    val table = rememberTable(library, settings, shown)
     val list = rememberLazyListState()
-    StayAtTop(list, visible)
-    KeepInSight(list, visible.indexOfFirst { it.file == library.state.selected })
+    val selected = library.state.selectedRow
+    val open = library.state.rowOf(shown.open)
+    LogListPlace(list, table, selected)
+    val send = sendTo(library, list, actions, actions.open)
     Box(Modifier.fillMaxSize().semantics { contentDescription = "Logs" }) {
         LazyColumn(Modifier.fillMaxSize(), list) {
-            items(visible, key = { it.file.toString() }) { entry ->
-                LogRow(
-                    entry = entry,
-                    previews = previews,
-                    isOpen = shown.open == entry.file,
-                    isSelected = library.state.selected == entry.file,
-                    isChecked = entry.file in shown.checked,
-                    isOneOfMatch = entry.path in ofOneMatch,
-                    onOpen = { actions.open(entry) },
-                    onCheck = { actions.check(entry.file) },
-                )
-            }
+            rows(table) { LogCard(it, table, isOpen = it.key == open, isSelected = it.key == selected, send) }
         }
         VerticalScrollbar(rememberScrollbarAdapter(list), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
     }

@@ -51,8 +51,12 @@ internal data class LibraryState(
     fun opening(folder: Path): LibraryState =
         LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"))
 
-    /** Returns the same folder with [entries]. */
-    fun withEntries(entries: List<LogEntry>): LibraryState = copy(listing = listing.copy(entries = entries))
+    /** Returns the same folder with [entries]. A log that grows is being recorded, until the rules have run over it. */
+    fun withEntries(entries: List<LogEntry>): LibraryState {
+        val before = listing.entries.associate { it.path to it.size }
+        val recording = entries.filter { it.found == null && (it.path in listing.recording || (before[it.path] ?: it.size) < it.size) }
+        return copy(listing = listing.copy(entries = entries, recording = recording.mapTo(HashSet()) { it.path }))
+    }
 
     /** Lists only logs with all words of [filter]. */
     fun filtered(filter: String): LibraryState = copy(listing = listing.copy(filter = filter))
@@ -66,11 +70,18 @@ internal data class LibraryState(
     /** Hides or shows logs in which no rule found an error. */
     fun onlyErrors(isOn: Boolean): LibraryState = copy(listing = listing.copy(onlyErrors = isOn))
 
-    /** Returns the log [steps] below the selected one in the list; the first or last if the list ends. */
+    /** The key of the row with the selected log; null if it is not listed. */
+    val selectedRow: String? get() = rowOf(selected)
+
+    /** Returns the key of the row with the log in [file]; null if it is not listed. */
+    fun rowOf(file: Path?): String? = listing.rows.find { row -> row.logs.any { it.file == file } }?.worst?.path
+
+    /** Returns the log [steps] rows below the selected one in the list; the first or last if the list ends. */
     fun stepped(steps: Int): LogEntry? {
-        if (visible.isEmpty()) return null
-        val at = visible.indexOfFirst { it.file == selected }
-        return visible[if (at < 0) (if (steps > 0) 0 else visible.lastIndex) else (at + steps).coerceIn(visible.indices)]
+        val rows = listing.rows
+        if (rows.isEmpty()) return null
+        val at = rows.indexOfFirst { it.worst.path == selectedRow }
+        return rows[if (at < 0) (if (steps > 0) 0 else rows.lastIndex) else (at + steps).coerceIn(rows.indices)].worst
     }
 
     private companion object {

@@ -1,27 +1,16 @@
 package badlog.window.folder
 
-import androidx.compose.foundation.HorizontalScrollbar
-import androidx.compose.foundation.VerticalScrollbar
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
-import androidx.compose.foundation.horizontalScroll
-import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.lazy.LazyColumn
-import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.rememberLazyListState
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.rememberScrollbarAdapter
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
@@ -32,14 +21,18 @@ import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.dp
 import badlog.catalog.folder.LogEntry
-import badlog.viewer.shown.folder.LogColumn
+import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.folder.logTable
+import badlog.viewer.panel.folder.withPreviews
+import badlog.viewer.state.Action
+import badlog.viewer.state.FolderAction
+import badlog.window.panel.EntryTableView
 import badlog.window.settings.SettingsStore
 import badlog.window.theme.KeepInSight
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.StayAtTop
+import java.nio.file.Path
 
 /** Every log of the folder with all its columns. */
 @Composable
@@ -54,51 +47,66 @@ internal fun LogTable(library: Library, settings: SettingsStore, shown: ShownLog
 
 @Composable
 private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, actions: LibraryActions) {
-    val visible = library.state.visible
-    val topic = settings.state.previewTopic
-    val previews = remember(visible, topic) { Previews(visible, topic) }
+    val table = rememberTable(library, settings, shown)
     val list = rememberLazyListState()
-    val sideways = rememberScrollState()
     val focus = remember { FocusRequester() }
-    StayAtTop(list, visible)
-    KeepInSight(list, visible.indexOfFirst { it.file == library.state.selected })
+    val selected = library.state.selectedRow
+    LogListPlace(list, table, selected)
     LaunchedEffect(Unit) { focus.requestFocus() }
-    BoxWithConstraints(
+    Box(
         Modifier
             .fillMaxSize()
-            .onKeyEvent { it.type == KeyEventType.KeyDown && onTableKey(library, it.key, actions.openInGraphs) }
+            .onKeyEvent { it.type == KeyEventType.KeyDown && onTableKey(library, it.key, actions) }
             .focusRequester(focus)
             .focusable()
             .semantics { contentDescription = "Table of logs" },
     ) {
-        val spare = maxOf(0.dp, maxWidth - tableWidth)
-        Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(tableWidth + spare)) {
-            TableHead(library, settings.state.previewTopic, spare)
-            HorizontalDivider()
-            LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
-                items(visible, key = { it.file.toString() }) { entry ->
-                    TableRow(
-                        entry, previews, spare, library.state.folder,
-                        isOpen = shown.open == entry.file,
-                        isSelected = library.state.selected == entry.file,
-                        isChecked = entry.file in shown.checked,
-                        onCheck = { actions.check(entry.file) },
-                        onSelect = {
-                            focus.requestFocus()
-                            library.select(entry.file)
-                        },
-                        onOpen = { actions.openInGraphs(entry) },
-                        onFindings = { actions.openFindings(entry) },
-                    )
-                }
-            }
+        EntryTableView(table, sendTo(library, list, actions, actions.openInGraphs), list, selected, library.state.rowOf(shown.open)) { row ->
+            focus.requestFocus()
+            library.select(Path.of(row.key))
         }
-        VerticalScrollbar(rememberScrollbarAdapter(list), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
-        HorizontalScrollbar(rememberScrollbarAdapter(sideways), Modifier.align(Alignment.BottomCenter).fillMaxWidth())
     }
 }
 
-private fun onTableKey(library: Library, key: Key, onOpen: (LogEntry) -> Unit): Boolean {
+/** Returns the listed logs as a table, see [logTable]. */
+@Composable
+internal fun rememberTable(library: Library, settings: SettingsStore, shown: ShownLogs): EntryTable {
+    val listing = library.state.listing
+    val topic = settings.state.previewTopic
+    return remember(listing, topic, shown.checked) {
+        logTable(listing, shown.checked.mapTo(HashSet()) { "$it" }).withPreviews(listing.visible, topic)
+    }
+}
+
+/** Keeps the selected row of [table] in sight, and [list] at its top when logs are added above. */
+@Composable
+internal fun LogListPlace(list: LazyListState, table: EntryTable, selected: String?) {
+    StayAtTop(list, table.groups)
+    val keys =
+        remember(table) { table.groups.flatMap { group -> listOf("").filter { group.title.isNotEmpty() } + group.rows.map { it.key } } }
+    KeepInSight(list, selected, keys.indexOf(selected))
+}
+
+/** Returns the function that performs actions on the listed logs; [open] opens one. After sorting, [list] is at its top. */
+internal fun sendTo(library: Library, list: LazyListState, actions: LibraryActions, open: (LogEntry) -> Unit): (Action) -> Unit =
+    { action ->
+        when (action) {
+            is FolderAction.Sort -> {
+                library.change { sorted(action.column) }
+                list.requestScrollToItem(0)
+            }
+
+            is FolderAction.Check -> actions.check(Path.of(action.path))
+
+            is FolderAction.Open -> library.state.entries.find {
+                it.path == action.path
+            }?.let(if (action.showsFinding) actions.openFindings else open)
+
+            else -> Unit
+        }
+    }
+
+private fun onTableKey(library: Library, key: Key, actions: LibraryActions): Boolean {
     val state = library.state
     val target = when (key) {
         Key.DirectionUp -> state.stepped(-1)
@@ -109,12 +117,17 @@ private fun onTableKey(library: Library, key: Key, onOpen: (LogEntry) -> Unit): 
 
         Key.PageDown -> state.stepped(PAGE)
 
-        Key.MoveHome -> state.visible.firstOrNull()
+        Key.MoveHome -> state.listing.rows.firstOrNull()?.worst
 
-        Key.MoveEnd -> state.visible.lastOrNull()
+        Key.MoveEnd -> state.listing.rows.lastOrNull()?.worst
 
         Key.Enter, Key.NumPadEnter -> {
-            state.visible.firstOrNull { it.file == state.selected }?.let(onOpen)
+            state.visible.find { it.file == state.selected }?.let(actions.openInGraphs)
+            return true
+        }
+
+        Key.Spacebar -> {
+            state.visible.find { it.file == state.selected && it.isReadable }?.let { actions.check(it.file) }
             return true
         }
 
@@ -125,5 +138,3 @@ private fun onTableKey(library: Library, key: Key, onOpen: (LogEntry) -> Unit): 
 }
 
 private const val PAGE = 15
-
-private val tableWidth: Dp get() = (CHECK_WIDTH + PREVIEW_WIDTH + LogColumn.entries.sumOf { it.width }).dp

@@ -33,6 +33,7 @@ import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
+import badlog.viewer.panel.EntryTable
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -71,6 +72,7 @@ internal fun PartView(part: Part, send: (Action) -> Unit, modifier: Modifier = M
         is PanelRow -> RowView(part, send)
         is Table -> TableView(part, send)
         is Picture -> PictureView(part)
+        is EntryTable -> EntryTableView(part, send)
     }
 }
 

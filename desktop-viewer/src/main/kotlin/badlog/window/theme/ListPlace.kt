@@ -6,10 +6,10 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.snapshots.Snapshot
 
-/** Scrolls [list] until item [index] is visible, whenever the index changes. */
+/** Scrolls [list] until the item [key], at [index], is visible, whenever another item becomes it; not when its index changes. */
 @Composable
-internal fun KeepInSight(list: LazyListState, index: Int) {
-    LaunchedEffect(index) {
+internal fun KeepInSight(list: LazyListState, key: Any?, index: Int) {
+    LaunchedEffect(key) {
         if (index < 0) return@LaunchedEffect
         val layout = list.layoutInfo
         val item = layout.visibleItemsInfo.firstOrNull { it.index == index }

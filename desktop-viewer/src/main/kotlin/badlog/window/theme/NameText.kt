@@ -25,6 +25,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.constrain
+import badlog.viewer.shown.folder.beginsWord
 import kotlin.math.ceil
 
 /** The part that a name loses if it is too long. */
@@ -32,8 +33,11 @@ internal enum class NameCut {
     /** Its beginning: for topics and graphs, which differ at their end. */
     BEGINNING,
 
-    /** Its middle: for files and sentences with a name at their end. */
+    /** Its middle: for other files and sentences with a name at their end. */
     MIDDLE,
+
+    /** Whole words in its middle, if possible: for files of logs. */
+    FILE,
 
     /** Its first words: for the events where matches are played, as a part of a word says little. */
     WORDS,
@@ -105,9 +109,14 @@ internal fun TextMeasurer.measureName(name: AnnotatedString, style: TextStyle, w
     val whole = measure(name, style, softWrap = false, maxLines = 1)
     if (whole.size.width <= width) return whole
     val room = width - measure(ELLIPSIS, style).size.width
-    val head = if (cut == NameCut.MIDDLE) whole.lastWithin(room / 2) else 0
+    val fitting = if (cut == NameCut.MIDDLE || cut == NameCut.FILE) whole.lastWithin(room / 2) else 0
+    val head = if (cut == NameCut.FILE) (fitting downTo 1).firstOrNull { beginsWord(name, it) } ?: fitting else fitting
     val letters = whole.firstBeyond(whole.size.width - room + whole.placeOf(head))
-    val tail = if (cut == NameCut.WORDS) wordFrom(name, letters) ?: letters else letters
+    val tail = when (cut) {
+        NameCut.WORDS -> wordFrom(name, letters)
+        NameCut.FILE -> (letters until name.length).firstOrNull { beginsWord(name, it) }
+        else -> null
+    } ?: letters
     val end = name.subSequence(tail + name.drop(tail).takeWhile { it.isWhitespace() }.length, name.length)
     val shown = name.subSequence(0, head) + AnnotatedString(ELLIPSIS) + end
     // Where scripts of both directions mix, places do not follow the order of letters. It may still be too long.

@@ -181,7 +181,7 @@ private fun Rows(
     val recordings = compared.drawn.size
     val places = remember(graphs, recordings) { graphs.placesOfLines().mapValues { it.value * recordings } }
     val state = topics.list
-    KeepInSight(state, listed.indexOfFirst { it.name != null && it.name == topics.state.marked })
+    KeepInSight(state, topics.state.marked, listed.indexOfFirst { it.name != null && it.name == topics.state.marked })
     BoxWithConstraints(modifier.fillMaxSize()) {
         val showsValues = maxWidth >= ROOMY
         LazyColumn(Modifier.fillMaxSize(), state) {

@@ -4,6 +4,7 @@ import badlog.catalog.folder.LogEntry
 import badlog.catalog.folder.entry
 import badlog.signals.match.MatchOfLog
 import badlog.viewer.catalog.Content
+import badlog.viewer.catalog.FindingSummary
 import badlog.viewer.shown.folder.LogColumn
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldBeNull
@@ -38,6 +39,17 @@ class LibraryStateSpec : FunSpec({
         shown.copy(selected = match9.file).stepped(-1) shouldBe match9
         shown.copy(selected = match9.file).stepped(100) shouldBe bench
         LibraryState().stepped(1).shouldBeNull()
+    }
+
+    test("a log that has grown is being recorded, until the rules have run over it") {
+        val running = match9.copy(found = null)
+        val grown = running.copy(source = running.source.copy(size = running.size + 1))
+        val before = LibraryState().withEntries(listOf(running))
+        before.listing.recording shouldBe emptySet()
+        val growing = before.withEntries(listOf(grown))
+        growing.listing.recording shouldBe setOf(grown.path)
+        growing.withEntries(listOf(grown)).listing.recording shouldBe setOf(grown.path)
+        growing.withEntries(listOf(grown.copy(found = FindingSummary(0, emptyList())))).listing.recording shouldBe emptySet()
     }
 
     test("another folder is listed like the previous one, from its beginning") {

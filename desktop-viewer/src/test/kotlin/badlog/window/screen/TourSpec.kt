@@ -1,6 +1,7 @@
 package badlog.window.screen
 
 import badlog.catalog.folder.putSamples
+import badlog.viewer.shown.folder.foundText
 import badlog.window.sidebar.InspectorTab
 import badlog.window.sidebar.MainView
 import io.kotest.core.annotation.Tags
@@ -29,10 +30,13 @@ class TourSpec : FunSpec({
             window.click("Topics")
             window.press(KeyEvent.VK_T)
             window.awaitState("what the rules found") { viewer -> viewer.library.state.entries.all { it.found != null || it.isGray } }
-            window.awaitRest("Findings of qualification-42.bag")
-            window.point("Findings of qualification-42.bag", 0.5, 0.6)
+            val happened = window.look { viewer ->
+                viewer.library.state.entries.first { it.fileName == "qualification-42.bag" }.let { "error: ${foundText(it)} · ${it.fileName}" }
+            }
+            window.awaitRest(happened)
+            window.point(happened, 0.5, 0.6)
             show(1800)
-            window.click("Findings of qualification-42.bag")
+            window.click(happened)
             window.awaitState("the match, and the worst that was found in it") { viewer ->
                 viewer.current.recording?.file?.fileName.toString() == "qualification-42.bag" && viewer.findings.selected != null
             }

@@ -66,6 +66,14 @@ class NameTextSpec : FunSpec({
         }
     }
 
+    test("the name of a log's file loses whole words in its middle") {
+        val file = "FRC_20260307_163005_OHCL_Q57.wpilog"
+        val words = file.split('_', '.')
+        measuring {
+            for (width in 160..200 step 5) shown(file, width, NameCut.FILE).split('_', '.', '…').filter { it.isNotEmpty() && it !in words } shouldBe emptyList()
+        }
+    }
+
     test("derivatives, which all end the same, keep the name of their topic") {
         measuring {
             val (left, right) = listOf("Left", "Right").map { "[ $it Position Derivative ]" }

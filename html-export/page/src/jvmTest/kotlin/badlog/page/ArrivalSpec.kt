@@ -36,9 +36,6 @@ internal class ArrivalSpec : PageSpec({
         awaitState("ready")
     }
 
-    // Rows are recreated while logs are read.
-    fun OpenPage.openListed(file: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", file)
-
     fun OpenPage.news() = texts(".arrival p").singleOrNull().orEmpty()
 
     fun OpenPage.focused() = script("return document.activeElement.id") as String
@@ -73,7 +70,7 @@ internal class ArrivalSpec : PageSpec({
                 await("its evidence") { elements(".evidence").any { it.isDisplayed } }
                 news() shouldBe ""
                 click("#go-back")
-                await("the list") { texts("[data-column='FILE']").size == 3 }
+                await("the list") { listedLogs.size == 3 }
             }
             startOver("empty")
             show(Screen.WIDE)
@@ -84,7 +81,7 @@ internal class ArrivalSpec : PageSpec({
                 click("#leave-arrival")
                 news() shouldBe ""
                 focused() shouldBe "go-back"
-                await("three rows") { texts("[data-column='FILE']").size == 3 }
+                await("three rows") { listedLogs.size == 3 }
                 script(putIntoFolder(after + ("later.bag" to before.getValue("practice.bag"))))
                 await("the next") { "arrived" in news() }
                 openListed("later")
@@ -105,7 +102,7 @@ internal class ArrivalSpec : PageSpec({
                     "window.folder = {get 'new.bag'() { window.looks = (window.looks ?? 0) + 1; return Promise.reject(new Error('locked')) }}",
                 )
                 await("two looks") { number("return window.looks ?? 0") >= 2 }
-                texts("[data-column='FILE']").size shouldBe 2
+                listedLogs.size shouldBe 2
                 script(putIntoFolder(after))
                 await("the news") { news() != "" }
                 click("#only-errors")
@@ -115,8 +112,8 @@ internal class ArrivalSpec : PageSpec({
                 }
                 focused() shouldBe "only-errors"
                 // The announcement appears before the list's next row.
-                await("the row of the new log") { texts("[data-column='FILE']").any { "qualification-42.bag" in it } }
-                elements("[data-column='FINDINGS'] .is-error").size shouldBe texts("[data-column='FILE']").size
+                await("the row of the new log") { listedLogs.any { "qualification-42.bag" in it } }
+                elements("td.FINDINGS .is-error").size shouldBe listedLogs.size
                 press("a")
                 awaitLog("Qualification 42")
             }

@@ -51,12 +51,11 @@ internal class FolderToolsSpec : PageSpec({
 
     browserTest("logs of several events are grouped, and the statistics of the checked ones are side by side") {
         onPage(page, state = "empty") {
-            step("logs are grouped by event with the number of logs, if there are several events") {
+            step("logs sorted by match are grouped by event") {
                 choose(season())
-                click("#sort-FILE")
-                click("#group-events")
-                texts(".event-group span:first-child") shouldContainExactly listOf("Alpha Regional", "Beta District", "No event")
-                texts("[data-column='FILE']") shouldContainExactly listOf("a1.bag", "a2.bag", "b1.bag", "pit.bag")
+                click("th.MATCH button")
+                texts(".row-group span:first-child") shouldContainExactly listOf("Alpha Regional", "Beta District", "No event")
+                listedLogs shouldContainExactly listOf("a1.bag", "a2.bag", "b1.bag", "pit.bag")
                 seriousForReaders() shouldBe emptyList()
                 keepScreenshot("folder-events")
             }
@@ -90,13 +89,13 @@ internal class FolderToolsSpec : PageSpec({
             onPage(page, state = "empty", script = counting) {
                 choose(folder)
                 number("return window.started").toInt() shouldBeGreaterThan 0
-                val before = texts("[data-column='FINDINGS'], [data-column='NUMBER']")
+                val before = texts("td.FINDINGS, td.MATCH")
                 awaitKept()
                 Chromium.driver.navigate().refresh()
                 awaitState("empty")
                 choose(folder)
                 number("return window.started") shouldBe 0.0
-                texts("[data-column='FINDINGS'], [data-column='NUMBER']") shouldBe before
+                texts("td.FINDINGS, td.MATCH") shouldBe before
                 // A log that was written again is read again.
                 (folder / "pit.bag").writeBytes(log(9) + "2.1,9,9\n".encodeToByteArray())
                 Chromium.driver.navigate().refresh()
@@ -113,20 +112,20 @@ internal class FolderToolsSpec : PageSpec({
                 text shouldContain "Open a robot’s log"
                 consoleMessages() shouldBe emptyList()
                 choose(season())
-                texts("[data-column='FILE']").size shouldBe 4
+                listedLogs.size shouldBe 4
             }
         }
         step("a folder into which the page may look again shows new and grown logs, and no removed ones") {
             onPage(page, state = "empty", script = watchedFolder(mapOf("one.bag" to log(11)))) {
                 click("#open-folder")
-                await("one log") { texts("[data-column='FILE']") == listOf("one.bag") }
+                await("one log") { listedLogs == listOf("one.bag") }
                 texts(".page-head h1") shouldContainExactly listOf("pit")
                 script(putIntoFolder(mapOf("one.bag" to log(11) + "2.1,9,9\n2.2,9,9\n".encodeToByteArray(), "two.bag" to log(12), "notes.txt" to byteArrayOf(1))))
-                await("both") { texts("[data-column='FILE']").sorted() == listOf("one.bag", "two.bag") }
+                await("both") { listedLogs.sorted() == listOf("one.bag", "two.bag") }
                 // A log is read once it has stopped growing, so not at the first look.
-                await("what grew") { "2.2 s" in texts("[data-column='DURATION']").joinToString() }
+                await("what grew") { "2.2 s" in texts("td.DURATION").joinToString() }
                 script(putIntoFolder(mapOf("two.bag" to log(12))))
-                await("the other alone") { texts("[data-column='FILE']") == listOf("two.bag") }
+                await("the other alone") { listedLogs == listOf("two.bag") }
             }
         }
     }

@@ -71,7 +71,7 @@ internal class LiveSpec : RunningLogSpec({
         robot.write(100)
         onLogIn(robot.file.parent) {
             element("#go-back").click()
-            val worst = "[data-column='FINDINGS'] button"
+            val worst = "td.FINDINGS button"
             await("the worst in the list") { elements(worst).isNotEmpty() }
             script(
                 "new MutationObserver((_, observer) => { const live = document.querySelector('#live'); if (live) { observer.disconnect(); live.click() } })" +

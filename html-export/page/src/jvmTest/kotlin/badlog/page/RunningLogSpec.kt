@@ -34,7 +34,7 @@ internal abstract class RunningLogSpec(body: RunningLogSpec.() -> Unit) : PageSp
 
     fun OpenPage.openRunning(name: String = "running") {
         await("the list") { elements(".log-table").isNotEmpty() }
-        elements("[data-column='FILE'] button").first { name in it.text }.click()
+        openListed(name)
         awaitReady()
     }
 

@@ -45,12 +45,9 @@ internal class ServedPageSpec : PageSpec({
         (folder / "bench.bag").setLastModifiedTime(FileTime.fromMillis(1_772_600_000_000))
     }
 
-    fun OpenPage.column(name: String) = texts("[data-column='$name']")
+    fun OpenPage.column(name: String) = texts("td.$name")
 
-    /** Clicked by a script, because rows are recreated while logs are read. */
-    fun OpenPage.openRow(row: Int) = script("document.querySelectorAll(\"[data-column='FILE'] button\")[arguments[0]].click()", row)
-
-    fun OpenPage.openFile(part: String) = script("[...document.querySelectorAll(\"[data-column='FILE'] button\")].find(b => b.textContent.includes(arguments[0])).click()", part)
+    fun OpenPage.openRow(row: Int) = openListed(listedLogs[row])
 
     fun OpenPage.awaitLog(title: String) {
         await("the log $title") { texts(".page-title h1").singleOrNull()?.contains(title) == true }
@@ -77,10 +74,10 @@ internal class ServedPageSpec : PageSpec({
                 step("a phone in the robot's network lists its logs, newest first, and opens one with its findings by a tap") {
                     awaitList()
                     texts(".page-head h1") shouldContainExactly listOf("Robot 127.0.0.1")
-                    column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
-                    column("FILE").size shouldBe 4
-                    column("FILE") shouldContain "<img src=x onerror=alert(1)> #1%.bag"
-                    column("FILE").last() shouldBe "bench.bag"
+                    column("MATCH").take(2) shouldContainExactly listOf("Q57 · OHCL", "Q42 · OHCL")
+                    listedLogs.size shouldBe 4
+                    listedLogs shouldContain "<img src=x onerror=alert(1)> #1%.bag"
+                    listedLogs.last() shouldBe "bench.bag"
                     texts(".log-tools [role=status]").single() shouldBe "4 logs"
                     elements(".log-table img").size shouldBe 0
                     for (screen in listOf(Screen.WIDE, Screen.WIDE.copy(isDark = true), Screen.PHONE)) {
@@ -97,14 +94,14 @@ internal class ServedPageSpec : PageSpec({
                     click("#go-back")
                     awaitList()
                     await("what was opened to be read") { "6.73 V" in column("BATTERY") }
-                    openFile("img")
+                    openListed("img")
                     awaitLog("<img src=x onerror=alert(1)> #1%.bag")
                 }
                 click("#go-back")
                 step("while the robot is enabled, the page gives the reason for a refused log, and the back button leads to the list") {
                     awaitList()
                     options.isEnabled = BooleanSupplier { true }
-                    openFile("Q57")
+                    openListed("Q57")
                     awaitState("failed")
                     text shouldContain "FRC_20260307_163005_OHCL_Q57.bag.gz cannot be opened"
                     text shouldContain "The robot is enabled: its logs can be opened once it is disabled."
@@ -115,15 +112,15 @@ internal class ServedPageSpec : PageSpec({
                 show(Screen.WIDE)
                 step("checked logs are fetched and drawn over each other; the list can be searched and sorted like a folder's") {
                     awaitList()
-                    click("#sort-SIZE")
-                    column("FILE").first() shouldContain "Q42"
+                    click("th.SIZE button")
+                    listedLogs.first() shouldContain "Q42"
                     element("#search").sendKeys("q57")
                     settle()
-                    column("FILE") shouldContainExactly listOf("FRC_20260307_163005_OHCL_Q57.bag.gz")
+                    listedLogs shouldContainExactly listOf("FRC_20260307_163005_OHCL_Q57.bag.gz")
                     element("#search").clear()
                     element("#search").sendKeys("ohcl")
                     settle()
-                    for (name in column("FILE")) click("[aria-label='Compare $name']")
+                    for (name in listedLogs) click("[aria-label='Compare $name']")
                     click("#compare-logs")
                     awaitLog("Qualification 42")
                     await("both") { texts(".compared-log bdi") == listOf("Qualification 42", "Qualification 57") }
@@ -132,9 +129,9 @@ internal class ServedPageSpec : PageSpec({
                 awaitList()
                 step("a robot that does not answer is reported") {
                     script("const box = document.querySelector('#search'); box.value = ''; box.dispatchEvent(new Event('input'))")
-                    await("the whole list") { column("FILE").size == 4 }
+                    await("the whole list") { listedLogs.size == 4 }
                     script("window.fetch = () => Promise.reject(new TypeError('Failed to fetch'))")
-                    openFile("bench")
+                    openListed("bench")
                     awaitState("failed")
                     text shouldContain "The robot does not answer: stay on its Wi-Fi, and try again."
                 }
@@ -163,7 +160,7 @@ internal class ServedPageSpec : PageSpec({
                 awaitState("empty")
                 awaitList()
                 await("what was in them") { column("DURATION").count { it.isNotEmpty() } == UNLIKE_MATCHES.size }
-                click("[data-column='FILE'] button") { it.text == "Q8.bag" }
+                openListed("Q8.bag")
                 awaitLog("Qualification 8")
                 await("how it is unlike those before") { elements(".changes button").isNotEmpty() }
                 texts(".changes li").single() shouldBe "Arm/Current while enabled was 21.5 A, 97 % above your 7 other matches (usually 10.9 A)."
@@ -200,7 +197,7 @@ internal class ServedPageSpec : PageSpec({
                 awaitLog("Qualification 42")
                 click("#go-back")
                 awaitList()
-                await("what is known of both") { column("FILE").size == 2 && "6.73 V" in column("BATTERY") }
+                await("what is known of both") { listedLogs.size == 2 && "6.73 V" in column("BATTERY") }
             }
         }
     }
@@ -242,12 +239,12 @@ internal class ServedPageSpec : PageSpec({
         WpilibServer(logs).use { server ->
             onServedPage(server.addressOf(EmptyPage.SERVED_NAME), Screen.PHONE) {
                 awaitList()
-                column("NUMBER").take(2) shouldContainExactly listOf("57", "42")
-                column("FILE").drop(2) shouldContainExactlyInAnyOrder listOf("bench.bag", "<img src=x onerror=alert(1)> #1%.bag")
+                column("MATCH").take(2) shouldContainExactly listOf("Q57 · OHCL", "Q42 · OHCL")
+                listedLogs.drop(2) shouldContainExactlyInAnyOrder listOf("bench.bag", "<img src=x onerror=alert(1)> #1%.bag")
                 // Their times are unknown.
                 column("DATE").drop(2) shouldContainExactly listOf("", "")
                 keepScreenshot("served-wpilib-phone")
-                click("[data-column='FILE'] button") { "img" in it.text }
+                openListed("img")
                 awaitLog("<img src=x onerror=alert(1)> #1%.bag")
             }
         }

@@ -68,6 +68,12 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
         script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector),
     )
 
+    /** The names of the files in the list of logs, in order. */
+    val listedLogs: List<String> get() = strings(script("return $LISTED.map(row => row.dataset.path.split('/').pop())"))
+
+    /** Opens the first listed log with [part] in its file name. */
+    fun openListed(part: String) = script("$LISTED.find(row => row.dataset.path.split('/').pop().includes(arguments[0])).click()", part)
+
     /** The names of all visible graphs, in order. */
     val graphNames: List<String>
         get() = strings(
@@ -223,6 +229,7 @@ internal class OpenPage private constructor(val driver: ChromeDriver, private va
     internal companion object {
         private const val POINTER_MILLISECONDS = 10L
         private const val MAX_TEXT = 1000
+        private const val LISTED = "[...document.querySelectorAll('.log-table [data-path]')]"
         private var isTabTaken = false
 
         /** Opens [file]. */

@@ -9,20 +9,30 @@ import badlog.page.dom.isDisabled
 import badlog.page.dom.isHidden
 import badlog.page.dom.screenKey
 import badlog.page.dom.showText
+import badlog.page.parts.PartNodes
+import badlog.page.parts.patch
+import badlog.page.view.Palette
 import badlog.rules.RuleSet
 import badlog.rules.toJson
 import badlog.viewer.input.ScreenKey
+import badlog.viewer.panel.folder.logTable
 import badlog.viewer.shown.folder.Arrivals
 import badlog.viewer.shown.folder.Changes
 import badlog.viewer.shown.folder.Listing
+import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.changesOf
 import badlog.viewer.shown.folder.earlierThan
 import badlog.viewer.shown.folder.logsOfRobots
+import badlog.viewer.state.Action
+import badlog.viewer.state.FolderAction
 import badlog.viewer.text.countOf
+import badlog.viewer.text.countText
 import kotlinx.browser.document
 import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
+import org.w3c.dom.HTMLSelectElement
+import org.w3c.dom.asList
 import org.w3c.dom.events.KeyboardEvent
 
 /**
@@ -47,7 +57,6 @@ internal class FolderScreen(
     private val onOpen: (OpenedLog, compared: List<OpenedLog>, showsWorst: Boolean) -> Unit,
 ) {
     private val known = logs.associateByTo(LinkedHashMap()) { it.path }
-    private var listing = Listing(logs, folder = "$name/")
     private val unread = logs.filter { it.isHere }.mapTo(HashSet()) { it.path }
     private val checked = LinkedHashSet<String>()
     private val cache = SummaryCache(rules.toJson())
@@ -59,6 +68,7 @@ internal class FolderScreen(
     private var isShown = false
     private var isCacheRead = false
     private val watch = again?.let { FolderWatch(it, known, ::renew) }
+    private var listing = Listing(logs, folder = "$name/", recording = watch?.growing.orEmpty())
 
     /** The logs that have changed since the folder was opened. */
     private val fresh = HashSet<String>()
@@ -75,10 +85,14 @@ internal class FolderScreen(
     private lateinit var pitButton: HTMLElement
     private lateinit var progress: HTMLElement
     private lateinit var compare: HTMLElement
-    private lateinit var groups: HTMLElement
+    private lateinit var more: HTMLElement
     private lateinit var nothing: HTMLElement
-    private val table =
-        LogTable({ column -> list(listing.sorted(column)) }, ::check) { log, showsWorst -> onOpen(latest(log), emptyList(), showsWorst) }
+    private lateinit var orders: HTMLSelectElement
+
+    // No picture of the list needs colors.
+    private val nodes = PartNodes(Palette(), ::act)
+    private val table = element("div", "log-table card")
+    private var limit = PAGE
 
     val element: HTMLElement = element("div", "start folder-logs") {
         addButton("skip", "Skip to the logs") { listing.visible.firstOrNull()?.let(::focus) }
@@ -103,10 +117,14 @@ internal class FolderScreen(
             compare.id = "compare-logs"
             addBox("hide-empty", "Hide idle logs") { list(listing.copy(hidesEmpty = it)) }
             addBox("only-errors", "Only logs with an error") { list(listing.copy(onlyErrors = it)) }
-            groups = addBox("group-events", "Group by event") { list(listing.copy(groupsEvents = it)) }
+            add("label", "sort", "Sort by ") { addOrders() }
             progress = add("p", "unit") { setAttribute("role", "status") }
         }
-        appendChild(table.element)
+        appendChild(table)
+        more = addButton("more", "") {
+            limit += PAGE
+            show()
+        }
         nothing = add("p", "nothing-found")
         appendChild(statistics.element)
         appendChild(batteries.element)
@@ -153,7 +171,10 @@ internal class FolderScreen(
 
     /** Focuses the entry of [log]. */
     fun focus(log: OpenedLog) {
-        if (isPit) pit.focus(log) else document.getElementById("open:${log.path}")?.unsafeCast<HTMLElement>()?.focus()
+        if (isPit) return pit.focus(log)
+        val path = listing.rows.find { row -> row.logs.any { it.path == log.path } }?.worst?.path
+        val row = table.querySelectorAll("[data-path]").asList().find { it.asDynamic().dataset.path == path }
+        row?.asDynamic()?.querySelector("button")?.focus()
     }
 
     /** Returns whether [log] is in the folder, by its path. */
@@ -188,7 +209,7 @@ internal class FolderScreen(
         isShown = false
         reading.stop()
         arrived.pause()
-        for (log in known.values) if (log.isUnread && watch?.isGrowing(log.path) != true) unread += log.path
+        for (log in known.values) if (log.isUnread && log.path !in listing.recording) unread += log.path
     }
 
     /** Stops all work, because neither the list nor one of its logs is shown. */
@@ -205,6 +226,17 @@ internal class FolderScreen(
         input.placeholder = "Search matches, findings, files"
         input.setAttribute("aria-label", "Search logs")
         input.addEventListener("input", { list(listing.copy(filter = input.value)) })
+    }
+
+    /** Adds the choice of an order, for screens without the table's titles. */
+    private fun HTMLElement.addOrders() {
+        orders = add("select") {
+            for (column in LogColumn.entries) for (arrow in "↓↑") add("option", "", "${column.title} $arrow")
+        }.unsafeCast<HTMLSelectElement>()
+        orders.onchange = {
+            val chosen = orders.selectedIndex
+            list(listing.copy(column = LogColumn.entries[chosen / 2], isDescending = chosen % 2 == 0))
+        }
     }
 
     private fun HTMLElement.addBox(id: String, label: String, onChange: (Boolean) -> Unit) = add("label") {
@@ -289,7 +321,7 @@ internal class FolderScreen(
         timer = window.setTimeout({
             timer = 0
             // A button must not be replaced while it is pressed.
-            if (table.isPressed || pit.isPressed) showLater() else list(listing.copy(entries = known.values.toList()))
+            if (element.matches(":active")) showLater() else list(listing.copy(entries = known.values.toList()))
         }, PAUSE)
     }
 
@@ -298,8 +330,13 @@ internal class FolderScreen(
         show()
     }
 
-    private fun check(log: OpenedLog, isChecked: Boolean) {
-        if (isChecked) checked += log.path else checked -= log.path
+    private fun act(action: Action) {
+        when (action) {
+            is FolderAction.Sort -> listing = listing.sorted(action.column)
+            is FolderAction.Check -> if (!checked.add(action.path)) checked -= action.path
+            is FolderAction.Open -> return onOpen(known.getValue(action.path), emptyList(), action.showsFinding)
+            else -> Unit
+        }
         show()
     }
 
@@ -309,11 +346,14 @@ internal class FolderScreen(
     }
 
     private fun show() {
-        if (isPit) pit.show(listing.entries, willRead = { it.isUnread && watch?.isGrowing(it.path) != true })
-        table.show(listing, checked)
-        val left = listing.entries.count { it.isUnread }
-        progress.showText(if (left == 0) listing.count else "${countOf(listing.size - left, listing.size, "log")} read")
-        groups.isHidden = listing.events < 2
+        if (isPit) pit.show(listing.entries, willRead = { it.isUnread && it.path !in listing.recording })
+        orders.selectedIndex = 2 * listing.column.ordinal + if (listing.isDescending) 0 else 1
+        table.patch(nodes.of(listOf(logTable(listing, checked, limit))))
+        val left = listing.rows.size - limit
+        more.isHidden = left <= 0
+        more.textContent = "Show more (${countText(left)} left)"
+        val unread = listing.entries.count { it.isUnread }
+        progress.showText(if (unread == 0) listing.count else "${countOf(listing.size - unread, listing.size, "log")} read")
         batteries.show(listing.entries)
         statistics.show(checked.mapNotNull(known::get))
         compare.isDisabled = checked.size < 2
@@ -325,6 +365,9 @@ internal class FolderScreen(
 
     private companion object {
         const val PIT_HINT = "The last logs in large letters (I)"
+
+        /** The number of rows added at a time. */
+        const val PAGE = 300
 
         /** Milliseconds between two updates of the table. */
         const val PAUSE = 200

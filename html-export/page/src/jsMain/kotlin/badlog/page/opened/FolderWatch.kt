@@ -16,8 +16,10 @@ internal class FolderWatch(
     private val known: Map<String, OpenedLog>,
     private val onLook: (FolderChanges) -> Unit,
 ) {
-    /** The logs that had changed at the last look. */
-    private val growing = HashSet<String>()
+    private val changing = HashSet<String>()
+
+    /** The paths of the logs that had changed at the last look. */
+    val growing: Set<String> get() = changing
     private var timer = 0
 
     /** The number of calls of [stop], which invalidate looks begun before. */
@@ -39,9 +41,6 @@ internal class FolderWatch(
         }, pause)
     }
 
-    /** Returns whether the log at [path] had changed at the last look. */
-    fun isGrowing(path: String): Boolean = path in growing
-
     /** Stops watching, until the next [start]. */
     fun stop() {
         turn++
@@ -54,8 +53,8 @@ internal class FolderWatch(
         val gone = known.keys - logs.mapTo(HashSet()) { it.path }
         // A browser does not read a file that changes meanwhile, so a log is read once it has stopped growing.
         val complete = growing - changed.mapTo(HashSet()) { it.path } - gone
-        growing.clear()
-        changed.mapTo(growing) { it.path }
+        changing.clear()
+        changed.mapTo(changing) { it.path }
         return FolderChanges(changed, gone, complete)
     }
 

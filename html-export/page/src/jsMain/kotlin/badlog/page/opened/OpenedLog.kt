@@ -38,8 +38,7 @@ internal class OpenedLog(
 
     override val size: Long get() = files.sumOf { it.served?.size ?: it.size.toDouble() }.toLong()
 
-    /** Whether its bytes are here, not only on the page's server. */
-    val isHere: Boolean get() = files.none { it.served != null }
+    override val isHere: Boolean get() = files.none { it.served != null }
 
     override val modified: Long get() = modifiedOf(files[0])
 

@@ -36,9 +36,6 @@ internal class PitView(private val onOpen: (OpenedLog) -> Unit) {
 
     private var isReading: (OpenedLog) -> Boolean = { false }
 
-    /** Whether a person is pressing something in the view. */
-    val isPressed: Boolean get() = element.matches(":active")
-
     /**
      * Shows the last of [logs].
      *

@@ -1,5 +1,6 @@
 package badlog.page.parts
 
+import badlog.core.recording.Severity
 import badlog.page.dom.Icon
 import badlog.page.pen.paint
 import badlog.page.view.Palette
@@ -8,6 +9,10 @@ import badlog.viewer.panel.Button
 import badlog.viewer.panel.Buttons
 import badlog.viewer.panel.Choice
 import badlog.viewer.panel.Code
+import badlog.viewer.panel.Entry
+import badlog.viewer.panel.EntryCell
+import badlog.viewer.panel.EntryColumn
+import badlog.viewer.panel.EntryTable
 import badlog.viewer.panel.Field
 import badlog.viewer.panel.Fold
 import badlog.viewer.panel.Heading
@@ -57,6 +62,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         is Row -> row(part)
         is Table -> table(part)
         is Picture -> picture(part)
+        is EntryTable -> entryTable(part)
     }
 
     private fun heading(heading: Heading) = Node(
@@ -147,21 +153,79 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
     private fun item(part: Part): Node = if (part is Row) row(part) else Node("li", key = part.key, children = listOf(of(part)))
 
     private fun row(row: Row): Node {
-        val severity = row.severity?.word
-        val badge = if (severity == null) emptyList() else listOf(Node("span", "severity is-$severity", severity))
+        val badge = listOfNotNull(row.severity?.let(::badge))
         val parts = if (row.isFramed) framed(row) else plain(row)
-        val pressed = { event: Event ->
-            if (event.target.asDynamic().closest("button, a") == null) row.open?.let(send) ?: Unit
-        }
         return Node(
             "li",
             row.className,
             key = row.key,
             attributes = mapOf("aria-current" to "true".takeIf { row.isCurrent }),
-            on = mapOf("click" to pressed),
+            on = pressed(row.open),
             children = badge + parts + row.tools.map { iconButton(it, "pin") },
         )
     }
+
+    /** Makes a press on a row, but not on its buttons, have the effect [open]. */
+    private fun pressed(open: Action?) = mapOf(
+        "click" to { event: Event -> if (event.target.asDynamic().closest("button, a, input") == null) open?.let(send) ?: Unit },
+    )
+
+    private fun badge(severity: Severity) = Node("span", "severity is-${severity.word}", severity.word)
+
+    private fun entryTable(table: EntryTable): Node {
+        val titles = table.columns.map { column ->
+            val order = column.isDescending?.let { if (it) "descending" else "ascending" }
+            val arrow = column.isDescending?.let { if (it) " ↓" else " ↑" }.orEmpty()
+            val sort = Node("button", "text-button", column.title + arrow, press = { column.sort?.let(send) })
+            Node("th", column.look, attributes = mapOf("aria-sort" to order), children = listOf(sort))
+        }
+        val head = Node("tr", children = listOf(Node("td")) + titles)
+        val body = table.groups.flatMap { group ->
+            val span = mapOf("colspan" to "${titles.size + 1}", "scope" to "rowgroup")
+            val texts = listOf(Node("span", text = group.title), Node("span", "unit", group.count))
+            val title = Node("tr", "row-group", key = group.title, children = listOf(Node("th", attributes = span, children = texts)))
+            listOf(title).filter { group.title.isNotEmpty() } + group.rows.map { entry(it, table.columns) }
+        }
+        return Node(
+            "table",
+            key = table.key,
+            attributes = mapOf("aria-label" to table.name),
+            children = listOf(Node("thead", children = listOf(head)), Node("tbody", children = body)),
+        )
+    }
+
+    private fun entry(row: Entry, columns: List<EntryColumn>): Node {
+        val checks = row.checks.map { check ->
+            val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
+            Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
+        }
+        val cells = columns.mapIndexed { i, column -> Node("td", column.look, children = row.cells[i].map(::entryCell)) }
+        return Node(
+            "tr",
+            if (row.isMuted) "is-gray" else "",
+            key = row.key,
+            attributes = mapOf("data-path" to row.key),
+            on = pressed(row.open),
+            children = listOf(Node("td", children = checks)) + cells,
+        )
+    }
+
+    private fun entryCell(cell: EntryCell): Node {
+        val bar = cell.share?.let {
+            Node("progress", "is-${cell.severity?.word}", attributes = mapOf("value" to "$it", "aria-hidden" to "true"))
+        }
+        val hint = mapOf("title" to cell.hint.ifEmpty { null })
+        val open = cell.open
+        val text = if (open == null) {
+            Node("span", text = cell.text, attributes = hint)
+        } else {
+            Node("button", "text-button", cell.text, attributes = hint, press = { send(open) })
+        }
+        return Node("div", children = listOfNotNull(bar ?: cell.severity?.let(::badge), text))
+    }
+
+    /** The classes of a column, by which the style sheet arranges cards. */
+    private val EntryColumn.look: String get() = if (isNumber) "$key is-number" else key
 
     private fun framed(row: Row): List<Node> {
         val lines = row.lines.mapIndexed { i, line ->

@@ -77,14 +77,14 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             choose("one.bag" to bag, "q42.bag" to Files.readAllBytes(SAMPLES.resolve("qualification-42.bag")))
             await("document.querySelector('.log-table') != null")
             await("document.querySelector('.log-table')?.textContent.includes('Browned out')")
-            evaluate("document.querySelectorAll('.log-table tbody tr').length") shouldBe "2"
+            evaluate("document.querySelectorAll('.log-table [data-path]').length") shouldBe "2"
         }
 
         browserTest("from a robot's server, it lists the robot's logs and opens one") {
             withRobot(logs()) { address ->
                 open(address)
-                await("document.querySelectorAll('.log-table tbody tr').length == 2")
-                evaluate("[...document.querySelectorAll('[data-column=FILE] button')].find(b => b.textContent == 'bench.bag').click()")
+                await("document.querySelectorAll('.log-table [data-path]').length == 2")
+                evaluate("[...document.querySelectorAll('td.MATCH button')].find(b => b.textContent == 'bench.bag').click()")
                 awaitState("ready")
                 evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
             }
@@ -114,8 +114,8 @@ internal abstract class OpeningInBrowsersSpec(vararg browsers: Browser) : FunSpe
             EmptyPage().write(folder / EmptyPage.SERVED_NAME, PageNetwork.ROBOT)
             WpilibServer(folder).use { server ->
                 open(server.addressOf(EmptyPage.SERVED_NAME))
-                await("document.querySelectorAll('.log-table tbody tr').length == 2")
-                evaluate("[...document.querySelectorAll('[data-column=FILE] button')].find(b => b.textContent == 'bench.bag').click()")
+                await("document.querySelectorAll('.log-table [data-path]').length == 2")
+                evaluate("[...document.querySelectorAll('td.MATCH button')].find(b => b.textContent == 'bench.bag').click()")
                 awaitState("ready")
                 evaluate("document.querySelector('.page-title').textContent") shouldContain "bench.bag"
             }

@@ -18,7 +18,11 @@ internal class SchemaDecoder(
 ) : PayloadDecoder() {
     private class HeldRecord(val time: Double, val payload: ByteArray)
 
-    private val held = ArrayDeque<HeldRecord>()
+    // Not a deque, which would make every page larger by 2 kB.
+    private var held = ArrayList<HeldRecord>()
+
+    /** The number of first records of [held] that were skipped. */
+    private var dropped = 0
     private var heldBytes = 0
 
     // The sizes of all payloads, once the payloads themselves need too much memory.
@@ -47,11 +51,18 @@ internal class SchemaDecoder(
     }
 
     private fun dropFirst() {
-        if (sizes == null) sizes = SizeDecoder(source).also { sizes -> for (record in held) sizes.accept(record) }
+        if (sizes == null) sizes = SizeDecoder(source).also { sizes -> for (record in held.drop(dropped)) sizes.accept(record) }
         while (heldBytes > MAX_HELD) {
-            heldBytes -= held.removeFirst().payload.size + OVERHEAD
+            heldBytes -= held[dropped].payload.size + OVERHEAD
+            dropped++
             skippedCount++
         }
+        if (dropped > held.size / 2) keepOnly(held.drop(dropped))
+    }
+
+    private fun keepOnly(records: List<HeldRecord>) {
+        held = ArrayList(records)
+        dropped = 0
     }
 
     private fun PayloadDecoder.accept(record: HeldRecord) = accept(record.time, record.payload, 0, record.payload.size)
@@ -67,7 +78,7 @@ internal class SchemaDecoder(
 
     private fun showSizes(sizes: SizeDecoder) {
         decoder = sizes
-        held.clear()
+        keepOnly(emptyList())
         skippedCount = 0
     }
 
@@ -78,8 +89,8 @@ internal class SchemaDecoder(
 
     private fun decodeBy(known: PayloadDecoder) {
         decoder = known
-        for (record in held) known.accept(record)
-        held.clear()
+        for (record in held.drop(dropped)) known.accept(record)
+        keepOnly(emptyList())
         sizes = null
         takeCounts(known)
     }

@@ -28,4 +28,7 @@ interface ListedLog {
 
     /** Whether the log has nothing to see. */
     val isGray: Boolean get() = summary.content != Content.SOMETHING
+
+    /** Whether its bytes are here, so that the rules run by themselves. */
+    val isHere: Boolean get() = true
 }

@@ -7,12 +7,20 @@ import badlog.viewer.input.KeyAction
 /** Returns the outcome of [action] from [state], for a log with the content [shown]. It is the same on the page and in the window. */
 fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (action) {
     is Action.Press -> if (shown.isOpen || action.key == KeyAction.CURSOR_VALUES) state.after(shown, action.key) else Outcome(state)
+
     is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
+
     is Action.Unfold -> Outcome(state.copy(unfolded = state.unfolded + (action.fold to action.isOpen)))
     is Action.Measure -> Outcome(state.copy(statistics = action.statistics))
+
     is FindingAction -> state.after(shown, action)
+
     is BoardAction -> state.after(shown, action)
+
     is PlaceAction -> Outcome(state.after(shown, action))
+
+    // The list of logs has a state of its own, which outlives the open log.
+    is FolderAction -> Outcome(state)
 }
 
 private fun ViewerState.after(shown: Shown, key: KeyAction): Outcome = when (key) {

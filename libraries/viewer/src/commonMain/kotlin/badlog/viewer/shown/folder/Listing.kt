@@ -19,8 +19,8 @@ import badlog.viewer.text.isoText
  * @property filter words that must all occur in a listed log, regardless of case.
  * @property hidesEmpty whether idle logs are hidden.
  * @property onlyErrors whether only logs with an error found by the rules are listed.
- * @property groupsEvents whether the logs of each event are together: first the event with the log that is sorted first.
  * @property folder the folder of the logs; its own name is not searched.
+ * @property recording the paths of the logs that are being written.
  * @property pages the number of badlog's own pages among the files of the folder; they are not listed.
  */
 data class Listing<E : ListedLog>(
@@ -30,22 +30,27 @@ data class Listing<E : ListedLog>(
     val filter: String = "",
     val hidesEmpty: Boolean = false,
     val onlyErrors: Boolean = false,
-    val groupsEvents: Boolean = false,
     val folder: String? = null,
+    val recording: Set<String> = emptySet(),
     val pages: Int = 0,
 ) {
     /** The listed logs, in order. */
     val visible: List<E> by lazy {
         val query = Query(filter)
-        entries
+        val (valued, others) = entries
             .filter { it.summary.content != Content.NO_LOG && !(hidesEmpty && it.isGray) && isFound(it, query) }
             .filter { !onlyErrors || it.found?.worst == Severity.ERROR }
             .sortedWith(order())
-            .let { sorted -> if (groupsEvents) sorted.groupBy { it.summary.match.event }.values.flatten() else sorted }
+            .partition(column::has)
+        valued + others
     }
 
-    /** The number of different events of the logs. */
-    val events: Int by lazy { entries.mapNotNullTo(HashSet()) { it.summary.match.event }.size }
+    /** The listed logs by match, in the order of the first log of each. */
+    val rows: List<MatchRun<E>> by lazy {
+        val places = HashMap<String, Int>()
+        visible.forEachIndexed { i, log -> places[log.path] = i }
+        runsOf(visible).sortedBy { run -> run.logs.minOf { places.getValue(it.path) } }
+    }
 
     /** The number of logs, listed or not. */
     val size: Int by lazy { entries.count { it.summary.content != Content.NO_LOG } }
@@ -80,22 +85,25 @@ data class Listing<E : ListedLog>(
         copy(column = column, isDescending = column.beginsDescending)
     }
 
-    private fun isFound(entry: E, query: Query) = query.isEmpty || query.matches(searchText(entry, folder))
+    /** Returns the path of [log] within the folder. */
+    fun nameOf(log: ListedLog): String = log.path.removePrefix(folder.orEmpty()).trimStart('/', '\\')
+
+    private fun isFound(entry: E, query: Query) = query.isEmpty || query.matches(searchText(entry))
+
+    private fun searchText(log: E): String = buildString {
+        val facts = with(log.summary.match) { listOf(event, type, number, alliance, shortTitle(this)) }
+        for (fact in facts) if (fact != null) append(fact).append('\n')
+        for (rule in log.found?.rules.orEmpty()) append(rule.name).append('\n')
+        append(dateText(log.summary.date.second)).append('\n').append(isoText(log.summary.date.second)).append('\n')
+        append(nameOf(log))
+    }
 
     private fun order(): Comparator<E> {
-        val present = if (isDescending) column.order.reversed() else column.order
-        return compareBy<E> { !column.has(it) }
-            .then { a, b -> if (column.has(a)) present.compare(a, b) else 0 }
+        val ordered: Comparator<in E> = if (isDescending) column.order.reversed() else column.order
+        return Comparator<E> { a, b -> ordered.compare(a, b) }
             .thenByDescending { it.summary.date.second }
             .thenByDescending { it.modified }
             .thenBy(NaturalOrder) { it.fileName }
             .thenBy { it.path }
     }
-}
-
-private fun searchText(log: ListedLog, folder: String?): String = buildString {
-    for (fact in with(log.summary.match) { listOf(event, type, number, alliance) }) if (fact != null) append(fact).append('\n')
-    for (rule in log.found?.rules.orEmpty()) append(rule.name).append('\n')
-    append(dateText(log.summary.date.second)).append('\n').append(isoText(log.summary.date.second)).append('\n')
-    append(if (folder == null) log.path else log.path.removePrefix(folder))
 }

@@ -33,10 +33,10 @@ fun durationText(log: ListedLog): String? {
  */
 fun batteryText(log: ListedLog): String? = log.summary.batteryMinimum?.let { "${fixedText(floor(it * 100 + 1e-6) / 100, 2)} V" }
 
-/** Returns the number of errors and warnings; null if there are none. */
+/** Returns the number of errors and warnings as `2 problems`; null if there are none. */
 fun problemText(log: ListedLog): String? = when {
     !log.isReadable -> "unreadable"
-    else -> (log.summary.problems.errors + log.summary.problems.warnings).takeIf { it > 0 }?.toString()
+    else -> (log.summary.problems.errors + log.summary.problems.warnings).takeIf { it > 0 }?.let { countText(it, "problem") }
 }
 
 /** The severity of the worst error or warning among its problems; null if there are none. */
@@ -62,15 +62,16 @@ fun problemSentence(log: ListedLog): String = log.summary.trouble ?: with(log.su
 private fun counted(count: Int, what: String) = if (count == 0) null else countText(count, what)
 
 /**
- * Returns the worst finding, and the number of others: `Browned out +3`. It is null if nothing was found or the log is idle, `…` until the
- * rules have run, and `–` if they cannot run.
+ * Returns what happened, as a sentence without a full stop, and the number of other rules that found something: `Browned out at 1:33 +3`.
+ * It is null if nothing was found or the log is idle, `…` until the rules have run, and `–` if they cannot run. The rules do not run by
+ * themselves over a log that is elsewhere.
  */
 fun foundText(log: ListedLog): String? {
     if (log.isGray) return null
-    val found = log.found ?: return "…"
+    val found = log.found ?: return "…".takeIf { log.isHere }
     val rules = found.rules ?: return NO_NUMBER
-    val first = rules.firstOrNull() ?: return null
-    return if (rules.size > 1) "${first.name} +${rules.size - 1}" else first.name
+    val first = found.verdict?.headline ?: rules.firstOrNull()?.name ?: return null
+    return if (rules.size > 1) "$first +${rules.size - 1}" else first
 }
 
 /** Returns all findings of the rules, one per line; may be empty. */

@@ -41,10 +41,6 @@ fun pitEmptiness(logs: List<ListedLog>, isReading: Boolean): String = when {
  */
 fun pitFacts(log: ListedLog): String = listOfNotNull(LogColumn.DATE.text(log), durationText(log), batteryText(log)).joinToString(" · ")
 
-/** Returns the paths of the [logs] that share their run with others: the match alone does not distinguish them. */
-fun sameMatches(logs: List<ListedLog>): Set<String> =
-    runsOf(logs).filter { it.logs.size > 1 }.flatMapTo(HashSet()) { run -> run.logs.map { it.path } }
-
 /**
  * Returns the readable [logs] of robots. Tables of numbers count only if there are no other logs: they may be about anything, and usually
  * only the file's time shows how old they are.

@@ -23,7 +23,7 @@ internal fun variantsOf(word: String): List<String> {
  */
 internal fun occursIn(text: String, variant: String): Boolean {
     var at = text.indexOf(variant)
-    while (at > 0 && variant.length < LONG && text[at - 1].isLetter()) at = text.indexOf(variant, at + 1)
+    while (at > 0 && variant.length < LONG && text[at - 1] in 'a'..'z') at = text.indexOf(variant, at + 1)
     return at >= 0
 }
 

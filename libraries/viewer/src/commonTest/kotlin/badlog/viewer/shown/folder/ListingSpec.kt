@@ -11,9 +11,12 @@ import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.LogDate
 import badlog.viewer.catalog.LogSummary
 import badlog.viewer.catalog.ProblemCounts
+import badlog.viewer.catalog.Verdict
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.arbitrary
@@ -73,18 +76,48 @@ class ListingSpec : FunSpec({
         listing.copy(filter = "bench").count shouldBe "1 of 4 logs"
     }
 
-    test("match 9 is before match 10, and logs without a match are last in either order") {
-        val byNumber = listing.sorted(LogColumn.NUMBER)
-        names(byNumber) shouldContainExactly listOf("a.bag", "b.bag", "reboot.bag", "bench.csv")
-        names(byNumber.sorted(LogColumn.NUMBER)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")
+    test("match 9 is before match 10, and logs without a match are last in either order, sorted by name") {
+        val byMatch = listing.sorted(LogColumn.MATCH)
+        names(byMatch) shouldContainExactly listOf("a.bag", "b.bag", "bench.csv", "reboot.bag")
+        names(byMatch.sorted(LogColumn.MATCH)) shouldContainExactly listOf("b.bag", "a.bag", "reboot.bag", "bench.csv")
     }
 
-    test("logs of one event are together, in the order of the first log of each") {
+    test("logs of one match are one row, at the place of the first of them") {
+        val station = log("logs/9.dslog", MatchOfLog(null, "Qualification", "9"), 150)
+        val rows = Listing(listOf(match10, match9, station, bench)).rows
+        rows.map { row -> row.logs.map { it.fileName } } shouldBe listOf(listOf("9.dslog", "a.bag"), listOf("b.bag"), listOf("bench.csv"))
+        val ascending = Listing(listOf(match10, match9, station, bench), isDescending = false).rows
+        ascending.map { it.worst.fileName } shouldBe listOf("bench.csv", "a.bag", "b.bag")
+    }
+
+    test("a list has the title of the match in few letters, and a search finds it") {
+        shortTitle(MatchOfLog("Mill Creek Regional", "Qualification", "42")) shouldBe "Q42 · Mill Creek"
+        shortTitle(MatchOfLog("OHCL", "Semifinal", "2-1")) shouldBe "SF2-1 · OHCL"
+        shortTitle(MatchOfLog(null, "Exhibition", "3")) shouldBe "Exhibition 3"
+        shortTitle(MatchOfLog(null, null, "3")) shouldBe "Match 3"
+        shortTitle(MatchOfLog("OHCL")) shouldBe "OHCL"
+        shortTitle(MatchOfLog()) shouldBe null
+        names(listing.copy(filter = "q10")) shouldContainExactly listOf("b.bag")
+    }
+
+    test("a long file name loses whole words in its middle; a single long word is left whole") {
+        shortFileName("FRC_20260307_163005_OHCL_Q57.bag.gz") shouldBe "FRC_20260307_163005_OHCL_Q57.bag.gz"
+        shortFileName("practice/FRC_20260307_163005_OHCL_Q57.bag.gz") shouldBe "practice/FRC_…163005_OHCL_Q57.bag.gz"
+        shortFileName("a".repeat(50)) shouldBe "a".repeat(50)
+        checkAll(Arb.list(Arb.int(1..9), 1..12)) { lengths ->
+            val words = lengths.map { "abcdefghi".take(it) }
+            val name = words.joinToString("_")
+            val short = shortFileName(name)
+            short.length shouldBeLessThanOrEqual maxOf(36, if (short == name) name.length else 0)
+            words shouldContainAll short.split('_', '…').filter { it.isNotEmpty() }
+        }
+    }
+
+    test("sorted by match, the logs of one event are together") {
         val other = log("logs/c.bag", MatchOfLog("Beta District", "Qualification", "1", "Red"), 250)
         val all = Listing(listOf(match10, other, match9, bench), folder = "logs")
         names(all) shouldContainExactly listOf("a.bag", "c.bag", "b.bag", "bench.csv")
-        names(all.copy(groupsEvents = true)) shouldContainExactly listOf("a.bag", "b.bag", "c.bag", "bench.csv")
-        all.events shouldBe 2
+        names(all.sorted(LogColumn.MATCH)) shouldContainExactly listOf("c.bag", "a.bag", "b.bag", "bench.csv")
     }
 
     test("all words must occur, regardless of case, anywhere but in the folder's own name, including findings") {
@@ -132,10 +165,12 @@ class ListingSpec : FunSpec({
         LogColumn.BATTERY.text(log("a.bag", battery = 6.8)) shouldBe "6.80 V"
     }
 
-    test("the text of findings is the worst name and the number of others, … while the rules run, and – if they cannot") {
+    test("the text of findings is the main sentence, or the worst name, and the number of others, … while the rules run, and – if they cannot") {
         val two = listOf(FoundRule("Browned out", Severity.ERROR), FoundRule("Loop slow", Severity.WARNING))
         foundText(log("a.bag", found = two)) shouldBe "Browned out +1"
         foundText(log("a.bag")) shouldBe null
+        val verdict = Verdict(Severity.ERROR, "Browned out at 1:33", listOf("It browned out."))
+        foundText(log("a.bag").copy(found = FindingSummary(0, two, verdict))) shouldBe "Browned out at 1:33 +1"
         foundText(log("a.bag").copy(found = null)) shouldBe "…"
         foundText(log("a.bag").copy(found = FindingSummary(0, null))) shouldBe "–"
         foundLines(log("a.bag", found = two)) shouldBe "error: Browned out\nwarning: Loop slow"

@@ -1,4 +1,4 @@
-package badlog.window.folder
+package badlog.window.panel
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.runtime.Composable
@@ -7,35 +7,16 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.PointMode
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import badlog.catalog.folder.LogEntry
 import badlog.core.analysis.Span
 import badlog.viewer.catalog.PreviewLine
 import badlog.viewer.catalog.TopicSummary
+import badlog.viewer.panel.Preview
 
-/**
- * The preview of each of [entries]: the topic called [name], or otherwise the battery voltage. All are drawn to the same scale, so that
- * they can be compared at a glance.
- */
-internal class Previews(entries: List<LogEntry>, private val name: String?) {
-    /** The drawn range of y; null if there is nothing to draw. */
-    val range: Span? = commonRange(entries.mapNotNull(::of).filter { it.statistics.count > 0 })
-
-    /** Returns the previewed topic of [entry]; null if it has no such topic. */
-    fun of(entry: LogEntry): TopicSummary? = (name ?: entry.summary.batteryTopic)?.let(entry.summary::topic)
-}
-
-/** Returns a range for nearly all values of [topics]. A single log with a wild value must not flatten the others. */
-private fun commonRange(topics: List<TopicSummary>): Span? {
-    if (topics.isEmpty()) return null
-    val lows = topics.map { it.statistics.min }.sorted()
-    val highs = topics.map { it.statistics.max }.sorted()
-    val outliers = topics.size / 20
-    return Span(lows[outliers], maxOf(lows[outliers], highs[highs.lastIndex - outliers]))
-}
-
-/** Draws a preview of [topic] in the available room, with [range] from bottom to top. */
+/** Draws [preview] in the available room. */
 @Composable
-internal fun PreviewCurve(topic: TopicSummary, range: Span, color: Color, modifier: Modifier = Modifier) {
+internal fun PreviewCurve(preview: Preview, color: Color, modifier: Modifier = Modifier) {
+    val topic = preview.topic
+    val range = preview.range
     Canvas(modifier) {
         var run = ArrayList<Offset>()
         for (column in 0 until PreviewLine.COLUMNS) {

@@ -1,0 +1,246 @@
+package badlog.window.panel
+
+import androidx.compose.foundation.HorizontalScrollbar
+import androidx.compose.foundation.VerticalScrollbar
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.gestures.detectTapGestures
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.hoverable
+import androidx.compose.foundation.interaction.MutableInteractionSource
+import androidx.compose.foundation.interaction.collectIsHoveredAsState
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListScope
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.rememberScrollbarAdapter
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Icon
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.onClick
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.EntryCell
+import badlog.viewer.panel.EntryColumn
+import badlog.viewer.panel.EntryGroup
+import badlog.viewer.panel.EntryTable
+import badlog.viewer.panel.Entry
+import badlog.viewer.state.Action
+import badlog.window.theme.Icons
+import badlog.window.theme.LocalPalette
+
+/**
+ * Shows [table]; its rows scroll below its titles.
+ *
+ * @param selected the key of the selected row; null for none.
+ * @param open the key of the row with the open log; null for none.
+ * @param onSelect called with the row that a person presses.
+ */
+@Composable
+internal fun EntryTableView(
+    table: EntryTable,
+    send: (Action) -> Unit,
+    list: LazyListState = rememberLazyListState(),
+    selected: String? = null,
+    open: String? = null,
+    onSelect: (Entry) -> Unit = {},
+) {
+    val sideways = rememberScrollState()
+    BoxWithConstraints(Modifier.fillMaxSize()) {
+        val widths = remember(table, maxWidth) { widthsOf(table, maxWidth) }
+        Column(Modifier.fillMaxSize().horizontalScroll(sideways).width(CHECKS + widths.reduce(Dp::plus))) {
+            TableHead(table, widths, send)
+            HorizontalDivider()
+            LazyColumn(Modifier.weight(1f).padding(bottom = 8.dp), list) {
+                rows(table) { row ->
+                    EntryView(row, table.columns, widths, row.key == open, row.key == selected, { onSelect(row) }, send)
+                }
+            }
+        }
+        VerticalScrollbar(rememberScrollbarAdapter(list), Modifier.align(Alignment.CenterEnd).fillMaxHeight())
+        HorizontalScrollbar(rememberScrollbarAdapter(sideways), Modifier.align(Alignment.BottomCenter).fillMaxWidth())
+    }
+}
+
+/** Adds the groups of [table] to a list, with their titles. */
+internal fun LazyListScope.rows(table: EntryTable, row: @Composable (Entry) -> Unit) {
+    for (group in table.groups) {
+        if (group.title.isNotEmpty()) item("group ${group.title}") { GroupTitle(group) }
+        items(group.rows, key = { it.key }) { row(it) }
+    }
+}
+
+/** The width of the check boxes. */
+private val CHECKS: Dp = 34.dp
+
+/** Returns the widths of the columns of [table], in the width [available]: enough for their texts, and in proportion for the rest. */
+private fun widthsOf(table: EntryTable, available: Dp): List<Dp> {
+    val rows = table.groups.flatMap { it.rows }
+    val needed = table.columns.mapIndexed { i, column ->
+        val letters = rows.maxOfOrNull { row -> row.cells[i].maxOfOrNull(::lettersOf) ?: 0 } ?: 0
+        maxOf(column.title.length + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) + 2 * GAP
+    }
+    val share = maxOf(1f, (available - CHECKS).value / needed.sum())
+    return needed.map { (it * share).dp }
+}
+
+private fun lettersOf(cell: EntryCell) = cell.text.length + when {
+    cell.preview != null -> PREVIEW_LETTERS
+    cell.share != null || cell.severity != null -> MARK_LETTERS
+    else -> 0
+}
+
+/** The titles of the columns of [table]; a click sorts. */
+@Composable
+private fun TableHead(table: EntryTable, widths: List<Dp>, send: (Action) -> Unit) {
+    val palette = LocalPalette.current
+    Row(Modifier.fillMaxWidth().background(palette.raised).padding(start = CHECKS)) {
+        table.columns.forEachIndexed { i, column ->
+            val sort = column.sort
+            val sorts = if (sort == null) {
+                Modifier
+            } else {
+                Modifier
+                    .clickable(role = Role.Button) { send(sort) }
+                    .focusProperties { canFocus = false }
+                    .semantics { contentDescription = "Sort by ${column.title}" }
+            }
+            Row(
+                Modifier.width(widths[i]).then(sorts).padding(horizontal = GAP.dp, vertical = 6.dp),
+                column.arrangement,
+                Alignment.CenterVertically,
+            ) {
+                val isDescending = column.isDescending
+                val color = if (isDescending != null) palette.accent else palette.muted
+                Text(
+                    column.title,
+                    color = color,
+                    fontSize = 12.sp,
+                    fontWeight = FontWeight.SemiBold,
+                    maxLines = 1,
+                    overflow = TextOverflow.Ellipsis,
+                )
+                if (isDescending != null) Icon(if (isDescending) Icons.Down else Icons.Up, null, Modifier.size(12.dp), color)
+            }
+        }
+    }
+}
+
+/** The title of [group], with its count. */
+@Composable
+private fun GroupTitle(group: EntryGroup) {
+    Row(Modifier.fillMaxWidth().padding(start = 12.dp, end = 12.dp, top = 10.dp, bottom = 4.dp), Arrangement.spacedBy(8.dp)) {
+        Text(
+            group.title,
+            Modifier.weight(1f, fill = false),
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+        Text(group.count, color = LocalPalette.current.muted, maxLines = 1)
+    }
+}
+
+/** Shows [row] of a table with [columns]. A press selects it, a double click opens it. */
+@Composable
+private fun EntryView(
+    row: Entry,
+    columns: List<EntryColumn>,
+    widths: List<Dp>,
+    isOpen: Boolean,
+    isSelected: Boolean,
+    onSelect: () -> Unit,
+    send: (Action) -> Unit,
+) {
+    val palette = LocalPalette.current
+    val select by rememberUpdatedState(onSelect)
+    val open by rememberUpdatedState { send(row.open) }
+    val interactions = remember { MutableInteractionSource() }
+    val isHovered by interactions.collectIsHoveredAsState()
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .background(rowColor(palette, isSelected, isHovered))
+            .hoverable(interactions)
+            .pointerInput(Unit) { detectTapGestures(onPress = { select() }, onDoubleTap = { open() }) }
+            .semantics {
+                contentDescription = "Log ${row.name}"
+                selected = isSelected
+                onClick("Open") {
+                    open()
+                    true
+                }
+            },
+    ) {
+        Column(Modifier.width(CHECKS).padding(start = 4.dp)) {
+            for (check in row.checks) LineOf(Arrangement.Start) { CheckView(check, send) }
+        }
+        columns.forEachIndexed { i, column ->
+            Column(Modifier.width(widths[i]).padding(horizontal = GAP.dp)) {
+                for (cell in row.cells[i]) {
+                    LineOf(column.arrangement) {
+                        val color = if (row.isMuted) {
+                            palette.muted
+                        } else if (isOpen) {
+                            palette.accent
+                        } else {
+                            palette.text
+                        }
+                        val weight = if (i == 0) FontWeight.SemiBold else FontWeight.Normal
+                        CellView(cell, row.name, color, weight, isHovered, send)
+                    }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun LineOf(arrangement: Arrangement.Horizontal, content: @Composable () -> Unit) {
+    Row(Modifier.fillMaxWidth().height(28.dp), arrangement, Alignment.CenterVertically) { content() }
+}
+
+private val EntryColumn.arrangement: Arrangement.Horizontal get() = if (isNumber) Arrangement.End else Arrangement.Start
+
+/** The width of a letter, in dp. */
+private const val LETTER = 7.5f
+
+/** The width of a digit, in dp. */
+private const val DIGIT = 8.2f
+
+/** The space beside a text, in dp. */
+private const val GAP = 8
+
+/** The maximum number of letters in a column, unless there is room for more. */
+private const val MAX_LETTERS = 44
+
+private const val PREVIEW_LETTERS = 18
+private const val MARK_LETTERS = 10

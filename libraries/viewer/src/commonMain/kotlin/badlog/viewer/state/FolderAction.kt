@@ -1,0 +1,15 @@
+package badlog.viewer.state
+
+import badlog.viewer.shown.folder.LogColumn
+
+/** A person's action on the list of a folder's logs. */
+sealed interface FolderAction : Action {
+    /** Sorts the logs by [column]; in the opposite order if they already are. */
+    class Sort(val column: LogColumn) : FolderAction
+
+    /** Checks the log at [path] for a comparison, or unchecks it. */
+    class Check(val path: String) : FolderAction
+
+    /** Opens the log at [path]; at its worst finding if it [showsFinding]. */
+    class Open(val path: String, val showsFinding: Boolean) : FolderAction
+}
