@@ -26,9 +26,9 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.Entry
 import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.EntryTable
-import badlog.viewer.panel.Entry
 import badlog.viewer.panel.folder.PREVIEW
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.state.Action

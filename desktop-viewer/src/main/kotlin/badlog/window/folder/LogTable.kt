@@ -61,7 +61,13 @@ private fun Table(library: Library, settings: SettingsStore, shown: ShownLogs, a
             .focusable()
             .semantics { contentDescription = "Table of logs" },
     ) {
-        EntryTableView(table, sendTo(library, list, actions, actions.openInGraphs), list, selected, library.state.rowOf(shown.open)) { row ->
+        EntryTableView(
+            table,
+            sendTo(library, list, actions, actions.openInGraphs),
+            list,
+            selected,
+            library.state.rowOf(shown.open),
+        ) { row ->
             focus.requestFocus()
             library.select(Path.of(row.key))
         }

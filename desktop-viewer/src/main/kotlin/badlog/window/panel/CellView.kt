@@ -29,8 +29,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import badlog.core.recording.Severity
-import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.Check
+import badlog.viewer.panel.EntryCell
 import badlog.viewer.state.Action
 import badlog.viewer.text.word
 import badlog.window.findings.findingColor

@@ -48,11 +48,11 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.Entry
 import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.EntryColumn
 import badlog.viewer.panel.EntryGroup
 import badlog.viewer.panel.EntryTable
-import badlog.viewer.panel.Entry
 import badlog.viewer.state.Action
 import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette

@@ -11,6 +11,7 @@ fun reduce(state: ViewerState, shown: Shown, action: Action): Outcome = when (ac
     is Action.Ask -> if (shown.isOpen) Outcome(state, action.request) else Outcome(state)
 
     is Action.Unfold -> Outcome(state.copy(unfolded = state.unfolded + (action.fold to action.isOpen)))
+
     is Action.Measure -> Outcome(state.copy(statistics = action.statistics))
 
     is FindingAction -> state.after(shown, action)

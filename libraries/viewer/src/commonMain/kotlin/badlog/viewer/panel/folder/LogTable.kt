@@ -2,12 +2,12 @@ package badlog.viewer.panel.folder
 
 import badlog.core.recording.Severity
 import badlog.viewer.catalog.ListedLog
-import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.Check
+import badlog.viewer.panel.Entry
+import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.EntryColumn
 import badlog.viewer.panel.EntryGroup
 import badlog.viewer.panel.EntryTable
-import badlog.viewer.panel.Entry
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.MatchRun

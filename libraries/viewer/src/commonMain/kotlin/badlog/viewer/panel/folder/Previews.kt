@@ -3,12 +3,12 @@ package badlog.viewer.panel.folder
 import badlog.core.analysis.Span
 import badlog.viewer.catalog.ListedLog
 import badlog.viewer.catalog.TopicSummary
+import badlog.viewer.panel.Entry
 import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.EntryColumn
-import badlog.viewer.panel.Preview
 import badlog.viewer.panel.EntryGroup
 import badlog.viewer.panel.EntryTable
-import badlog.viewer.panel.Entry
+import badlog.viewer.panel.Preview
 import badlog.viewer.shown.folder.LogColumn
 
 /**
