@@ -120,7 +120,7 @@ internal fun LogSearch(library: Library, onOpen: (LogEntry) -> Unit, modifier: M
         .onPreviewKeyEvent {
             val opens = it.type == KeyEventType.KeyDown && (it.key == Key.Enter || it.key == Key.NumPadEnter)
             if (opens) {
-                library.state.visible.firstOrNull()?.let(onOpen)
+                library.state.listing.rows.firstOrNull()?.worst?.let(onOpen)
                 keyboard.clearFocus()
             }
             opens

@@ -49,12 +49,14 @@ internal data class LibraryState(
 
     /** Returns the state for another [folder], still without logs, listed like this one but unfiltered. */
     fun opening(folder: Path): LibraryState =
-        LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder"))
+        LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder", recording = emptySet()))
 
-    /** Returns the same folder with [entries]. A log that grows is being recorded, until the rules have run over it. */
+    /** Returns the same folder with [entries]. A log that grows is being recorded, until the rules have run over it, if they ever do. */
     fun withEntries(entries: List<LogEntry>): LibraryState {
         val before = listing.entries.associate { it.path to it.size }
-        val recording = entries.filter { it.found == null && (it.path in listing.recording || (before[it.path] ?: it.size) < it.size) }
+        val recording = entries.filter {
+            it.found == null && ((it.path in listing.recording && !it.isGray) || (before[it.path] ?: it.size) < it.size)
+        }
         return copy(listing = listing.copy(entries = entries, recording = recording.mapTo(HashSet()) { it.path }))
     }
 
@@ -80,7 +82,8 @@ internal data class LibraryState(
     fun stepped(steps: Int): LogEntry? {
         val rows = listing.rows
         if (rows.isEmpty()) return null
-        val at = rows.indexOfFirst { it.worst.path == selectedRow }
+        val selected = selectedRow
+        val at = rows.indexOfFirst { it.worst.path == selected }
         return rows[if (at < 0) (if (steps > 0) 0 else rows.lastIndex) else (at + steps).coerceIn(rows.indices)].worst
     }
 

@@ -15,6 +15,7 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.selected
@@ -26,6 +27,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import badlog.viewer.panel.Check
 import badlog.viewer.panel.Entry
 import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.EntryTable
@@ -51,6 +53,7 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
     val cells = table.columns.zip(row.cells) { column, cells -> column.key to cells }.toMap()
     fun of(column: LogColumn) = cells[column.name].orEmpty()
     val facts = FACTS.flatMap { of(it) }
+    val files = of(LogColumn.FILE)
     Row(
         Modifier
             .fillMaxWidth()
@@ -62,7 +65,7 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
                 selected = isOpen
             },
     ) {
-        Column(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) { for (check in row.checks) CheckView(check, send) }
+        Column(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) { if (files.size < 2) for (check in row.checks) CheckView(check, send) }
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             val color = if (row.isMuted) palette.muted else palette.text
             for (title in of(LogColumn.MATCH)) NameText(title.text, color = color, fontWeight = FontWeight.SemiBold, cut = NameCut.FILE)
@@ -76,16 +79,18 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
                     PreviewCurve(it, line, Modifier.fillMaxWidth().padding(top = 3.dp).height(16.dp))
                 }
             }
-            val files = of(LogColumn.FILE)
-            if (files.size > 1) for (file in files) FileLine(file, send)
+            if (files.size > 1) files.forEachIndexed { i, file -> FileLine(file, row.checks.getOrNull(i), send) }
         }
     }
 }
 
 @Composable
-private fun FileLine(file: EntryCell, send: (Action) -> Unit) {
+private fun FileLine(file: EntryCell, check: Check?, send: (Action) -> Unit) {
     val press = file.open?.let { open -> Modifier.clickable { send(open) } } ?: Modifier
-    NameText(file.text, press, LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.FILE)
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        if (check != null) CheckView(check, send)
+        NameText(file.text, press, LocalPalette.current.muted, fontSize = 12.sp, cut = NameCut.FILE)
+    }
 }
 
 @Composable

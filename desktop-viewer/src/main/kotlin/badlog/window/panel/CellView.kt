@@ -40,15 +40,22 @@ import badlog.window.theme.Palette
 import badlog.window.theme.Tip
 
 /**
- * Shows [cell].
+ * Shows [cell]. A press has the effect [open]; null for the effect of the row.
  *
  * @param row the name of its row for screen readers, which they say if a press on it has an effect of its own.
  * @param isHovered whether the pointer is over its row.
  */
 @Composable
-internal fun CellView(cell: EntryCell, row: String, color: Color, weight: FontWeight, isHovered: Boolean, send: (Action) -> Unit) {
+internal fun CellView(
+    cell: EntryCell,
+    row: String,
+    color: Color,
+    weight: FontWeight,
+    isHovered: Boolean,
+    send: (Action) -> Unit,
+    open: Action? = cell.open,
+) {
     val palette = LocalPalette.current
-    val open = cell.open
     val pressed = if (open == null) {
         Modifier
     } else {

@@ -215,7 +215,8 @@ private fun EntryView(
                             palette.text
                         }
                         val weight = if (i == 0) FontWeight.SemiBold else FontWeight.Normal
-                        CellView(cell, row.name, color, weight, isHovered, send)
+                        // A press on the title selects the row, like one beside it.
+                        CellView(cell, row.name, color, weight, isHovered, send, cell.open.takeIf { i > 0 })
                     }
                 }
             }

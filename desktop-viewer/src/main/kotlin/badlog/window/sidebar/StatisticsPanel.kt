@@ -39,26 +39,26 @@ import kotlinx.coroutines.withContext
 /** The statistics of every drawn topic, see [statisticsOf]. */
 @Composable
 internal fun StatisticsPanel(compared: ComparedRecordings, board: GraphBoard, view: AxisView, open: OpenRecording, modifier: Modifier) {
-    val parts by produceState<List<Part>?>(null, open) {
+    val known by produceState<Pair<NamedSpan, List<Part>>?>(null, open) {
         // While the selection is dragged, only the latest that there was time for is calculated.
         snapshotFlow { statisticsInput(compared, board, view, open) }.conflate().map { asked ->
-            withContext(Dispatchers.Default) { asked.parts(open) }
+            withContext(Dispatchers.Default) { asked.part to asked.parts(open) }
         }.collect { value = it }
     }
-    val known = parts ?: return
+    val (part, parts) = known ?: return
     Column(modifier) {
-        Head(known, view, open)
-        PanelView(known, goal = null, view::send, Modifier.weight(1f))
+        Head(part, parts, view, open)
+        PanelView(parts, goal = null, view::send, Modifier.weight(1f))
     }
 }
 
 @Composable
-private fun Head(known: List<Part>, view: AxisView, open: OpenRecording) {
+private fun Head(part: NamedSpan, parts: List<Part>, view: AxisView, open: OpenRecording) {
     val copy = rememberCopy()
     Row(verticalAlignment = Alignment.CenterVertically) {
         PartView(rangeChoice(view.place, open.enabled, view.statistics), view::send, Modifier.weight(1f))
         ToolButton("Copy the statistics", Icons.Copy, text = "Copy") {
-            copy(tsvOf(known.filterIsInstance<Table>(), view.place.spanOf(view.statistics.range, open.enabled)))
+            copy(tsvOf(parts.filterIsInstance<Table>(), part))
         }
     }
 }

@@ -52,6 +52,14 @@ class LibraryStateSpec : FunSpec({
         growing.withEntries(listOf(grown.copy(found = FindingSummary(0, emptyList())))).listing.recording shouldBe emptySet()
     }
 
+    test("an idle log over which no rule ever runs is recorded only while it grows; another folder begins with none") {
+        val grown = reboot.copy(source = reboot.source.copy(size = reboot.source.size + 1), found = null)
+        val growing = state.withEntries(listOf(grown))
+        growing.listing.recording shouldBe setOf(grown.path)
+        growing.withEntries(listOf(grown)).listing.recording shouldBe emptySet()
+        growing.opening(match9.file.parent).listing.recording shouldBe emptySet()
+    }
+
     test("another folder is listed like the previous one, from its beginning") {
         val next = state.sorted(LogColumn.SIZE).hidingEmpty(true).filtered("mill").opening(match9.file.parent)
         next.listing.column shouldBe LogColumn.SIZE

@@ -334,7 +334,8 @@ internal class FolderScreen(
         when (action) {
             is FolderAction.Sort -> listing = listing.sorted(action.column)
             is FolderAction.Check -> if (!checked.add(action.path)) checked -= action.path
-            is FolderAction.Open -> return onOpen(known.getValue(action.path), emptyList(), action.showsFinding)
+            // It may have been removed since it was listed.
+            is FolderAction.Open -> return known[action.path]?.let { onOpen(it, emptyList(), action.showsFinding) } ?: Unit
             else -> Unit
         }
         show()

@@ -177,7 +177,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             val order = column.isDescending?.let { if (it) "descending" else "ascending" }
             val arrow = column.isDescending?.let { if (it) " ↓" else " ↑" }.orEmpty()
             val sort = Node("button", "text-button", column.title + arrow, press = { column.sort?.let(send) })
-            Node("th", column.look, attributes = mapOf("aria-sort" to order), children = listOf(sort))
+            Node("th", column.look, key = column.key, attributes = mapOf("aria-sort" to order), children = listOf(sort))
         }
         val head = Node("tr", children = listOf(Node("td")) + titles)
         val body = table.groups.flatMap { group ->
@@ -199,7 +199,7 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
             val attributes = mapOf("type" to "checkbox", "aria-label" to check.label, "checked" to "".takeIf { check.isOn })
             Node("input", attributes = attributes, on = mapOf("change" to { _: Event -> send(check.action) }))
         }
-        val cells = columns.mapIndexed { i, column -> Node("td", column.look, children = row.cells[i].map(::entryCell)) }
+        val cells = columns.mapIndexed { i, column -> Node("td", column.look, key = column.key, children = row.cells[i].map(::entryCell)) }
         return Node(
             "tr",
             if (row.isMuted) "is-gray" else "",

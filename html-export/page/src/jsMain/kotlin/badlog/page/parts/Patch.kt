@@ -1,6 +1,8 @@
 package badlog.page.parts
 
 import badlog.page.dom.element
+import badlog.page.dom.focusInPlace
+import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
 /**
@@ -14,6 +16,7 @@ internal fun HTMLElement.patch(nodes: List<Node>) {
         for (i in nodes.indices) before[i].update(nodes[i])
         return
     }
+    val focused = document.activeElement
     val known = before.associateBy { it.asDynamic().badlogId as String }
     val ids = nodes.mapIndexed { i, node -> "${node.tag} ${node.key.ifEmpty { "$i" }}" }
     val wanted = ids.toHashSet()
@@ -22,10 +25,12 @@ internal fun HTMLElement.patch(nodes: List<Node>) {
     var place = firstElementChild
     shown = ids.zip(nodes) { id, node ->
         val child = known[id] ?: made(node, id)
-        child.update(node)
         if (child === place) place = child.nextElementSibling else insertBefore(child, place)
+        child.update(node)
         child
     }
+    // An element that was moved has lost the focus.
+    if (focused != null && focused !== document.activeElement && contains(focused)) focused.focusInPlace()
 }
 
 private fun made(node: Node, id: String): HTMLElement = element(node.tag).apply {
@@ -59,6 +64,8 @@ private fun HTMLElement.update(node: Node) {
         for (name in before?.attributes.orEmpty().keys) if (node.attributes[name] == null) removeAttribute(name)
         for ((name, value) in node.attributes) if (value != null && before?.attributes?.get(name) != value) setAttribute(name, value)
     }
+    // The attribute does not count any more once a person has pressed the box.
+    if (node.attributes["type"] == "checkbox") asDynamic().checked = node.attributes["checked"] != null
     if (node.text != before?.text) {
         textContent = node.text.orEmpty()
         shown = emptyList()

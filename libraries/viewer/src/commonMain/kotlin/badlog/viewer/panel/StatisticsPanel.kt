@@ -67,13 +67,14 @@ fun rangeChoice(place: Place, enabled: List<EnabledSpan>, state: StatisticsState
         else -> "Visible"
     }
     val ranges = StatisticsRange.entries.filter { it != StatisticsRange.ENABLED || enabled.isNotEmpty() }
+    val chosen = state.range.takeIf { it in ranges } ?: StatisticsRange.SHOWN
     val options = ranges.map { range ->
         val label = when (range) {
             StatisticsRange.SHOWN -> shown
             StatisticsRange.ENABLED -> "Enabled"
             StatisticsRange.ALL -> "All"
         }
-        Button(label, Action.Measure(state.copy(range = range)), isOn = range == state.range)
+        Button(label, Action.Measure(state.copy(range = range)), isOn = range == chosen)
     }
     return Choice("range", "Statistics of", options)
 }
@@ -106,7 +107,8 @@ private class StatisticsTables(
         val below = ArrayList<Part>()
         val rows = numbers.map { line ->
             val found = line.line.statistics(partsOf(line))
-            val key = "histogram ${line.line.name}"
+            // The name of the topic, since lines of two folders may have the same name.
+            val key = "histogram ${line.line.topic.name} ${line.line.name}"
             val isOpen = unfolded[key] == true
             val open =
                 Button("Histogram of ${line.name}: ${Histogram.HINT}", Action.Unfold(key, !isOpen), PartIcon.HISTOGRAM, isOn = isOpen)

@@ -105,6 +105,20 @@ class StatisticsPanelSpec : FunSpec({
         statistics(view.measured("Mode"), all).tables().single().rows.first().tools.shouldBeEmpty()
     }
 
+    test("two lines whose names end alike have histograms of their own") {
+        val sides = bagView(listOf("Time|xaxis", "Left/Speed", "Right/Speed"), listOf("0,1,2", "3,5,7"))
+        val keys = statistics(sides.measured("Left/Speed", "Right/Speed"), all).tables().first().rows.map { row ->
+            row.tools.single().action.shouldBeInstanceOf<Action.Unfold>().fold
+        }
+        keys.distinct().size shouldBe 2
+        statistics(sides.measured("Left/Speed", "Right/Speed"), all, mapOf(keys[1] to true)).filterIsInstance<Picture>().size shouldBe 1
+    }
+
+    test("what is visible is measured where the chosen range is unknown, and its button says so") {
+        val place = Place(Viewport.of(0.0..100.0))
+        rangeChoice(place, emptyList(), state.copy(range = StatisticsRange.ENABLED)).options.map { it.isOn } shouldContainExactly listOf(true, false)
+    }
+
     test("copied statistics have the same number of cells in each line") {
         val tables = statistics(view.measured("A", "Mode"), all).tables()
         val lines = tsvOf(tables, all).lines()

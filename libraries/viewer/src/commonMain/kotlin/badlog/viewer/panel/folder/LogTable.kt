@@ -8,6 +8,7 @@ import badlog.viewer.panel.EntryCell
 import badlog.viewer.panel.EntryColumn
 import badlog.viewer.panel.EntryGroup
 import badlog.viewer.panel.EntryTable
+import badlog.viewer.shown.folder.DAY_END
 import badlog.viewer.shown.folder.Listing
 import badlog.viewer.shown.folder.LogColumn
 import badlog.viewer.shown.folder.MatchRun
@@ -41,29 +42,36 @@ fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: I
 
 private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns: List<LogColumn>, checked: Set<String>): Entry {
     val worst = run.worst
-    val logs = run.logs.sortedByDescending { it === worst }
+    // Check boxes stand beside the first files, which are those of readable logs.
+    val logs = run.logs.sortedWith(compareByDescending<E> { it === worst }.thenByDescending { it.isReadable })
+    val named = logs.firstOrNull { it.summary.match.event != null } ?: worst
     return Entry(
         worst.path,
         worst.fileName,
         logs.filter { it.isReadable }.map { Check("Compare ${it.fileName}", it.path in checked, FolderAction.Check(it.path)) },
-        columns.map { column -> logs.mapNotNull { listing.cellOf(it, column) }.take(if (column == LogColumn.FILE) logs.size else 1) },
+        columns.map { column ->
+            when (column) {
+                LogColumn.MATCH -> listOf(listing.titleCell(named, worst))
+                LogColumn.FILE -> logs.mapNotNull { listing.cellOf(it, column) }
+                else -> logs.mapNotNull { listing.cellOf(it, column) }.take(1)
+            }
+        },
         FolderAction.Open(worst.path, showsFinding = false),
         worst.isGray,
     )
 }
 
-/** Returns the title of the group with [run]: its day, if logs are sorted by time, or its event, if by match; empty without groups. */
-private fun Listing<*>.groupOf(run: MatchRun<*>): String = when (column) {
-    LogColumn.DATE -> column.text(run.worst)?.substringBefore(DAY_END) ?: "No date"
-    LogColumn.MATCH -> run.worst.summary.match.event ?: "No event"
-    else -> ""
+/** Returns the title of a match, which [named] names; a press opens [log]. */
+private fun Listing<*>.titleCell(named: ListedLog, log: ListedLog): EntryCell {
+    val open = FolderAction.Open(log.path, showsFinding = false)
+    return EntryCell(LogColumn.MATCH.text(named) ?: shortFileName(nameOf(log)), hint = log.path, open = open)
 }
 
 private fun Listing<*>.cellOf(log: ListedLog, column: LogColumn): EntryCell? {
     val text = column.text(log)
     val open = FolderAction.Open(log.path, showsFinding = false)
     return when (column) {
-        LogColumn.MATCH -> EntryCell(text ?: shortFileName(nameOf(log)), hint = log.path, open = open)
+        LogColumn.MATCH -> titleCell(log, log)
 
         LogColumn.FINDINGS -> happened(log, text)
 
@@ -97,9 +105,6 @@ private fun Listing<*>.happened(log: ListedLog, text: String?): EntryCell? {
         else -> EntryCell(text, worst, foundLines(log), open = FolderAction.Open(log.path, showsFinding = true))
     }
 }
-
-/** The end of the day in the text of a date. */
-private const val DAY_END = ", "
 
 /** The voltage of an empty bar, in V: a roboRIO is hardly ever on below it. */
 private const val EMPTY = 5.0

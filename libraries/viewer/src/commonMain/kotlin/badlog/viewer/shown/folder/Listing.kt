@@ -45,11 +45,18 @@ data class Listing<E : ListedLog>(
         valued + others
     }
 
-    /** The listed logs by match, in the order of the first log of each. */
+    /** The listed logs by match, in the order of the first log of each; those of a group are beside each other. */
     val rows: List<MatchRun<E>> by lazy {
         val places = HashMap<String, Int>()
         visible.forEachIndexed { i, log -> places[log.path] = i }
-        runsOf(visible).sortedBy { run -> run.logs.minOf { places.getValue(it.path) } }
+        runsOf(visible).sortedBy { run -> run.logs.minOf { places.getValue(it.path) } }.groupBy(::groupOf).values.flatten()
+    }
+
+    /** Returns the title of the group with [run]: its day, if logs are sorted by time, or its event, if by match; empty without groups. */
+    fun groupOf(run: MatchRun<*>): String = when (column) {
+        LogColumn.DATE -> column.text(run.worst)?.substringBefore(DAY_END) ?: "No date"
+        LogColumn.MATCH -> run.logs.firstNotNullOfOrNull { it.summary.match.event } ?: "No event"
+        else -> ""
     }
 
     /** The number of logs, listed or not. */
@@ -107,3 +114,6 @@ data class Listing<E : ListedLog>(
             .thenBy { it.path }
     }
 }
+
+/** The end of the day in the text of a date. */
+internal const val DAY_END = ", "

@@ -96,6 +96,26 @@ class LogTableSpec : FunSpec({
         table(robot, practice) { sorted(LogColumn.MATCH) }.groups.map { it.title } shouldBe listOf("Mill Creek Regional", "No event")
     }
 
+    test("an idle or unreadable log, even a later one, does not stand for a match with another log") {
+        val found = robot.copy(found = FindingSummary(0, emptyList()))
+        val idle = log("logs/later.bag", "42", second = morning + 60, content = Content.NOTHING_CHANGES).copy(modified = 9)
+        table(found, idle).groups.single().rows.single().run { key to isMuted } shouldBe ("logs/robot.bag" to false)
+    }
+
+    test("a match has the event that one of its logs names, in its title and its group") {
+        val worst = station.copy(found = brownout)
+        val named = robot.copy(found = FindingSummary(0, emptyList()))
+        val table = table(worst, named) { sorted(LogColumn.MATCH) }
+        table.groups.map { it.title } shouldBe listOf("Mill Creek Regional")
+        table.cells(0, LogColumn.MATCH).single().run { text to opens().first } shouldBe ("Q42 · Mill Creek" to "logs/station.dslog")
+    }
+
+    test("the order of the rows is that of the list, also where a group without an event stands between others") {
+        val logs = listOf(robot, log("logs/b.bag", "42", second = morning - 9000), log("logs/c.bag", "43", "Mill Creek Regional"), log("logs/d.bag", "43", second = morning - 9000))
+        val listing = Listing(logs).sorted(LogColumn.MATCH)
+        logTable(listing, emptySet()).groups.flatMap { it.rows }.map { it.key } shouldBe listing.rows.map { it.worst.path }
+    }
+
     test("a limit leaves out the last rows, and groups without rows, but not from the counts") {
         val groups = logTable(Listing(listOf(robot, practice, yesterday)), emptySet(), limit = 1).groups
         groups.map { it.count to it.rows.size } shouldBe listOf("2 logs" to 1)
