@@ -41,9 +41,9 @@ class GraphWindowSpec : FunSpec({
             window.awaitState("all of y") { viewer -> viewer.board.state.graphs.all { it.yRange == null } }
 
             window.press(KeyEvent.VK_4, KeyEvent.VK_CONTROL)
-            window.awaitText("Visible range")
+            window.awaitText("Statistics of Visible")
             window.drag(plot, 0.3, 0.5, 0.6, 0.5, KeyEvent.VK_CONTROL)
-            window.awaitText("Selection")
+            window.awaitText("Statistics of Selected")
             window.awaitState("all of the selection") { abs((it.view.selection?.width ?: 0.0) - all.width * 0.3) < all.width * 0.02 && it.view.gesture == null }
             window.point(plot, 0.45, 0.5)
             window.awaitGraphs()

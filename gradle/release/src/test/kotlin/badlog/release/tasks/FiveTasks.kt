@@ -202,7 +202,7 @@ private fun Walk.addColumn() {
     replace("ResultCache", version.value, "const val VERSION = ${version.groupValues[1].toInt() + 1}")
     insert(
         "LogColumn",
-        "text = ::batteryText,\n    ),\n",
+        "text = ::batteryText),\n",
         "    VALUES(\"Values\", compareBy { it.summary.values }, isNumber = true, text = { countText(it.summary.values) }),\n",
     )
     insert(
@@ -216,5 +216,4 @@ private fun Walk.addColumn() {
 
         """.trimIndent(),
     )
-    insert("LogText", "        LogColumn.BATTERY -> 100\n", "        LogColumn.VALUES -> 80\n")
 }
