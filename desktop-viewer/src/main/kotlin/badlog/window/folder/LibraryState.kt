@@ -48,8 +48,10 @@ internal data class LibraryState(
     val isWithoutLogs: Boolean get() = folder == null || (hasLooked && reading == null && listing.size == 0)
 
     /** Returns the state for another [folder], still without logs, listed like this one but unfiltered. */
-    fun opening(folder: Path): LibraryState =
-        LibraryState(folder, listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder", recording = emptySet()))
+    fun opening(folder: Path): LibraryState = LibraryState(
+        folder,
+        listing.copy(entries = emptyList(), filter = "", onlyErrors = false, folder = "$folder", recording = emptySet()),
+    )
 
     /** Returns the same folder with [entries]. A log that grows is being recorded, until the rules have run over it, if they ever do. */
     fun withEntries(entries: List<LogEntry>): LibraryState {

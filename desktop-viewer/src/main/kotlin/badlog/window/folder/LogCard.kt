@@ -65,7 +65,13 @@ internal fun LogCard(row: Entry, table: EntryTable, isOpen: Boolean, isSelected:
                 selected = isOpen
             },
     ) {
-        Column(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) { if (files.size < 2) for (check in row.checks) CheckView(check, send) }
+        Column(Modifier.width(28.dp).padding(start = 2.dp, top = 3.dp)) {
+            if (files.size <
+                2
+            ) {
+                for (check in row.checks) CheckView(check, send)
+            }
+        }
         Column(Modifier.weight(1f).padding(top = 6.dp, bottom = 6.dp, end = 12.dp)) {
             val color = if (row.isMuted) palette.muted else palette.text
             for (title in of(LogColumn.MATCH)) NameText(title.text, color = color, fontWeight = FontWeight.SemiBold, cut = NameCut.FILE)

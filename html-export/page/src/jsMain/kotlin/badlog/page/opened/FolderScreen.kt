@@ -333,9 +333,12 @@ internal class FolderScreen(
     private fun act(action: Action) {
         when (action) {
             is FolderAction.Sort -> listing = listing.sorted(action.column)
+
             is FolderAction.Check -> if (!checked.add(action.path)) checked -= action.path
+
             // It may have been removed since it was listed.
             is FolderAction.Open -> return known[action.path]?.let { onOpen(it, emptyList(), action.showsFinding) } ?: Unit
+
             else -> Unit
         }
         show()

@@ -47,7 +47,11 @@ private fun turnsAlike(own: DoubleArray, seen: Series): Boolean {
         val gyro = turn(own, last, i)
         val isKnown = (gyro - sight).isFinite() && seen.x[i] - seen.x[last] <= STEP_SECONDS
         if (isKnown && abs(sight) !in CLEAR_TURN) continue
-        if (isKnown && abs(gyro - sight) < abs(sight) / 2) alike++ else if (isKnown) unlike++
+        if (isKnown && abs(gyro - sight) < abs(sight) / 2) {
+            alike++
+        } else if (isKnown) {
+            unlike++
+        }
         last = i
     }
     return alike >= MIN_ALIKE && alike > MOSTLY * unlike

@@ -69,7 +69,11 @@ private class BothWays(private val times: DoubleArray) {
     /** Adds the sample [at], at which it stands although it is driven [way]. */
     fun stands(at: Int, way: Double) {
         val seconds = if (stood.lastOrNull() == at - 1) times[at] - times[at - 1] else 0.0
-        if (way > 0) forward += seconds else if (way < 0) backward += seconds
+        if (way > 0) {
+            forward += seconds
+        } else if (way < 0) {
+            backward += seconds
+        }
         stood += at
     }
 }

@@ -134,8 +134,24 @@ class MechanismSensorsSpec : FunSpec({
 
     test("a mechanism that stands each way without turning in between is stalled; one that creeps in between, or is not driven the other way, is not") {
         fun stalled(between: Double, back: Double): Double {
-            val speeds = times.of { if (it in 20.0..21.0 || it in 22.0..23.0) 0.0 else if (it in 21.0..22.0) between else 100.0 }
-            val outputs = times.of { if (it in 20.0..22.0) 0.5 else if (it in 22.0..23.0) back else 1.0 }
+            val speeds = times.of {
+                if (it in 20.0..21.0 || it in 22.0..23.0) {
+                    0.0
+                } else if (it in 21.0..22.0) {
+                    between
+                } else {
+                    100.0
+                }
+            }
+            val outputs = times.of {
+                if (it in 20.0..22.0) {
+                    0.5
+                } else if (it in 22.0..23.0) {
+                    back
+                } else {
+                    1.0
+                }
+            }
             return stall(times, speeds, times.of { if (it in 20.0..23.0) 40.0 else 25.0 }, 12.0, outputs).most()
         }
         stalled(between = 0.0, back = -0.5) shouldBe 1.0
