@@ -18,7 +18,7 @@ import badlog.rules.standing.trustOf
  * @property checklist the item to check before each match to prevent it; empty if not given, and in rules of a page.
  * @param isAboutProgram whether it is about the program's messages or the drivers' inputs, which a simulated robot also has.
  * @property trust how far its findings can be relied on, from 0 to [PROVEN_TRUST]; see [trustOf].
- * @property isOncePerEvent whether findings for several topics that begin within a second count as one.
+ * @property isOncePerEvent whether elements of a list with findings that begin within a second, or topics with the same spans, are one.
  */
 class Rule internal constructor(
     val name: String,

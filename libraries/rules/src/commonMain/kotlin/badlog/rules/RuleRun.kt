@@ -46,15 +46,21 @@ internal class RuleRun(view: LogView, private val file: String, private val devi
         return RuleResult(rule, findings.filter { rule.standing != Standing.SILENT }, step.refusal)
     }
 
-    /** Returns the first of those [findings] that begin together each time: topics of one thing may be logged one after the other. */
+    /** Returns the first of those [findings] that are about the same event. */
     private fun oncePerEvent(findings: List<Finding>): List<Finding> {
         val kept = ArrayList<Finding>()
         for (finding in findings) if (finding.spans.isEmpty() || kept.none { isSameEvent(it, finding) }) kept += finding
         return kept
     }
 
-    private fun isSameEvent(one: Finding, other: Finding) = one.spans.isNotEmpty() &&
-        other.spans.all { span -> one.spans.any { abs(it.from - span.from) <= SAME_EVENT } }
+    /** The elements of a list may be logged one after the other; another list is another controller's. */
+    private fun isSameEvent(one: Finding, other: Finding): Boolean {
+        if (one.spans == other.spans) return true
+        val list = listNameOf(one) ?: return false
+        return list == listNameOf(other) && other.spans.all { span -> one.spans.any { abs(it.from - span.from) <= SAME_EVENT } }
+    }
+
+    private fun listNameOf(finding: Finding) = finding.topic?.takeIf { it.endsWith(']') }?.substringBeforeLast('[')
 
     // A finding about a log's start or end is about the log.
     private fun subjectOf(rule: Rule, topic: String?) = if (rule.needs.isEmpty()) topic?.let(::busDeviceIn) ?: topic else null

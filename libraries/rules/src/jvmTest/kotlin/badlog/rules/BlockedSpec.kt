@@ -34,6 +34,15 @@ class BlockedSpec : FunSpec({
         }.blocked() shouldBe listOf("Lift")
     }
 
+    test("a lift is judged by its goal, not by what its motor is set to") {
+        TestMatch().apply {
+            number("Lift/Motor Set") { 0.3 * TestMatch.output(it) }
+            number("Lift/Goal") { TestMatch.setpoint(it) }
+            number("Lift/Height") { if (it < 17) TestMatch.height(it) else 0.5 }
+            number("Lift/Amps") { if (it in 17.0..24.0) 45.0 else 6.0 }
+        }.blocked() shouldBe listOf("Lift")
+    }
+
     test("a lift that its motor holds at its setpoint, or that still moves, is not blocked") {
         lift(TestMatch::height) { 45.0 } shouldBe emptyList()
         lift({ if (it in 16.0..24.0) 0.5 + 0.05 * (it - 16) else TestMatch.height(it) }, { if (it in 16.0..24.0) 45.0 else 6.0 }) shouldBe emptyList()
@@ -58,6 +67,14 @@ class BlockedSpec : FunSpec({
         rollers("Supply Current Amps") shouldBe listOf("Intake")
         rollers("Current Amps") shouldBe listOf("Intake")
         rollers() shouldBe emptyList()
+    }
+
+    test("rollers that are blocked are found, too, if the log has what their motor is set to") {
+        TestMatch().apply {
+            number("Intake/Set") { if (it in 20.0..24.0) 0.8 else TestMatch.output(it) }
+            number("Intake/Velocity RPM") { if (it in 20.0..24.0) 0.0 else 3000 * TestMatch.output(it) }
+            number("Intake/Current Amps") { if (it in 20.0..24.0) 40.0 else 5 + TestMatch.output(it) }
+        }.blocked() shouldBe listOf("Intake")
     }
 
     test("rollers that are driven both ways without turning are blocked, also if a current limit lowers their output; those that hold a piece are not") {

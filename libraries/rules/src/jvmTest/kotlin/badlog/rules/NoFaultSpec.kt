@@ -143,6 +143,40 @@ class NoFaultSpec : FunSpec({
         gone(20.0, 20.1, 28.0) shouldBe 2
     }
 
+    test("two controllers that are unplugged one after the other are two findings") {
+        TestMatch().apply {
+            for ((controller, from) in listOf(20.0, 20.6).withIndex()) {
+                for (axis in 0..1) cells("DS:joystick$controller/axes[$axis]") { if (it in from..from + 5) "" else "0.01" }
+            }
+        }.findings().filter { it.rule == "Controller unplugged" }.map { it.topic } shouldBe listOf("DS:joystick0/axes[0]", "DS:joystick1/axes[0]")
+    }
+
+    test("a gyro that counts the other way or in rad, or leaves the camera in a curve, and the heading of a goal, show no drift") {
+        fun leaves(pose: String = "Vision/Pose", gyro: (Double) -> Double) = TestMatch().apply {
+            number("$pose[0]") { 5.0 }
+            number("$pose[1]") { 3.0 }
+            number("$pose[2]") { 6 * it }
+            number("Gyro/Angle", at = gyro)
+        }.findings().count { it.rule == "Heading leaves the camera" }
+        leaves { 6.6 * it } shouldBe 1
+        leaves { -6 * it } shouldBe 0
+        leaves { Math.toRadians(6 * it) } shouldBe 0
+        leaves { 6.6 * it + 2.6 * TestMatch.wave(0.15 * it) } shouldBe 0
+        leaves("Vision/Goal") { 6.6 * it } shouldBe 0
+    }
+
+    test("a limit that is open where its name says that it is reached, a limit at the other end, and a climber's, stop nothing") {
+        fun stops(part: String, limit: String, until: Double = 24.0, isReached: (Double) -> Boolean = { it in 17.0..24.0 }) = TestMatch().apply {
+            number("$part/Setpoint") { TestMatch.setpoint(it) }
+            number("$part/Height") { minOf(TestMatch.height(it), if (it < until) 0.85 else 1.1) }
+            flag("$part/$limit", isReached)
+        }.findings().count { it.rule == "Stopped by a limit" }
+        stops("Lift", "Upper Limit") shouldBe 1
+        stops("Lift", "Upper Limit", until = 20.0) { minOf(TestMatch.height(it), if (it < 20) 0.85 else 1.1) < 0.95 } shouldBe 0
+        stops("Upper Arm", "Lower Limit") shouldBe 0
+        stops("Climber", "Upper Limit") shouldBe 0
+    }
+
     test("a steering motor that counts turns does not overshoot the angle that its wheel should have") {
         fun overshoots(part: String) = TestMatch().apply {
             number("$part Angle (deg)") { 90 * (TestMatch.height(it) + if (it % 8 in 0.5..1.2) 0.25 * step(it) else 0.0) }
@@ -151,6 +185,14 @@ class NoFaultSpec : FunSpec({
         overshoots("Wrist") shouldBe true
         overshoots("Front Left Turn") shouldBe false
         overshoots("fl_turn") shouldBe false
+        overshoots("Front Left") shouldBe false
+    }
+
+    test("an encoder of a steering motor that stops is found") {
+        TestMatch().apply {
+            number("fl_turn Angle (deg)") { if (it < 18.5) 90 * TestMatch.wave(it * 0.75) else -270.0 }
+            number("fl_turn Setpoint (deg)") { 90 * TestMatch.wave(it * 0.75) }
+        }.findings().filter { it.rule == "Encoder frozen" }.map { it.topic } shouldBe listOf("fl_turn Angle (deg)")
     }
 
     test("of a loop's messages on the console, the line with the error is quoted") {

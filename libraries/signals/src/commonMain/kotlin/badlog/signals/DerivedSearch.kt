@@ -17,6 +17,8 @@ import badlog.signals.pose.Pose
 import badlog.signals.pose.SeenPath
 import badlog.signals.vocabulary.SignalTopics
 import badlog.signals.vocabulary.SignalVocabulary
+import badlog.signals.vocabulary.TARGET_WORDS
+import badlog.signals.vocabulary.wordsOf
 import kotlin.math.PI
 
 /** The names of all [DerivedSignal]s; true for those that a log has at most once. */
@@ -140,6 +142,8 @@ private class DerivedSearch(shape: LogShape, vocabulary: SignalVocabulary, priva
     /** How fast each gyro turns away from the heading that the camera sees. */
     private fun headingGaps(seen: Pose): List<DerivedSignal> {
         val name = seen.heading.singleOrNull() ?: return emptyList()
+        // “Vision/Goal” is where the robot should turn to.
+        if (wordsOf(seen.name).any { it in TARGET_WORDS }) return emptyList()
         return found.of("gyro angle").map { topic ->
             val heading = NamedSignal.of("gyro angle", listOf(topic))
             DerivedSignal("heading gap", "deg/s", topic.device, heading.topics + name) { samples ->

@@ -15,8 +15,8 @@ import badlog.signals.derived.stall
 import badlog.signals.derived.steppedTimes
 import badlog.signals.derived.switchError
 import badlog.signals.derived.timesOf
-import badlog.signals.swerve.STEER_WORDS
 import badlog.signals.swerve.cornerOf
+import badlog.signals.vocabulary.TARGET_WORDS
 import badlog.signals.vocabulary.wordsOf
 
 /** Signals of mechanisms: how they follow their targets, whether they stall, and whether their sensors agree. */
@@ -26,17 +26,14 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     val signals: List<DerivedSignal> get() = standingAlone(following() + byPart.values.flatMap(::ofPart))
 
     /** The pairs of a target and what follows it. */
-    private fun following(): List<DerivedSignal> = robot.mechanisms.filter { it.isTarget && it.quantity in TARGETS && !isSteering(it.part) }
-        .sortedBy { "goal" in it.signal.name.lowercase() }
+    private fun following(): List<DerivedSignal> = robot.mechanisms.filter { it.isTarget && it.quantity in TARGETS }
+        .sortedWith(compareBy({ isSet(it) }, { "goal" in it.signal.name.lowercase() }, { it.quantity == Quantity.NONE }))
         .mapNotNull { target -> robot.measuredOf(target)?.let { target to it } }
         .distinctBy { (_, measured) -> measured.signal.name }
         .flatMap { (target, measured) -> ofPair(target, measured) }
 
-    /**
-     * Returns whether [part] steers a wheel. Its target is an angle, but its motor counts turns, and it may turn the wheel backward instead of around:
-     * the modules' own signals know that.
-     */
-    private fun isSteering(part: List<String>) = part.any { it in STEER_WORDS } && cornerOf(part) != null
+    /** Returns whether “set” alone says that [topic] is a target: it may be the output of a motor instead. */
+    private fun isSet(topic: PartTopic) = topic.isTarget && wordsOf(topic.signal.name).filter { it in TARGET_WORDS } == listOf("set")
 
     private fun ofPair(target: PartTopic, measured: PartTopic): List<DerivedSignal> {
         val topics = (listOf(measured, target) + beside(target.part, Quantity.CURRENT, Quantity.OUTPUT)).map { it.signal.name }.distinct()
@@ -48,9 +45,12 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             val own = samples.raw(measured.signal.name)
             deadReading(own.x, own.y, samples.enabledAt(own.x))
         }
+        val ownDead = dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null }
+        // A part with the name of a corner mostly steers a wheel. Its motor counts turns, and may turn the wheel backward instead.
+        if (cornerOf(target.part) != null) return listOfNotNull(ownDead)
         return placeSignals(target.label, topics, ::following) +
             listOfNotNull(
-                dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null },
+                ownDead,
                 effortOf(target, topics, ::following),
                 heldBackOf(target, measured, scale),
                 heldByLimit(target, measured, scale),
@@ -89,7 +89,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     /** Whether a part is driven hard toward its target and does not move. */
     private fun heldBackOf(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
-        if (target.part.any { word -> CLIMBING.any(word::startsWith) }) return null
+        if (isClimber(target)) return null
         val current = beside(target.part, Quantity.CURRENT, Quantity.SUPPLY_CURRENT).firstOrNull() ?: return null
         return DerivedSignal("stall", "", target.label, listOf(measured, target, current).map { it.signal.name }) { samples ->
             val drive = samples.raw(current.signal.name)
@@ -99,11 +99,15 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         }
     }
 
+    private fun isClimber(topic: PartTopic) = topic.part.any { word -> CLIMBING.any(word::startsWith) }
+
     /**
-     * How far a part stands from its target while the limit that is in its way is reached, in percent of its range. A limit that is reached all along
-     * is none, or is wired the other way. A part rests at its lower end, where a switch closes a little early.
+     * How far a part stands from its target while the limit that is in its way is reached, in percent of its range. A limit that is reached
+     * where the part is farthest from it is none, or is wired the other way. A part rests at its lower end, where a switch closes a little
+     * early. A climber pulls itself against its limit.
      */
     private fun heldByLimit(target: PartTopic, measured: PartTopic, scale: Double): DerivedSignal? {
+        if (isClimber(target)) return null
         val limits = byPart[target.part].orEmpty().filter { it.quantity == Quantity.SWITCH }
             .mapNotNull { limit -> wayOf(limit)?.let { way -> limit.signal.name to way } }.ifEmpty { return null }
         val topics = listOf(measured, target).map { it.signal.name } + limits.map { it.first }
@@ -115,7 +119,9 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
             val held = DoubleArray(away.size)
             for ((name, way) in limits) {
                 val state = samples.raw(name).heldAt(times)
-                if (state.none { it == 0.0 }) continue
+                val known = place.indices.filter { place[it].isFinite() && state[it].isFinite() }
+                val farthest = known.minByOrNull { scale * place[it] * way } ?: continue
+                if (state[farthest] != 0.0) continue
                 val least = if (way > 0) 0.0 else EARLY_PERCENT
                 for (i in held.indices) {
                     if (state[i] == 1.0 && (wanted[i] - scale * place[i]) * way > 0 && away.y[i] > least) held[i] = away.y[i]
@@ -127,11 +133,16 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
 
     /** Returns 1 for a limit at the upper end of its mechanism, -1 for one at the lower end; null if its name does not say. */
     private fun wayOf(limit: PartTopic): Double? {
-        val words = wordsOf(limit.signal.name)
-        return when {
-            words.any { it in FORWARD } -> 1.0
-            words.any { it in BACKWARD } -> -1.0
-            else -> null
+        // “Upper Arm” is a part.
+        val words = wordsOf(limit.signal.name.substringAfterLast('/'))
+        val isUpper = words.any { it in FORWARD }
+        val isLower = words.any { it in BACKWARD }
+        return if (isUpper == isLower) {
+            null
+        } else if (isUpper) {
+            1.0
+        } else {
+            -1.0
         }
     }
 
@@ -171,7 +182,7 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
     private fun isOfDrive(part: List<PartTopic>) = part[0].part.all { it in WHEELS }
 
     private fun stall(part: List<PartTopic>): DerivedSignal? {
-        if (part.any { it.isTarget && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
+        if (part.any { it.isTarget && !isSet(it) && (it.quantity == Quantity.POSITION || it.quantity == Quantity.NONE) }) return null
         if (isOfDrive(part) || part.any { topic -> topic.part.any { word -> word in ARMS || HOLDING.any(word::startsWith) } }) return null
         val speed = part.find { it.quantity == Quantity.VELOCITY && !it.isTarget } ?: return null
 

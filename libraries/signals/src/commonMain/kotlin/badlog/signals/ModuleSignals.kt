@@ -41,7 +41,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
 
     private fun wheelsByCorner(): List<Wheel> {
         val currents = robot.topics.filter { topic ->
-            topic.quantity == Quantity.CURRENT && !topic.isTarget && topic.part.none { it in STEER_WORDS }
+            topic.quantity == Quantity.CURRENT && !topic.isTarget && isOfWheel(topic, DRIVE_WORDS)
         }
         for (alike in currents.groupBy { withoutCorner(it.part) }.values) {
             val byCorner = alike.mapNotNull { topic -> cornerOf(topic.part)?.let { it to topic } }.toMap()
@@ -50,6 +50,19 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
             }
         }
         return emptyList()
+    }
+
+    /** Returns whether [topic] is named by [words] and a corner alone, and not of a steering motor. A shooter may have corners, too. */
+    private fun isOfWheel(topic: PartTopic, words: Set<String>): Boolean {
+        // A single letter is a unit.
+        val own = withoutCorner(topic.part).filter { it.length > 1 }
+        return words.containsAll(own) && !isSteering(topic)
+    }
+
+    /** Returns whether [topic] is of a steering motor. “Angle” and “rotation” are quantities, too, which its part lacks. */
+    private fun isSteering(topic: PartTopic): Boolean {
+        val words = wordsOf(topic.signal.name)
+        return words.any { it in STEER_WORDS || it == "rotation" } || topic.part.any { it in MORE_STEER_WORDS }
     }
 
     /** The targets and the measurements of a drive's modules. */
@@ -71,9 +84,14 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     private fun driveTopicsOf(module: ModuleTopics, vararg quantities: Quantity): List<PartTopic> {
         val words = wordsOf(module.label)
         val corner = cornerOf(words)
+        val ofDrive = DRIVE_WORDS + wordsOf(module.speed) + wordsOf(module.angle)
         return robot.topics.filter { part ->
-            val isOfModule = part.part.containsAll(words) || (corner != null && cornerOf(part.part) == corner)
-            part.quantity in quantities && !part.isTarget && isOfModule && part.part.none { it in STEER_WORDS }
+            val isOfModule = if (corner == null) {
+                part.part.containsAll(words) && !isSteering(part)
+            } else {
+                cornerOf(part.part) == corner && isOfWheel(part, ofDrive)
+            }
+            part.quantity in quantities && !part.isTarget && isOfModule
         }
     }
 
@@ -134,6 +152,13 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         const val BEHIND = 1.15
 
         const val CORNERS = 4
+        val MORE_STEER_WORDS = setOf("turning", "rot", "pivot")
+
+        /** The words in names of drive motors, apart from their corners. */
+        val DRIVE_WORDS = setOf(
+            "drive", "driving", "drivetrain", "drivebase", "chassis", "swerve", "module", "modules", "wheel", "wheels", "subsystem",
+            "subsystems",
+        )
 
         /** The same where angles come seldom. */
         const val SELDOM_BEHIND = 1.5

@@ -5,7 +5,7 @@ import kotlin.math.max
 
 /**
  * Returns the steady loss of stored air, in psi/s: the slope of [pressure] over the last [LOSS_SECONDS]. NaN unless [compressor] was off
- * throughout, and after sudden drops, because a cylinder takes its air at once.
+ * throughout, where samples are rare, and after sudden drops, because a cylinder takes its air at once.
  */
 fun airLoss(pressure: Series, compressor: Series): Series {
     val runs = compressor.heldAt(pressure.x)
@@ -17,7 +17,9 @@ fun airLoss(pressure: Series, compressor: Series): Series {
             val used = i > 0 && maxOf(fallWithin(pressure, i, USE_SECONDS), pressure.y[i - 1] - pressure.y[i]) > USE_PSI
             if (used || runs[i] != 0.0) since = i + 1
             val first = if (since < i) indexBefore(pressure.x, i, LOSS_SECONDS, since) else i
-            if (pressure.x[i] - pressure.x[first] < LOSS_SECONDS * 0.9) {
+            // The means below would spread a cylinder's drop over the parts beside it.
+            val isRare = i - first < PARTS * AVERAGED
+            if (isRare || pressure.x[i] - pressure.x[first] < LOSS_SECONDS * 0.9) {
                 Double.NaN
             } else {
                 // A leak lasts; cylinders take air for moments only, however often, and small ones hardly more than the error of a sensor.

@@ -28,11 +28,10 @@ fun stall(times: DoubleArray, speeds: DoubleArray, current: DoubleArray, least: 
     var standings = 0
     for (at in times.indices) {
         isOld = at > 0 && current[at] == current[at - 1] && (isOld || abs(speeds[at - 1]) > turning)
-        if (abs(speeds[at]) > turning) {
-            since = Double.NaN
-            bothWays.turns()
-        }
-        val isHard = abs(current[at]) >= hard && !isOld && turning > 0 && abs(speeds[at]) < 0.2 * turning
+        if (abs(speeds[at]) > turning) since = Double.NaN
+        val still = STILL * turning
+        if (abs(speeds[at]) >= still) bothWays.turns()
+        val isHard = abs(current[at]) >= hard && !isOld && turning > 0 && abs(speeds[at]) < still
         if (isHard) bothWays.stands(at, outputs?.get(at) ?: current[at])
         if (isHard && !(abs(current[at]) < usual) && !(outputs != null && abs(outputs[at]) < driven)) {
             stalled[at] = 1.0
@@ -70,13 +69,20 @@ private class BothWays(private val times: DoubleArray) {
     /** Adds the sample [at], at which it stands although it is driven [way]. */
     fun stands(at: Int, way: Double) {
         val seconds = if (stood.lastOrNull() == at - 1) times[at] - times[at - 1] else 0.0
-        if (way > 0) forward += seconds else backward += seconds
+        if (way > 0) {
+            forward += seconds
+        } else if (way < 0) {
+            backward += seconds
+        }
         stood += at
     }
 }
 
 /** The share of its usual speed at which something clearly turns. */
 private const val TURNING = 0.2
+
+/** Of the speed at which it clearly turns. */
+private const val STILL = 0.2
 
 /** Of the output with which it turns. */
 private const val LOWERED = 0.75

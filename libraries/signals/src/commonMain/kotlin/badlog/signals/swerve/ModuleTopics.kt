@@ -56,7 +56,10 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
     val speed = speeds(isTarget = false).firstOrNull() ?: return null
     val angle = angles(isTarget = false).find { "angle" in wordsOf(it.signal.name) } ?: return null
     // “Front Left Setpoint” is the setpoint of the speed if “Front Left Angle Setpoint” is beside it.
-    val steered = of(Quantity.NONE, isTarget = true, DRIVE_WORDS).filter { it.part.last() in STEER_WORDS }
+    val steered = of(Quantity.NONE, isTarget = true, DRIVE_WORDS).filter { topic ->
+        // A command may be the motor's output.
+        topic.part.last() in STEER_WORDS && wordsOf(topic.signal.name).none { it in COMMANDED }
+    }
     val targetSpeed = speeds(isTarget = true).firstOrNull() ?: of(Quantity.NONE, isTarget = true, STEER_WORDS).firstOrNull()
     return ModuleTopics(
         labelOfCorner(cornerOf(part) ?: return null),
@@ -71,3 +74,4 @@ private fun moduleOf(part: List<String>, topics: List<PartTopic>): ModuleTopics?
 /** The words in names that mean the steering motor of a module. */
 internal val STEER_WORDS = setOf("turn", "steer", "steering", "azimuth", "angle")
 private val DRIVE_WORDS = setOf("drive", "driving")
+private val COMMANDED = setOf("cmd", "command", "commanded", "demand")

@@ -52,7 +52,12 @@ class SignalTopics(
         val unitless = vocabulary.withoutUnit(source.name).takeIf { it != source.name }
         private val foldedUnitless = unitless?.let(NamePattern::folded)
 
-        fun fits(pattern: NamePattern) = pattern.matchesFolded(folded) || (foldedUnitless != null && pattern.matchesFolded(foldedUnitless))
+        fun fits(pattern: NamePattern): Boolean =
+            pattern.matchesFolded(folded) || (foldedUnitless != null && pattern.matchesFolded(foldedUnitless))
+
+        /** A topic with a unit in its name is a number, and no condition, whatever the rest says. */
+        fun fits(pattern: NamePattern, content: SignalContent): Boolean =
+            if (content == SignalContent.CONDITION) pattern.matchesFolded(folded) else fits(pattern)
     }
 
     private val found = HashMap<String, List<SignalTopic>>()
@@ -84,8 +89,8 @@ class SignalTopics(
         for (pattern in signal.topics) {
             for (topic in topics) {
                 val source = topic.source
-                if (source.name == timeTopic || source.name in taken || !topic.fits(pattern.pattern)) continue
-                if (!pattern.fits(source.kind, signal.content) || signal.except.any(topic::fits)) continue
+                if (source.name == timeTopic || source.name in taken || !topic.fits(pattern.pattern, signal.content)) continue
+                if (!pattern.fits(source.kind, signal.content) || signal.except.any { topic.fits(it) }) continue
                 val named = if (pattern.pattern.matchesFolded(topic.folded)) source.name else topic.unitless.orEmpty()
                 taken[source.name] = taken(signal, pattern, source, pattern.pattern.deviceIn(named)) ?: continue
                 if (!signal.isMany) return taken.values.toList()

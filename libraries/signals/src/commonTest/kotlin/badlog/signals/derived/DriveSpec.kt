@@ -110,6 +110,9 @@ class DriveSpec : FunSpec({
         airLoss(times.series { 110 - 5.0 * (it / 10).toInt() }, off).most() shouldBeLessThan 0.1
         // A small cylinder moves once a second.
         airLoss(times.series { 110 - 2.2 * it.toInt() }, off).most() shouldBeLessThan 0.1
+        // Ten samples a second spread its drops.
+        val rare = DoubleArray(600) { it / 10.0 }
+        airLoss(rare.series { 110 - 2.2 * it.toInt() }, off).y.none { it.isFinite() } shouldBe true
         airGain(times.series { 90.0 }, times.series { 1.0 }).most() shouldBe 0.0
         airGain(times.series { 90 + it }, times.series { 1.0 }).most() shouldBeGreaterThan 0.9
     }

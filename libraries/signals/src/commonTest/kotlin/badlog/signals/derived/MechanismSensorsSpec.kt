@@ -132,6 +132,33 @@ class MechanismSensorsSpec : FunSpec({
         stalled(40.0, output = null) { it in 20.0..22.0 || it in 40.0..42.0 } shouldBe 0.0
     }
 
+    test("a mechanism that stands each way without turning in between is stalled; one that creeps in between, or is not driven the other way, is not") {
+        fun stalled(between: Double, back: Double): Double {
+            val speeds = times.of {
+                if (it in 20.0..21.0 || it in 22.0..23.0) {
+                    0.0
+                } else if (it in 21.0..22.0) {
+                    between
+                } else {
+                    100.0
+                }
+            }
+            val outputs = times.of {
+                if (it in 20.0..22.0) {
+                    0.5
+                } else if (it in 22.0..23.0) {
+                    back
+                } else {
+                    1.0
+                }
+            }
+            return stall(times, speeds, times.of { if (it in 20.0..23.0) 40.0 else 25.0 }, 12.0, outputs).most()
+        }
+        stalled(between = 0.0, back = -0.5) shouldBe 1.0
+        stalled(between = 10.0, back = -0.5) shouldBe 0.0
+        stalled(between = 0.0, back = 0.0) shouldBe 0.0
+    }
+
     test("a position that is set where the switch closes jumps by its change beyond the movement") {
         // It goes down by 0.1 in each sample, and is set to 0 from 0.25 at the switch.
         val height = times.of { time ->

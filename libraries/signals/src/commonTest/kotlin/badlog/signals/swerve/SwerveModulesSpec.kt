@@ -47,6 +47,16 @@ class SwerveModulesSpec : FunSpec({
         }
         moduleTopicsOf(emptyList(), parts).last().run { listOf(label, speed, angle, targetSpeed, targetAngle) } shouldBe
             listOf("Back Right", "back right drive velocity", "back right angle", "back right speed setpoint", "back right angle setpoint")
+
+        fun steered(word: String) = moduleTopicsOf(
+            emptyList(),
+            parts.filter { "angle setpoint" !in it.signal.name } + listOf("front left", "front right", "back left", "back right").map { corner ->
+                part("drive $corner turn", "$corner turn $word", Quantity.NONE, isTarget = true)
+            },
+        ).first().targetAngle
+        steered("setpoint") shouldBe "front left turn setpoint"
+        // It may be the motor's output.
+        steered("command") shouldBe null
     }
 
     test("two modules, seven, and an array without its first element are no drive for either") {
