@@ -53,7 +53,11 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
     }
 
     /** Returns whether [topic] is named by [words] and a corner alone, and not of a steering motor. A shooter may have corners, too. */
-    private fun isOfWheel(topic: PartTopic, words: Set<String>) = words.containsAll(withoutCorner(topic.part)) && !isSteering(topic)
+    private fun isOfWheel(topic: PartTopic, words: Set<String>): Boolean {
+        // A single letter is a unit.
+        val own = withoutCorner(topic.part).filter { it.length > 1 }
+        return words.containsAll(own) && !isSteering(topic)
+    }
 
     /** Returns whether [topic] is of a steering motor. “Angle” and “rotation” are quantities, too, which its part lacks. */
     private fun isSteering(topic: PartTopic): Boolean {
@@ -150,7 +154,7 @@ internal class ModuleSignals(private val robot: RobotParts, private val bus: Bus
         const val CORNERS = 4
         val MORE_STEER_WORDS = setOf("turning", "rot", "pivot")
 
-        /** What the names of drive motors consist of, apart from their corners. */
+        /** The words in names of drive motors, apart from their corners. */
         val DRIVE_WORDS = setOf(
             "drive", "driving", "drivetrain", "drivebase", "chassis", "swerve", "module", "modules", "wheel", "wheels", "subsystem",
             "subsystems",
