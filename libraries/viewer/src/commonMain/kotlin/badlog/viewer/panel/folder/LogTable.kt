@@ -42,7 +42,7 @@ fun <E : ListedLog> logTable(listing: Listing<E>, checked: Set<String>, limit: I
 
 private fun <E : ListedLog> rowOf(listing: Listing<E>, run: MatchRun<E>, columns: List<LogColumn>, checked: Set<String>): Entry {
     val worst = run.worst
-    // Check boxes stand beside the first files, which are those of readable logs.
+    // Readable logs are first, so that their check boxes stand beside their files.
     val logs = run.logs.sortedWith(compareByDescending<E> { it === worst }.thenByDescending { it.isReadable })
     val named = logs.firstOrNull { it.summary.match.event != null } ?: worst
     return Entry(

@@ -45,7 +45,7 @@ data class Listing<E : ListedLog>(
         valued + others
     }
 
-    /** The listed logs by match, in the order of the first log of each; those of a group are beside each other. */
+    /** The listed logs by match, in the order of the first log of each. Matches of a group are beside each other. */
     val rows: List<MatchRun<E>> by lazy {
         val places = HashMap<String, Int>()
         visible.forEachIndexed { i, log -> places[log.path] = i }
