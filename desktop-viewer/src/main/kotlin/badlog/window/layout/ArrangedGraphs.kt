@@ -26,15 +26,11 @@ internal class ArrangedGraphs(
     /** The initial graphs of the last log for which no graphs were arranged. Null if there was none in this folder. */
     private var begun: Board? = null
 
-    /** The other initial graphs of the open log, if it can draw none of the arranged ones. */
-    private var besides = Board()
-
     /**
      * Begins with another folder. [open] is the open log in that folder; null for none. Returns true if a person has already changed that
      * log's initial graphs, which then stay instead of the arranged ones.
      */
     fun enter(open: OpenRecording?): Boolean {
-        besides = Board()
         begun = open?.standardGraphs
         if (open == null || saved(open) == null) return false
         if (!board.arranged.showsSame(open.standardGraphs)) return true
@@ -47,7 +43,6 @@ internal class ArrangedGraphs(
     private fun begin(recording: OpenRecording, arranged: Board? = saved(recording)): Board {
         val all = placed(recording, arranged)
         if (arranged == null) begun = all
-        besides = all.without(arranged ?: all)
         return all
     }
 
@@ -91,21 +86,8 @@ internal class ArrangedGraphs(
     /** Returns the graphs to store for the folder that contains [open]; null if none are arranged. */
     fun toStore(open: OpenRecording): Board? = if (isPlaced(open)) saved(open) else board.arranged.orNull(open)
 
-    /**
-     * Merges the changes of other windows to the graphs for the folder of [open]. Returns the graphs to store; null if none are arranged.
-     * [stored] holds the graphs that are stored now, and [read] the graphs that this window read before; null for none. The lines named in
-     * [removed] no longer exist.
-     */
-    fun mergedWith(stored: Board?, read: Board?, removed: Set<String>, open: OpenRecording): Board? {
-        val wasPlaced = isPlaced(open)
-        val before = read ?: begun ?: open.standardGraphs
-        val now = if (stored == read) before else stored ?: open.standardGraphs
-        val own = besides.without(before)
-        board.send(BoardAction.Merge(Board(now.graphs + own.without(now).graphs), Board(before.graphs + own.graphs)))
-        if (removed.isNotEmpty()) board.send(BoardAction.Forget(removed))
-        if (!wasPlaced) return board.arranged.orNull(open)
-        return board.arranged.without(own).orNull(open).also { placeAgain(open, it) }
-    }
+    /** Returns the graphs with which [open] began, before any were arranged for its folder. */
+    fun initial(open: OpenRecording): Board = begun ?: open.standardGraphs
 
     private fun isPlaced(recording: OpenRecording) = board.arranged.showsSame(placed(recording, saved(recording)))
 

@@ -15,16 +15,11 @@ internal class FolderLayouts(private val place: Path) {
     }
 
     /**
-     * Stores the result of [change] for [folder], unless it is null; [change] receives the stored layout. Other windows store nothing in
-     * between. Returns whether it was stored.
+     * Stores the result of [change] for [folder]; [change] receives the stored layout. Other windows store nothing in between.
      *
      * @throws IOException with a sentence for the user, if it cannot be written.
      */
-    fun update(folder: Path, change: (Layout?) -> Layout?): Boolean = locking(place) {
-        val changed = change(read(folder))
-        changed?.let { writeLayout(fileOf(folder), it) }
-        changed != null
-    }
+    fun update(folder: Path, change: (Layout?) -> Layout): Unit = locking(place) { writeLayout(fileOf(folder), change(read(folder))) }
 
     /** Returns the time of the last change to the layout of [folder], in milliseconds since 1970. 0 if there is none. */
     fun writtenAt(folder: Path): Long = fileOf(folder).toFile().lastModified()

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.snapshotFlow
 import badlog.core.analysis.Span
+import badlog.viewer.choices.board.Board
 import badlog.viewer.choices.board.BoardLayout
 import badlog.viewer.choices.board.FolderLayout
 import badlog.viewer.choices.formula.joined
@@ -76,7 +77,7 @@ internal class LayoutStore(
     @Volatile
     private var restored: Job = Job().apply { complete() }
 
-    /** The layout as it was last read or written, to find the later changes of other windows. */
+    /** The layout of this window as it was last read or written, to find its later changes. */
     private var stored: Layout? = null
     private val graphs = ArrangedGraphs(current, board, notices, ::whenStillOpen) { saved?.graphs?.takeIf { _ -> isInFolder(it.file) } }
     private var restoredChecks: List<Path> = emptyList()
@@ -249,7 +250,7 @@ internal class LayoutStore(
         formulas.definitions,
     )
 
-    /** Saves the changes, even if more follow meanwhile, for example from another window. Written parts count as stored. */
+    /** Saves the changes. */
     suspend fun save() = withContext(NonCancellable) {
         try {
             store()
@@ -258,24 +259,17 @@ internal class LayoutStore(
         }
     }
 
-    /**
-     * Stores the changes, merged with the stored changes of other windows. Both are merged on the window's thread; if the others store more
-     * meanwhile, that is repeated.
-     */
+    /** Stores the changes. Graphs, formulas and other parts that other windows changed meanwhile stay as they stored them. */
     private suspend fun store() {
         val place = folder ?: return
-        do {
-            if (change() == null) {
-                // Changes that could not be stored may have been undone.
-                saved = stored
-                return
-            }
-            val theirs = writes.write { layouts.read(place) }
-            val (known, written) = merged(theirs) ?: return
-            saved = known
-            val isStored = writes.write { layouts.update(place) { now -> written.takeIf { now == theirs } } }
-            if (isStored) stored = known
-        } while (!isStored)
+        val mine = change()
+        // Changes that could not be stored may have been undone.
+        saved = mine ?: stored
+        if (mine == null) return
+        val before = stored ?: Layout(Layout.VERSION)
+        val initial = openInFolder()?.let(graphs::initial) ?: Board()
+        writes.write { layouts.update(place) { theirs -> theirs?.let { merged(mine, before, it, initial) } ?: mine } }
+        stored = mine
     }
 
     /** Returns the layout to save, or null if it is saved already. The state of another folder's recording does not count. */
@@ -289,24 +283,6 @@ internal class LayoutStore(
             layout.copy(graphs = graphs.toStore(open))
         }
         return changed.takeIf { it != (stored ?: Layout(Layout.VERSION)) }
-    }
-
-    /**
-     * Takes over the formulas and graphs that other windows have changed in [theirs], the stored layout. It is null if it cannot be read.
-     * Returns the layout of this window, and the layout to write; null if there is nothing to save. In the layout to write, parts that this
-     * window has not changed are as the others have written them.
-     */
-    private fun merged(theirs: Layout?): Pair<Layout, Layout>? {
-        val mine = change() ?: return null
-        val before = stored ?: Layout(Layout.VERSION)
-        val now = theirs ?: before
-        val both = merged(mine, before, now)
-        if (both.formulas != formulas.definitions) formulas.replaceAll(both.formulas)
-        val all = openInFolder()?.let { graphs.mergedWith(now.graphs, before.graphs, removedFormulas(both, mine, before, now), it) }
-        val written = if (openInFolder() == null) both else both.copy(graphs = all)
-        // From here on, this window has the changes of the others.
-        stored = before.copy(graphs = now.graphs, formulas = now.formulas)
-        return mine.copy(graphs = written.graphs, formulas = written.formulas) to written
     }
 
     private fun restore(layout: Layout) {

@@ -9,12 +9,14 @@ import badlog.viewer.choices.mergedWith
  * Returns the merged layout of two windows on one folder. Each graph and formula that [mine] has not changed since [before] is as in
  * [theirs]; otherwise it is as in [mine]. The open log and its visible range belong together. Graphs do not draw formulas that one of the
  * two has removed.
+ *
+ * @param initial the graphs that [mine] began with, if [before] has none.
  */
-internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
+internal fun merged(mine: Layout, before: Layout, theirs: Layout, initial: Board = Board()): Layout {
     val place = if (placeIn(mine) == placeIn(before)) theirs else mine
     val both = Layout(
         version = mine.version,
-        graphs = mergedGraphs(mine.graphs, before.graphs, theirs.graphs),
+        graphs = mergedGraphs(mine.graphs, before.graphs, theirs.graphs, initial),
         recording = place.recording,
         visible = place.visible,
         selection = place.selection,
@@ -24,18 +26,14 @@ internal fun merged(mine: Layout, before: Layout, theirs: Layout): Layout {
         overTime = (if (mine.overTime == before.overTime) theirs else mine).overTime,
         formulas = mine.formulas.mergedWith(theirs.formulas, before.formulas, key = ::keyOf),
     )
-    val removed = removedFormulas(both, mine, before, theirs)
+    val removed = listOf(mine, before, theirs).flatMapTo(HashSet()) { it.formulas.map(::keyOf) } - both.formulas.map(::keyOf).toSet()
     return both.copy(graphs = both.graphs?.let { removed.fold(it, Board::withoutSignal) })
 }
 
-/** Returns the names of the formulas in [layouts] that [merged] lacks. */
-internal fun removedFormulas(merged: Layout, vararg layouts: Layout): Set<String> =
-    layouts.flatMapTo(HashSet()) { it.formulas.map(::keyOf) } - merged.formulas.map(::keyOf).toSet()
-
-private fun mergedGraphs(mine: Board?, before: Board?, theirs: Board?): Board? = when {
+private fun mergedGraphs(mine: Board?, before: Board?, theirs: Board?, initial: Board): Board? = when {
     mine == before -> theirs
     theirs == before || mine == null || theirs == null -> mine
-    else -> mine.mergedWith(theirs, before ?: Board())
+    else -> mine.mergedWith(theirs, before ?: initial)
 }
 
 private fun placeIn(layout: Layout) = listOf(layout.recording, layout.visible, layout.selection, layout.place)

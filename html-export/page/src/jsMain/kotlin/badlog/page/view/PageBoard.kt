@@ -7,6 +7,7 @@ import badlog.viewer.choices.board.BoardHistory
 import badlog.viewer.choices.board.BoardLines
 import badlog.viewer.choices.board.boardOfJson
 import badlog.viewer.choices.board.fittedTo
+import badlog.viewer.choices.board.mergedWith
 import badlog.viewer.choices.board.toJson
 import badlog.viewer.input.KeyAction
 import badlog.viewer.state.Action
@@ -27,7 +28,7 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     /** The board it began with, unless the browser remembered one. */
     private var begun: Board? = null
 
-    /** The board as this tab last read or stored it; while nothing is stored, the one it began with. */
+    /** The board of this tab as it was last read or stored; while nothing is stored, the one it began with. */
     private var known = Board()
 
     /** Returns the board that the page begins with for everybody. */
@@ -102,13 +103,10 @@ internal class PageBoard(fileKey: String, lines: BoardLines, private val store: 
     /** Repeats the change that was undone last; does nothing if there is none. */
     fun redo() = store.send(Action.Press(KeyAction.REDO))
 
-    /** Stores the current board, merged with changes of other tabs. */
+    /** Stores the changes of the board. Graphs that other tabs changed meanwhile stay as they stored them; this tab does not show them. */
     fun remember() {
-        // Another tab may have changed it meanwhile.
-        send(BoardAction.Merge(remembered() ?: known, known))
-        LocalStorage[key] = history.now.toJson(haveIds = true)
-        // As it is read: what JSON cannot hold is not a change of another tab.
-        known = remembered() ?: history.now
+        LocalStorage[key] = history.now.mergedWith(remembered() ?: known, known).toJson(haveIds = true)
+        known = history.now
         onKeep()
     }
 

@@ -6,17 +6,10 @@ package badlog.viewer.choices
  * was made only here stays. If both sides changed an element, the change here counts as the later one. Without changes by others, this list
  * stays the same.
  *
- * @param prefersStored whether an element that both sides changed is taken from [stored], so that an undo does not undo others' changes.
  * @param key returns the identity of an element.
  * @param join returns the merged element from its versions in all three lists, or in this one and the stored one.
  */
-fun <T : Any> List<T>.mergedWith(
-    stored: List<T>,
-    read: List<T>,
-    prefersStored: Boolean = false,
-    key: (T) -> Any = { it },
-    join: (T, T?, T) -> T = { mine, before, theirs -> merged(mine, before, theirs, prefersStored) },
-): List<T> {
+fun <T : Any> List<T>.mergedWith(stored: List<T>, read: List<T>, key: (T) -> Any = { it }, join: (T, T?, T) -> T = ::merged): List<T> {
     val mine = associateBy(key)
     val before = read.associateBy(key)
     val theirs = stored.associateBy(key)
@@ -26,8 +19,8 @@ fun <T : Any> List<T>.mergedWith(
         val was = before[place]
         val there = theirs[place]
         return when {
-            here == null -> there.takeIf { was == null || (prefersStored && there != was) }
-            there == null -> here.takeIf { was == null || (!prefersStored && here != was) }
+            here == null -> there.takeIf { was == null }
+            there == null -> here.takeIf { here != was }
             else -> join(here, was, there)
         }
     }
@@ -44,6 +37,5 @@ fun <T : Any> List<T>.mergedWith(
     return places.mapNotNull(::mergedAt)
 }
 
-/** Returns the value that only one side has changed since [before]; if both did, [theirs] if [prefersTheirs], otherwise [mine]. */
-internal fun <T> merged(mine: T, before: T?, theirs: T, prefersTheirs: Boolean): T =
-    if (mine == before || (prefersTheirs && theirs != before)) theirs else mine
+/** Returns the value that only one side has changed since [before]; if both did, [mine]. */
+internal fun <T> merged(mine: T, before: T?, theirs: T): T = if (mine == before) theirs else mine

@@ -25,9 +25,6 @@ sealed interface BoardAction : Action {
     /** Takes back the change from the graphs [before] to [after]; later changes stay. */
     class Revert(val before: Board, val after: Board) : BoardAction
 
-    /** Merges the changes that others made to the board, which was [read] before and is [stored] now. */
-    class Merge(val stored: Board, val read: Board) : BoardAction
-
     /** Renames the line [line] to [name], also in the boards that undoing restores. */
     class Rename(val line: String, val name: String) : BoardAction
 

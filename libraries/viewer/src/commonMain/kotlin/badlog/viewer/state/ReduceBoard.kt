@@ -14,7 +14,6 @@ internal fun ViewerState.after(shown: Shown, action: BoardAction): Outcome = whe
     is BoardAction.ShowAll -> taking(shown, board.changed(action.board))
     is BoardAction.Show -> taking(shown, board.changed(action.board, shown.graphs))
     is BoardAction.Revert -> taking(shown, board.changed(action.before, action.after))
-    is BoardAction.Merge -> Outcome(copy(board = board.mergedWith(action.stored, action.read)))
     is BoardAction.Rename -> everywhere(shown) { renamed(action.line, action.name) }
     is BoardAction.Forget -> everywhere(shown) { action.lines.fold(this, Board::withoutSignal) }
     is BoardAction.ShowEvidence -> Outcome(showingEvidence(shown.graphs, action.board))

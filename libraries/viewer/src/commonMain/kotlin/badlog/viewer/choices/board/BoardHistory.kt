@@ -6,15 +6,12 @@ package badlog.viewer.choices.board
  * @param at the index in [steps] of the current board; later ones were undone.
  * @param newId returns an id that no graph of any tab or window has; null if no other tab or window changes this board.
  */
-class BoardHistory private constructor(private val steps: List<Step>, private val at: Int, private val newId: (() -> Int)?) {
-    /** A board; [isNew] if others do not know its change yet. */
-    private class Step(val board: Board, val isNew: Boolean)
-
+class BoardHistory private constructor(private val steps: List<Board>, private val at: Int, private val newId: (() -> Int)?) {
     /** Creates a history that begins with [board]. */
-    constructor(board: Board = Board(), newId: (() -> Int)? = null) : this(listOf(Step(board, isNew = false)), 0, newId)
+    constructor(board: Board = Board(), newId: (() -> Int)? = null) : this(listOf(board), 0, newId)
 
     /** The current board. */
-    val now: Board get() = steps[at].board
+    val now: Board get() = steps[at]
 
     /** Whether a change can be undone. */
     val canUndo: Boolean get() = at > 0
@@ -30,7 +27,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         val own = identified(board)
         val whole = if (shown === now) own else own.mergedWith(now, shown)
         if (whole.showsSame(now)) return this
-        val all = (steps.take(at + 1) + Step(whole, isNew = true)).takeLast(MAX_STEPS + 1)
+        val all = (steps.take(at + 1) + whole).takeLast(MAX_STEPS + 1)
         return BoardHistory(all, all.lastIndex, newId)
     }
 
@@ -44,38 +41,18 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
     internal fun redone(): BoardHistory = if (canRedo) BoardHistory(steps, at + 1, newId) else this
 
     /** Returns this history with [change] applied to each board, so that it cannot be undone. */
-    internal fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map { Step(it.board.change(), it.isNew) })
-
-    /**
-     * Returns this history merged with the changes that others made to the [stored] board since this one [read] it. All boards of the
-     * history contain them, so that undoing does not undo them. Afterwards, [now] is the board to store, and earlier changes here no longer
-     * count as later than changes by others.
-     */
-    internal fun mergedWith(stored: Board, read: Board): BoardHistory {
-        if (stored == read) return BoardHistory(steps.map { Step(it.board, isNew = false) }, at, newId)
-        val merged = ArrayList<Step>()
-        for ((i, step) in steps.withIndex()) {
-            val before = merged.lastOrNull()?.board
-            val board = if (step.isNew && before != null) {
-                step.board.mergedWith(before, steps[i - 1].board)
-            } else {
-                step.board.mergedWith(stored, read, prefersStored = true)
-            }
-            merged += Step(board, isNew = false)
-        }
-        return withSteps(merged)
-    }
+    internal fun everywhere(change: Board.() -> Board): BoardHistory = withSteps(steps.map(change))
 
     /** Returns a history of the [changed] steps of this one, without steps that show the same as the step before. */
-    private fun withSteps(changed: List<Step>): BoardHistory {
-        val all = ArrayList<Step>()
+    private fun withSteps(changed: List<Board>): BoardHistory {
+        val all = ArrayList<Board>()
         var place = 0
         for ((i, step) in changed.withIndex()) {
             val before = all.lastOrNull()
-            if (before == null || !step.board.showsSame(before.board)) {
+            if (before == null || !step.showsSame(before)) {
                 all += step
             } else if (i == at) {
-                all[all.lastIndex] = Step(step.board, before.isNew)
+                all[all.lastIndex] = step
             }
             if (i == at) place = all.lastIndex
         }
@@ -87,7 +64,7 @@ class BoardHistory private constructor(private val steps: List<Step>, private va
         val id = newId ?: return board
         return Board(
             board.graphs.map { graph ->
-                val wasHere = steps.any { step -> step.board.graphs.any { it.id == graph.id && it.isOnceSame(graph) } }
+                val wasHere = steps.any { step -> step.graphs.any { it.id == graph.id && it.isOnceSame(graph) } }
                 if (wasHere || graph.id == graph.idOfLines) graph else graph.copy(id = id())
             },
         )

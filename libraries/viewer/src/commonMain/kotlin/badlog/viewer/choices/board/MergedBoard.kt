@@ -9,9 +9,8 @@ import badlog.viewer.choices.mergedWith
  * separately. See [mergedWith][badlog.viewer.choices.mergedWith].
  *
  * @param stored the currently stored board.
- * @param prefersStored whether a property that both sides changed is taken from [stored], rather than from here.
  */
-fun Board.mergedWith(stored: Board, read: Board, prefersStored: Boolean = false): Board {
+fun Board.mergedWith(stored: Board, read: Board): Board {
     val known = read.graphs.mapTo(HashSet()) { it.id }
     val own = graphs.filter { it.id !in known }.associateBy { it.id }
     // Ids of new graphs may be equal by chance.
@@ -20,14 +19,14 @@ fun Board.mergedWith(stored: Board, read: Board, prefersStored: Boolean = false)
         val isFree = own[graph.id].let { it == null || it == graph || it.id == it.idOfLines || graph.id == graph.idOfLines }
         if (isFree) graph else graph.copy(id = ++free)
     }
-    val merged = graphs.mergedWith(others, read.graphs, prefersStored, { it.id }) { mine, before, theirs ->
-        if (before == null) mine else mine.mergedWith(theirs, before, prefersStored)
+    val merged = graphs.mergedWith(others, read.graphs, { it.id }) { mine, before, theirs ->
+        if (before == null) mine else mine.mergedWith(theirs, before)
     }
     return Board(merged.filter { it.lines.isNotEmpty() })
 }
 
-private fun BoardGraph.mergedWith(stored: BoardGraph, read: BoardGraph, prefersStored: Boolean): BoardGraph {
-    fun <T> of(part: (BoardGraph) -> T): T = merged(part(this), part(read), part(stored), prefersStored)
+private fun BoardGraph.mergedWith(stored: BoardGraph, read: BoardGraph): BoardGraph {
+    fun <T> of(part: (BoardGraph) -> T): T = merged(part(this), part(read), part(stored))
 
     fun names(part: (BoardGraph) -> Iterable<String>) = part(this).toList().mergedWith(part(stored).toList(), part(read).toList())
 

@@ -48,24 +48,6 @@ class BoardHistorySpec : FunSpec({
         (steps in 50..200) shouldBe true
     }
 
-    test("undoing affects only the tab's own graphs, and keeps changes of another tab") {
-        val read = Board().withGraph(listOf("A")).withGraph(listOf("B"))
-        val history = BoardHistory(read).changed(read.withGraph(listOf("Mine")))
-        val stored = read.without(read.graphs[0].id).withGraph(listOf("Theirs"))
-        val merged = history.mergedWith(stored, read)
-        merged.now.graphs.map { it.lines } shouldBe listOf(listOf("B"), listOf("Mine"), listOf("Theirs"))
-        merged.now.graphs.map { it.id }.distinct().size shouldBe 3
-        merged.undone().now.graphs.map { it.lines } shouldBe listOf(listOf("B"), listOf("Theirs"))
-    }
-
-    test("without changes of other tabs, a history stays the same") {
-        val board = Board().withGraph(listOf("A"))
-        val history = BoardHistory(board).changed(board.withGraph(listOf("B")))
-        val merged = history.mergedWith(board, board)
-        merged.now shouldBe history.now
-        merged.undone().now shouldBe board
-    }
-
     test("renaming or removing a signal everywhere is not undone, and a step without another change disappears") {
         val one = Board().withGraph(listOf("A"))
         val history = BoardHistory(one).changed(one.withGraph(listOf("B"))).changed(one.withGraph(listOf("B")).withGraph(listOf("C")))
