@@ -58,7 +58,7 @@ internal class StationLogFinder(private val folder: Path, private val signals: S
     /** Returns the same for programs. */
     fun jsonOf(file: LogFile): Map<String, JsonElement> = found[file.path]?.run {
         jsonOf(StationJson(StationFitJson(name, fit.seconds, fit.edges, fit.error)))
-    }.orEmpty()
+    } ?: doubts[file.path]?.let { jsonOf(StationDoubtJson(it)) }.orEmpty()
 
     private companion object {
         const val DIGITS = 3
@@ -67,6 +67,9 @@ internal class StationLogFinder(private val folder: Path, private val signals: S
 
 @Serializable
 private class StationJson(private val driverStation: StationFitJson)
+
+@Serializable
+private class StationDoubtJson(private val driverStationDoubt: String)
 
 @Serializable
 private class StationFitJson(

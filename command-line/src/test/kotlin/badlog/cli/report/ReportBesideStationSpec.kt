@@ -29,12 +29,12 @@ class ReportBesideStationSpec : FunSpec({
         records(450)
     }
 
-    fun Path.robot(battery: Boolean) = wpilog(
-        "robot.wpilog",
+    fun Path.robot(battery: Boolean, name: String = "robot.wpilog", ahead: Double = 0.0) = wpilog(
+        name,
         listOf(
-            Logged("DS:enabled", "boolean", "", listOf(0.5 to false, 2.0 to true, 5.0 to false, 13.0 to false)),
+            Logged("DS:enabled", "boolean", "", listOf(0.5 to false, 2.0 to true, 5.0 to false, 13.0 to false).map { (time, value) -> time + ahead to value }),
             // Its clock began 3 s later.
-            Logged("systemTime", "int64", "", listOf(1.0 to (STATION_START - 2_082_844_800L + 4.5) * 1e6)),
+            Logged("systemTime", "int64", "", listOf(1.0 + ahead to (STATION_START - 2_082_844_800L + 4.5) * 1e6)),
         ) + if (battery) listOf(Logged("Battery Voltage", "double", "", listOf(0.5 to 12.5, 13.0 to 12.0))) else emptyList(),
     )
 
@@ -70,6 +70,16 @@ class ReportBesideStationSpec : FunSpec({
             badlog(*arguments, "--with-ds=$none").out shouldNotContain "trip time > 50"
             // Without a folder: the log's folder, and those below it.
             badlog(*arguments, "--with-ds").out shouldContain "trip time > 50"
+        }
+    }
+
+    test("programs, too, learn that a Driver Station log may belong to another robot") {
+        inFolder { folder ->
+            folder.with("ds/2026_03_07 10_04_05 Sat.dslog", dslog.bytes)
+            val robot = folder.robot(battery = false)
+            folder.robot(battery = false, name = "rival.wpilog", ahead = 1.0)
+            val ended = badlogJson("report", robot, "--no-cache", "--with-ds=${folder / "ds"}").json.single()
+            ended.getValue("driverStationDoubt").jsonPrimitive.content shouldContain "or to the robot of rival.wpilog"
         }
     }
 })

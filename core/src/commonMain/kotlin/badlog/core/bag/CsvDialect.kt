@@ -1,6 +1,7 @@
 package badlog.core.bag
 
 import badlog.core.text.COMMA
+import badlog.core.text.TAB
 import badlog.core.text.originOf
 
 /**
@@ -28,7 +29,7 @@ internal class CsvDialect(
     val sentence: String?
         get() {
             val parts = buildList {
-                if (separator != COMMA) add("columns are separated by ${if (separator == ';'.code) "semicolons" else "tabs"}")
+                if (separator != COMMA) add("columns are separated by ${separatorName()}")
                 if (hasComma) add("numbers have decimal commas")
                 if (between != null) add("numbers have ${nameOf(between)} between thousands")
             }
@@ -36,6 +37,12 @@ internal class CsvDialect(
             val text = if (parts.size == 1) parts[0] else parts.dropLast(1).joinToString() + " and " + parts.last()
             return text.replaceFirstChar(Char::uppercaseChar) + "; the file was read that way."
         }
+
+    private fun separatorName() = when (separator) {
+        ';'.code -> "semicolons"
+        TAB -> "tabs"
+        else -> "“${separator.toChar()}”"
+    }
 
     private fun nameOf(mark: Char) = when (mark) {
         '.' -> "points"

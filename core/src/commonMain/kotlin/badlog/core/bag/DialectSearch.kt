@@ -60,7 +60,9 @@ internal object DialectSearch {
     private fun dialect(reading: Reading, isNamed: Boolean): CsvDialect {
         val first = reading.lines[0]
         val hasTitles = first.any { !it.isEmpty && !it.isValue }
-        val body = if (hasTitles || first.size != reading.width) reading.rows else reading.rows + listOf(first)
+        // A row of units is no row of values.
+        val rows = if (hasTitles) reading.rows.run { drop(if (size > 2 && isUnits(this)) 1 else 0) } else reading.rows
+        val body = if (hasTitles || first.size != reading.width) rows else rows + listOf(first)
         val isUsual = reading.separator == COMMA
         // Without such a mark, points are decimal ones between commas.
         val marked = if (isUsual && body.none { row -> row.any { cell -> cell.text.any { it in MARKS } } }) emptyList() else body.flatten()
@@ -90,6 +92,8 @@ internal object DialectSearch {
         return CsvDialect(reading.separator, hasComma, between, if (hasTime) emptyMap() else clocks, hasTitles, isNamed)
     }
 
+    private fun isUnits(rows: List<List<Cell>>) = rows[0].none { it.isValue } && rows.drop(1).all { row -> row.any { it.isValue } }
+
     private fun isTime(index: Int, titles: List<Cell>, rows: List<List<Cell>>): Boolean =
         "time" in titles.getOrNull(index)?.text.orEmpty().lowercase() &&
             rows.all { it[index].isEmpty || it[index].number?.isPossible == true }
@@ -109,7 +113,8 @@ internal object DialectSearch {
 
     /** Returns the separator that a line such as `sep=;` names, which Excel writes and reads; null for any other line. */
     private fun separatorIn(line: String): Int? {
-        val text = line.trim().removeSurrounding("\"")
+        // The separator may be a tab.
+        val text = line.trim(' ').removeSurrounding("\"")
         return text.takeIf { it.length == SEPARATOR_PREFIX.length + 1 && it.startsWith(SEPARATOR_PREFIX, ignoreCase = true) }?.last()?.code
     }
 

@@ -68,6 +68,8 @@ class CsvDialectSpec : FunSpec({
         recording.topics.map { it.name } shouldBe listOf("a", "b")
         recording.topic("a").samples.toList() shouldBe listOf(1.5, 2.5)
         parse("sep=,\na,b\n1.5,2\n2.5,3\n").topic("a").samples.toList() shouldBe listOf(1.5, 2.5)
+        parse("sep=\t\na\tb\n1.5\t2\n2.5\t3\n").topic("a").samples.toList() shouldBe listOf(1.5, 2.5)
+        parse("sep=|\na|b\n1.5|2\n2.5|3\n").hints().single() shouldContain "by “|”"
     }
 
     test("commas between thousands, in quotes, are not decimal ones") {
@@ -94,6 +96,15 @@ class CsvDialectSpec : FunSpec({
         recording.topic("Voltage").samples.toList() shouldBe listOf(12.5, 12.4, 12.3)
         recording.hints().single() shouldContain "units"
         parse("Zeit;U\ns;V\n0,1;12,5\n0,2;12,4\n").topics.map { it.unit } shouldBe listOf("s", "V")
+    }
+
+    test("below a row of units, thousands and times of day are still found") {
+        val thousands = parse("Zeit;Drehzahl\ns;rpm\n0,1;1.234,5\n0,2;12.345,5\n0,3;987,5\n")
+        thousands.topic("Drehzahl").samples.toList() shouldBe listOf(1234.5, 12_345.5, 987.5)
+        thousands.topics.map { it.unit } shouldBe listOf("s", "rpm")
+        val times = parse("timestamp,A\n,V\n" + (0 until 9).joinToString("") { "2024-03-16T10:11:32.${it}00,1$it\n" })
+        times.topic("timestamp").samples.toList() shouldBe List(9) { it / 10.0 }
+        times.topic("A").unit shouldBe "V"
     }
 
     test("a first row of texts above texts, or with a number, is not titles") {

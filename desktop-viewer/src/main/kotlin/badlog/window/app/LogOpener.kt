@@ -1,6 +1,7 @@
 package badlog.window.app
 
 import badlog.catalog.folder.LogEntry
+import badlog.catalog.match.MatchMaker
 import badlog.window.files.FileChoice
 import badlog.window.folder.Library
 import badlog.window.log.RecordingLoader
@@ -27,10 +28,18 @@ internal class LogOpener(
         if (next.file != library.state.selected) open(next)
     }
 
-    /** Opens the first folder of [paths], or otherwise the first log, with its folder if none is open yet. */
+    /**
+     * Opens the first folder of [paths], or otherwise the first log, with its folder if none is open yet. Of a folder with a `match.json`,
+     * it also opens the match.
+     */
     fun openNamed(paths: List<Path>) {
         val folder = paths.firstOrNull { Files.isDirectory(it) }
-        if (folder != null) return library.open(folder)
+        if (folder != null) {
+            val match = MatchMaker.manifestIn(folder)
+            library.open(folder, showsNewest = match == null)
+            match?.let(loader::open)
+            return
+        }
         val file = paths.firstOrNull() ?: return
         if (library.state.folder == null) file.parent?.let { library.open(it, showsNewest = false) }
         loader.open(file)

@@ -1,5 +1,6 @@
 package badlog.window.choice
 
+import badlog.catalog.match.MatchMaker
 import badlog.files.LogFile
 import badlog.files.readStationLog
 import badlog.files.startOfStationLog
@@ -21,10 +22,19 @@ import java.nio.file.Path
  * folder of logs [library], or where the Driver Station of this computer keeps its logs. Interrupting the thread cancels.
  */
 internal fun stationBeside(robot: OpenRecording, library: Path?): FoundStation<LogFile>? {
+    // A ZIP has the files of its match.
+    if (isMatch(robot.file)) return null
     val clocked = ClockedLog(robot.file.fileName.toString(), robot.view.recording, robot.vocabulary)
     if (!clocked.hasClock) return null
     val logs = (listOfNotNull(robot.file.parent, library) + stationFolders()).distinct().flatMap(::logsIn).distinctBy { it.path }
     return StationSearch(clocked, ::startOf) { clockedLog(it, library) }.over(logs, mostRead = MAX_READ)
+}
+
+private fun isMatch(file: Path): Boolean = try {
+    MatchMaker.isSource(file)
+} catch (_: IOException) {
+    // It was removed.
+    false
 }
 
 private fun logsIn(folder: Path): List<LogFile> = try {

@@ -1,5 +1,6 @@
 package badlog.window.export
 
+import badlog.catalog.match.MatchMaker
 import badlog.core.analysis.LogView
 import badlog.core.text.freeName
 import badlog.exporter.ExportException
@@ -54,13 +55,13 @@ internal fun pageJobs(logs: List<Path>, folder: Path): List<PageJob> {
  * @param progress receives the fraction done, 0 to 1.
  */
 internal fun makePages(jobs: List<PageJob>, additions: Additions, progress: (Float) -> Unit = {}): ExportedPages {
-    val exporter = HtmlExporter()
+    val exporter = HtmlExporter(maker = MatchMaker)
     val made = ArrayList<Path>()
     val failures = ArrayList<String>()
     jobs.forEachIndexed { i, job ->
         if (Thread.interrupted()) throw InterruptedException()
         try {
-            val own = if (job.compared.isEmpty()) exporter else HtmlExporter(compared = job.compared)
+            val own = if (job.compared.isEmpty()) exporter else HtmlExporter(compared = job.compared, maker = MatchMaker)
             own.export(job.log, job.page, additions.of(job.log)) { done, total ->
                 val share = if (total > 0) done.toFloat() / total else 0f
                 progress((i + share.coerceAtMost(1f)) / jobs.size)
@@ -103,7 +104,7 @@ internal class Additions(
     private fun workingIn(log: Path): List<String> {
         if (definitions.isEmpty()) return emptyList()
         known[log]?.let { recording -> return recording.formulas.filter { it.topic != null }.map { it.definition } }
-        return when (val read = readLog(log, LOG_FORMATS, ReadOptions(keepSamples = false))) {
+        return when (val read = readLog(log, LOG_FORMATS, ReadOptions(keepSamples = false, maker = MatchMaker))) {
             is ReadResult.NotRead -> emptyList()
 
             is ReadResult.Read -> {

@@ -1,5 +1,6 @@
 package badlog.window.log
 
+import badlog.catalog.match.MatchMaker
 import badlog.core.analysis.EnabledSpan
 import badlog.core.analysis.EventLog
 import badlog.core.analysis.LogView
@@ -213,7 +214,7 @@ internal class OpenRecording(
 
     companion object {
         /**
-         * Reads [file], an absolute path.
+         * Reads [file], an absolute path: a log, or a ZIP or `match.json` of a match.
          *
          * @param library the folder of logs, see [FolderRules.of]; null for the folder of [file] alone.
          * @param isGrowing whether text after the last line end is left out, as an incomplete row.
@@ -230,7 +231,7 @@ internal class OpenRecording(
             progress: (Float) -> Unit = {},
         ): OpenRecording {
             assertOffWindow()
-            val recording = readLog(file, LOG_FORMATS, ReadOptions(untilLastLineEnd = isGrowing)) { done, total ->
+            val recording = readLog(file, LOG_FORMATS, ReadOptions(untilLastLineEnd = isGrowing, maker = MatchMaker)) { done, total ->
                 if (total > 0) progress(done.toFloat() / total)
             }.orThrow()
             val vocabulary = FolderRules.of(file, library).rules.signals

@@ -126,6 +126,19 @@ class LibrarySpec : FunSpec({
         viewer.scope.cancel()
     }
 
+    test("of a folder with a match.json, the match is opened, not the newest log") {
+        val folder = tempdir().toPath()
+        folder.put("1.bag", bag(100))
+        val manifest = folder.put("match.json", """{"version":1,"files":[{"name":"1.bag"}]}""")
+        val viewer = newViewer()
+        watching(tempdir().toPath(), viewer) {
+            withContext(Dispatchers.Main) { viewer.opener.openNamed(listOf(folder)) }
+            eventually(longest) { viewer.current.recording.shouldNotBeNull().file shouldBe manifest }
+            eventually(longest) { names(viewer).size shouldBe 1 }
+        }
+        viewer.scope.cancel()
+    }
+
     test("a file that cannot be opened leaves the open log, which is still followed") {
         val folder = tempdir().toPath()
         val file = folder.put("1.bag", bag(100))

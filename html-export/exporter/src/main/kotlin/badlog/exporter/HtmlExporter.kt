@@ -147,10 +147,10 @@ class HtmlExporter(
     private fun headOf(file: Path): FileHead =
         FileHead.of(reading(file) { Files.newInputStream(file).use { it.readNBytes(FileHead.BYTES) } })
 
-    private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}) { log ->
+    private fun compare(input: Path, writer: PageWriter, threads: ExportThreads) = unpacked(input, {}, maker = maker) { log ->
         // All pages of a folder compare with the same logs.
         if (input !in readable) {
-            val compared = readRecording(input, LOG_FORMATS, ReadOptions(keepSamples = false))
+            val compared = readRecording(log.path, LOG_FORMATS, ReadOptions(keepSamples = false))
             compared.refusal?.let { throw ExportException.NotARecording(input, it) }
             readable.add(input)
         }

@@ -89,7 +89,7 @@ internal class EmptyPageSpec : PageSpec({
             click("#go-back")
             awaitState("empty")
             step("an unsupported kind of log is refused with the next step, and a file that is not a log with a sentence") {
-                for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
+                for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "badlog's window opens it as one log")) {
                     drop(name to byteArrayOf(1, 2, 3))
                     awaitState("failed")
                     text shouldContain "This page cannot read $name"

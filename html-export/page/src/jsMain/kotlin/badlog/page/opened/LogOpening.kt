@@ -338,7 +338,7 @@ internal class LogOpening(
     private fun adviceFor(name: String): String? = when (name.substringAfterLast('.').lowercase()) {
         "wpilogxz" -> "It is compressed with xz: unpack it, with 7-Zip for example, or open it in badlog's window."
         "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
-        "zip" -> "Unpack it first, then open what was in it."
+        "zip" -> "Unpack it, then open what was in it. If it has the logs of one match, badlog's window opens it as one log."
         else -> null
     }
 
