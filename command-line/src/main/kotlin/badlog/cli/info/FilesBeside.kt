@@ -2,7 +2,7 @@ package badlog.cli.info
 
 import badlog.catalog.match.MatchMaker
 import badlog.files.filesAround
-import badlog.files.isOfDriverStation
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.formats.revlog.RevlogFormat
 import badlog.signals.clock.ClockedLog
 import badlog.signals.match.files.FileRole

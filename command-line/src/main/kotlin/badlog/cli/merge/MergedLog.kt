@@ -10,7 +10,7 @@ import badlog.core.recording.ProblemKind
 import badlog.files.LogMaker
 import badlog.files.ReadResult
 import badlog.files.UnreadableFileException
-import badlog.files.isOfDriverStation
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.files.readLog
 import badlog.files.terminal.Progress
 import badlog.files.writing

@@ -7,7 +7,7 @@ import badlog.cli.text.jsonOf
 import badlog.cli.text.shortNumber
 import badlog.core.analysis.LogView
 import badlog.files.LogFile
-import badlog.files.isOfDriverStation
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.signals.clock.ClockFit
 import badlog.signals.clock.ClockedLog
 import badlog.signals.clock.StationOverlay

@@ -8,7 +8,7 @@ import badlog.files.LogName
 import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.filesAround
-import badlog.files.isOfDriverStation
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.files.readLog
 import badlog.files.readStationLog
 import badlog.files.reading

@@ -2,7 +2,7 @@ package badlog.window.choice
 
 import androidx.compose.runtime.snapshotFlow
 import badlog.files.LogFile
-import badlog.files.isOfDriverStation
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.signals.clock.FoundStation
 import badlog.window.log.CurrentRecording
 import badlog.window.log.OpenRecording

@@ -2,10 +2,10 @@ package badlog.files
 
 import badlog.core.recording.LogFormat
 import badlog.core.recording.Recording
-import badlog.core.recording.Topic
 import badlog.formats.driverstation.DriverStationFormat
 import badlog.formats.driverstation.DriverStationFormat.FIRST_ENDING
 import badlog.formats.driverstation.DriverStationFormat.SECOND_ENDING
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.formats.wpilog.WpilogFormat
 import java.io.IOException
 import java.nio.file.Files
@@ -32,17 +32,6 @@ public fun stationLogsIn(folder: Path, checkpoint: () -> Unit = {}): List<LogFil
     }
 
 /**
- * Whether this is a log of the Driver Station. Until 2026 such a log has a format of its own; from 2027 on it is a WPILOG with nothing else
- * in it.
- */
-public val Recording.isOfDriverStation: Boolean
-    get() = format == DriverStationFormat ||
-        (format == WpilogFormat && topics.any { it.name.startsWith(STATION_TOPIC) } && topics.all(::isOfStation))
-
-private fun isOfStation(topic: Topic) =
-    topic.name.startsWith(STATION_TOPIC) || SCHEMA_FOLDER in topic.name || topic.name == "systemTime" || topic.name == "messages"
-
-/**
  * Returns the content of [log], one of [stationLogsIn], read by [formats]. Null if it is not a log of the Driver Station, has no samples, or cannot
  * be read.
  */
@@ -67,10 +56,6 @@ public fun startOfStationLog(log: LogFile, headSize: Int, startIn: (ByteArray) -
 
 /** The beginning of its logs' names from 2027 on. */
 private const val STATION_STEM = "FIRST_DS"
-
-/** The beginning of its topics' names from 2027 on; a robot's topics, such as `DS:controlWord`, have no slash. */
-private const val STATION_TOPIC = "DS:/"
-private const val SCHEMA_FOLDER = "/.schema/"
 
 /** Returns the folders of the Driver Station's logs on this computer. The first is for the seasons to 2026, the others from 2027 on. */
 public fun stationFolders(

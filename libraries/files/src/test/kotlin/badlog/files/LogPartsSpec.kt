@@ -1,5 +1,6 @@
 package badlog.files
 
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.formats.LOG_FORMATS
 import badlog.formats.driverstation.DriverStationFormat
 import badlog.formats.driverstation.STATION_LOG

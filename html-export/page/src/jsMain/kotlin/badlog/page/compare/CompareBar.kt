@@ -110,7 +110,7 @@ internal class CompareBar(private val comparison: PageComparison, private val no
         reading = FileReading(log.files) { share -> notice.show("Reading $name: ${(share * 100).toInt()} %", cancel) }
         PageEvents.onEnd(cancel)
         notice.show("Reading $name…", cancel)
-        reading.start().then({ accept(log, it) }, { failures += "$name cannot be read: ${it.message}. Open it again." }).then {
+        reading.start().then({ accept(log, it.recording) }, { failures += "$name cannot be read: ${it.message}. Open it again." }).then {
             unread -= log
             readNext()
         }

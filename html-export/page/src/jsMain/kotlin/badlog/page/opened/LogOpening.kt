@@ -7,11 +7,14 @@ import badlog.page.dom.add
 import badlog.page.dom.addButton
 import badlog.page.dom.addIconButton
 import badlog.page.dom.element
+import badlog.page.dom.place
 import badlog.page.dom.screenKey
 import badlog.page.embedded.logIn
 import badlog.page.linked.LinkedFile
 import badlog.page.reading.FileReading
+import badlog.page.reading.MatchFiles
 import badlog.page.reading.WantedTopics
+import badlog.page.reading.filesInZip
 import badlog.page.screen.LoadingScreen
 import badlog.page.screen.PageRoot
 import badlog.page.screen.setPageState
@@ -19,6 +22,7 @@ import badlog.page.served.Download
 import badlog.page.served.ServedFolder
 import badlog.page.served.served
 import badlog.rules.RuleSet
+import badlog.signals.match.files.MatchManifest
 import badlog.signals.overItsTime
 import badlog.viewer.input.ScreenKey
 import badlog.viewer.shown.folder.Changes
@@ -71,6 +75,10 @@ internal class LogOpening(
     fun open(files: List<File>) {
         again = { open(files) }
         val only = files.singleOrNull()
+        if (only != null && only.name.endsWith(".zip", ignoreCase = true)) {
+            return openMatch(only.name) { filesInZip(only) { isManifest(it) || OpenedLog.isNamedLikeLog(it) } }
+        }
+        if (files.any { isManifest(it.name) }) return openMatch("match") { Promise.resolve(files) }
         val advice = only?.let { adviceFor(it.name) }
         // A single file was selected by name, so it may have any name.
         val logs = OpenedLog.logsIn(if (only != null) files else files.filter(OpenedLog::isNamedLikeLog))
@@ -84,6 +92,31 @@ internal class LogOpening(
             logs.size == 1 && pages == 0 -> open(logs[0])
             else -> list(logs, logs.first().path.substringBefore('/', "Logs"), again = null, pages)
         }
+    }
+
+    /** Opens the logs of one match, in files that [find] promises, as one log, which is named after [name]. */
+    private fun openMatch(name: String, find: () -> Promise<List<File>>) {
+        val asked = wait(name) {}
+        fun refuse(problem: Throwable, logs: List<OpenedLog> = emptyList()) {
+            val tools = back()
+            if (logs.size > 1) tools.addButton("", "List its logs") { list(logs, name, again = null) }.id = "list-logs"
+            fail("$name cannot be opened as one match", problem.message.orEmpty(), tools)
+        }
+        find().then({ files ->
+            val manifest = files.find { isManifest(it.name) }
+            val folder = manifest?.run { place.orEmpty().removeSuffix(MatchManifest.NAME) }.orEmpty()
+            val logs = OpenedLog.logsIn(files.filter(OpenedLog::isNamedLikeLog))
+            textOf(manifest).then { text ->
+                lateinit var reading: FileReading
+                if (!asked.isLatest) return@then
+                val waiting = wait(name) { reading.cancel() }
+                reading = FileReading(MatchFiles(logs.associate { it.path.removePrefix(folder) to it.files }, text), rules(), waiting.screen::show)
+                reading.start().then({ read ->
+                    val made = File(arrayOf(checkNotNull(read.made)), "$name.wpilog")
+                    if (waiting.isLatest) accept(OpenedLog(listOf(made)), read.recording, emptyList(), showsWorst = false)
+                }, { if (waiting.isLatest) refuse(it, logs) })
+            }
+        }, { if (asked.isLatest) refuse(it) }).catch { root.failUnexpectedly(it, back()) }
     }
 
     /** Opens [linked], the target of a link, after the reader has agreed. */
@@ -212,7 +245,7 @@ internal class LogOpening(
         lateinit var reading: FileReading
         val asked = wait(opened.fileName) { reading.cancel() }
         reading = FileReading(opened.files, wanted, asked.screen::show)
-        reading.start().then({ read -> if (asked.isLatest) accept(opened, read, compared, showsWorst) }, { failure ->
+        reading.start().then({ read -> if (asked.isLatest) accept(opened, read.recording, compared, showsWorst) }, { failure ->
             if (asked.isLatest) fail("${opened.fileName} cannot be read", "${failure.message}. Open it again.")
         }).catch { root.failUnexpectedly(it, back()) }
     }
@@ -268,10 +301,10 @@ internal class LogOpening(
         history.show(Visit.LOG)
     }
 
-    private fun fail(title: String, explanation: String) {
+    private fun fail(title: String, explanation: String, tools: HTMLElement = back()) {
         leaveList()
         request++
-        root.fail(title, explanation, back())
+        root.fail(title, explanation, tools)
         acceptFiles(::open, ::open)
     }
 
@@ -338,9 +371,13 @@ internal class LogOpening(
     private fun adviceFor(name: String): String? = when (name.substringAfterLast('.').lowercase()) {
         "wpilogxz" -> "It is compressed with xz: unpack it, with 7-Zip for example, or open it in badlog's window."
         "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
-        "zip" -> "Unpack it, then open what was in it. If it has the logs of one match, badlog's window opens it as one log."
         else -> null
     }
+
+    private fun isManifest(path: String) = path.substringAfterLast('/') == MatchManifest.NAME
+
+    private fun textOf(file: File?): Promise<String?> =
+        if (file == null) Promise.resolve(null) else file.asDynamic().text().unsafeCast<Promise<String?>>()
 
     private companion object {
         /** The milliseconds between two looks at a robot's list; a robot has other work. */

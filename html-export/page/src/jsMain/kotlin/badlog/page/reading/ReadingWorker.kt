@@ -1,16 +1,21 @@
 package badlog.page.reading
 
+import badlog.page.dom.json
 import badlog.page.embedded.About
+import badlog.rules.RuleSet
+import badlog.rules.fromJson
+import badlog.rules.toJson
 import org.w3c.dom.DedicatedWorkerGlobalScope
 import org.w3c.dom.MessageEvent
 import org.w3c.files.File
+import kotlin.js.Promise
 
 /**
  * The worker that reads the recording, so that the page stays responsive. Its script is the page's own.
  *
  * The page sends an object with `expectedBytes`, `isWhole` and `lineSums`, then strings of base64, one for each `"more"` it receives, then
- * null; or it sends an object with `files` and `wanted`. The worker answers with `"more"`, numbers (the fraction that is done), an object
- * with `failure`, or the recording with `isDamaged`. Its answers to parts of a recording are described in [PartMessage].
+ * null; or it sends an object with `files` and `wanted`, or with `logs`, their `names`, `manifest` and `rules`. The worker answers with `"more"`, numbers (the fraction that is done), an object
+ * with `failure`, or the recording with `isDamaged` and `made`. Its answers to parts of a recording are described in [PartMessage].
  */
 internal object ReadingWorker {
     /** Whether this script runs in the worker. */
@@ -33,6 +38,14 @@ internal object ReadingWorker {
         return message
     }
 
+    /** Returns the first message for reading [match], with the signals of [rules]. */
+    fun greeting(match: MatchFiles, rules: RuleSet): dynamic = json(
+        "logs" to match.logs.values.map { it.toTypedArray() }.toTypedArray(),
+        "names" to match.logs.keys.toTypedArray(),
+        "manifest" to match.manifest,
+        "rules" to rules.toJson(),
+    )
+
     /** Answers the page's messages, in the worker. */
     fun run() {
         val page = js("self").unsafeCast<DedicatedWorkerGlobalScope>()
@@ -43,6 +56,7 @@ internal object ReadingWorker {
             when {
                 PartMessage.isPart(message) -> PartMessage.answer(page, message)
                 message != null && message.files != undefined -> readFiles(page, message)
+                message != null && message.logs != undefined -> readMatch(page, message)
                 current == null -> reader = open(page, message)
                 message == null -> current.end()
                 else -> current.accept(message as String).then({ page.postMessage(MORE) }, { answerFailure(page, it) })
@@ -67,9 +81,19 @@ internal object ReadingWorker {
         reader.read().then({ read -> answer(page, ReadLog(read, isDamaged = false)) }).catch { answerFailure(page, it) }
     }
 
+    private fun readMatch(page: DedicatedWorkerGlobalScope, message: dynamic) {
+        val logs = message.logs.unsafeCast<Array<Array<File>>>().map { it.toList() }
+        val match = MatchFiles(message.names.unsafeCast<Array<String>>().zip(logs).toMap(), message.manifest as String?)
+        val rules = checkNotNull(RuleSet.fromJson(message.rules as String))
+        // A manifest with mistakes fails at once.
+        val read = Promise.resolve(Unit).then { MatchReader(match, rules.signals) { page.postMessage(it) }.read() }
+        read.unsafeCast<Promise<ReadLog>>().then({ answer(page, it) }).catch { answerFailure(page, it) }
+    }
+
     private fun answer(page: DedicatedWorkerGlobalScope, read: ReadLog) {
         val answer = RecordingMessage.of(read.recording)
         answer.isDamaged = read.isDamaged
+        answer.made = read.made
         page.postMessage(answer, RecordingMessage.buffersOf(read.recording))
     }
 

@@ -2,6 +2,7 @@ package badlog.page.reading
 
 import org.w3c.dom.MessageEvent
 import org.w3c.dom.Worker
+import org.w3c.files.Blob
 
 /**
  * Handlers for the answers of a worker that reads a log, see [ReadingWorker].
@@ -41,7 +42,8 @@ internal fun Worker.receive(answers: WorkerAnswers) {
                 if (message.failure != undefined) {
                     answers.onFailure(Error(message.failure as String))
                 } else {
-                    answers.onRead(ReadLog(RecordingMessage.read(message), message.isDamaged as Boolean))
+                    val made = message.made.unsafeCast<Blob?>()
+                    answers.onRead(ReadLog(RecordingMessage.read(message), message.isDamaged as Boolean, made))
                 }
             }
         }

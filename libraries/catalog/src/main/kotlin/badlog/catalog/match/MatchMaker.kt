@@ -10,7 +10,7 @@ import badlog.files.ReadOptions
 import badlog.files.ReadResult
 import badlog.files.UnreadableFileException
 import badlog.files.inMadeFolder
-import badlog.files.isOfDriverStation
+import badlog.formats.driverstation.isOfDriverStation
 import badlog.files.naming
 import badlog.files.partsOfLog
 import badlog.files.readLog
@@ -24,13 +24,13 @@ import badlog.formats.wpilog.isOfBytes
 import badlog.rules.folder.FolderRules
 import badlog.signals.clock.ClockedLog
 import badlog.signals.match.files.FileRole
-import badlog.signals.match.files.FoundMatches
 import badlog.signals.match.files.MatchFile
 import badlog.signals.match.files.MatchManifest
 import badlog.signals.match.files.MatchManifestException
+import badlog.signals.match.files.NotOneMatchException
 import badlog.signals.match.files.StatedFile
-import badlog.signals.match.files.matchesOf
-import badlog.signals.match.files.recording
+import badlog.signals.match.files.joinedMatch
+import badlog.signals.match.files.missingOf
 import java.io.BufferedOutputStream
 import java.nio.file.Files
 import java.nio.file.InvalidPathException
@@ -146,20 +146,12 @@ object MatchMaker : LogMaker {
                 }
             }
         }
-        (statedOf.keys - files.keys).mapTo(sentences) { "$it is missing, which ${MatchManifest.NAME} names." }
-        val found = matchesOf(given)
-        val match = found.matches.singleOrNull() ?: throw sentenceFor(found, sentences).let { sentence ->
+        return try {
+            joinedMatch(given, sentences + missingOf(stated, files.keys))
+        } catch (e: NotOneMatchException) {
             // With more memory, for example, the same file may be a match.
-            if (isLasting) refused(file, sentence) else UnreadableFileException(file, naming(file, sentence))
+            throw if (isLasting) refused(file, e.message) else UnreadableFileException(file, naming(file, e.message))
         }
-        return match.recording(found.left.map { (_, why) -> why } + sentences)
-    }
-
-    private fun sentenceFor(found: FoundMatches, sentences: List<String>): String = if (found.matches.isEmpty()) {
-        (listOf("There is no robot's log that can be read in it, with which a match begins.") + sentences).joinToString(" ")
-    } else {
-        "It has the logs of ${found.matches.size} matches: ${found.matches.joinToString { it.robot.name }}; put each match into " +
-            "a folder or ZIP of its own, or state in a ${MatchManifest.NAME} how their clocks fit."
     }
 
     private fun refused(file: Path, sentence: String) = NotReadException(ReadResult.NotRead.noLog(file, sentence))
