@@ -13,9 +13,12 @@ import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.openqa.selenium.Keys
+import java.io.ByteArrayOutputStream
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
+import java.util.zip.ZipEntry
+import java.util.zip.ZipOutputStream
 import kotlin.io.path.div
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
@@ -89,7 +92,7 @@ internal class EmptyPageSpec : PageSpec({
             click("#go-back")
             awaitState("empty")
             step("an unsupported kind of log is refused with the next step, and a file that is not a log with a sentence") {
-                for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "badlog's window opens it as one log")) {
+                for ((name, advice) in listOf("a.wpilogxz" to "7-Zip", "c.hoot" to "badlog convert", "d.zip" to "Unpack it first")) {
                     drop(name to byteArrayOf(1, 2, 3))
                     awaitState("failed")
                     text shouldContain "This page cannot read $name"
@@ -101,6 +104,32 @@ internal class EmptyPageSpec : PageSpec({
                 awaitState("failed")
                 text shouldContain "There is nothing to show in pit.jpg"
                 click("#go-back")
+                awaitState("empty")
+            }
+            step("a ZIP is a list of the logs in it, with a sentence about the window, and a damaged one is refused") {
+                val packed = ByteArrayOutputStream()
+                ZipOutputStream(packed).use { zip ->
+                    for ((name, content) in listOf("m/robot.bag" to bag, "m/station.dslog" to STATION_LOG.bytes, "notes.txt" to bag, "m/._robot.bag" to bag)) {
+                        zip.putNextEntry(ZipEntry(name))
+                        zip.write(content)
+                        zip.closeEntry()
+                    }
+                }
+                drop("match.zip" to packed.toByteArray())
+                await("the list") { elements("[data-path]").size == 2 }
+                text shouldContain "badlog's window opens the ZIP as one log"
+                script("document.querySelector(\"[data-path='m/robot.bag'] button\").focus()")
+                press(Keys.ENTER)
+                awaitLog("robot.bag")
+                click("#go-back")
+                await("the list again") { elements("[data-path]").size == 2 }
+                // A byte of the bag.
+                drop("damaged.zip" to packed.toByteArray().also { it[60] = (it[60] + 1).toByte() })
+                awaitState("failed")
+                text shouldContain "This page cannot read damaged.zip"
+                click("#go-back")
+                awaitState("empty")
+                if (elements("#go-back").isNotEmpty()) click("#go-back")
                 awaitState("empty")
             }
             step("a log of REV's devices is read as by the other programs") {

@@ -149,6 +149,11 @@ internal class FolderScreen(
         get() = listing.pages
         set(value) = list(listing.copy(pages = value))
 
+    /** Says [sentence] above the list. */
+    fun say(sentence: String) {
+        element.insertBefore(element("p", "unit", sentence), table)
+    }
+
     /** The listed logs, in order. */
     val visible: List<OpenedLog> get() = listing.visible
 

@@ -78,6 +78,7 @@ internal class LogOpening(
         when {
             files.isEmpty() -> return
             only != null && pages > 0 -> openPage(only)
+            only != null && only.name.endsWith(".zip", ignoreCase = true) -> openZip(only)
             only != null && advice != null -> fail("This page cannot read ${only.name}", advice)
             logs.isEmpty() && pages > 0 -> fail("There is no log here", "badlog pages are opened one at a time.")
             logs.isEmpty() -> fail("There is no log here", "None of these ${countText(files.size, "file")} is a log.")
@@ -241,6 +242,25 @@ internal class LogOpening(
         }).catch { root.failUnexpectedly(it, back()) }
     }
 
+    private fun openZip(zip: File) {
+        val asked = wait(zip.name) {}
+        logsInZip(zip).then({ files ->
+            val logs = OpenedLog.logsIn(files)
+            when {
+                !asked.isLatest -> Unit
+
+                logs.isEmpty() -> fail("There is no log here", "No file in ${zip.name} is named like a log.")
+
+                else -> {
+                    list(logs, zip.name, again = null)
+                    folder?.say("Each log opens by itself here. If they are of one match, badlog's window opens the ZIP as one log.")
+                }
+            }
+        }, {
+            if (asked.isLatest) fail("This page cannot read ${zip.name}", "Unpack it first, then open what was in it.")
+        }).catch { root.failUnexpectedly(it, back()) }
+    }
+
     private inner class OpenRequest(val screen: LoadingScreen, private val number: Int) {
         /** Whether there was no later request. */
         val isLatest: Boolean get() = number == request
@@ -338,7 +358,6 @@ internal class LogOpening(
     private fun adviceFor(name: String): String? = when (name.substringAfterLast('.').lowercase()) {
         "wpilogxz" -> "It is compressed with xz: unpack it, with 7-Zip for example, or open it in badlog's window."
         "hoot" -> "Open it in badlog's window, or make a WPILOG of it with “badlog convert”."
-        "zip" -> "Unpack it, then open what was in it. If it has the logs of one match, badlog's window opens it as one log."
         else -> null
     }
 
