@@ -131,7 +131,8 @@ private class PageScan(private val page: File) {
     }
 }
 
-private fun unpacked(gzip: Blob): Promise<Blob> {
+/** Returns what [gzip] inflates to. */
+internal fun unpacked(gzip: Blob): Promise<Blob> {
     val stream = gzip.asDynamic().stream().pipeThrough(js("new DecompressionStream('gzip')"))
     return Response(stream).blob()
 }

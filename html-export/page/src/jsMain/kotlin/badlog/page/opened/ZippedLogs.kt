@@ -2,7 +2,7 @@ package badlog.page.opened
 
 import badlog.page.dom.place
 import badlog.page.embedded.bytesOf
-import org.w3c.fetch.Response
+import badlog.page.embedded.unpacked
 import org.w3c.files.Blob
 import org.w3c.files.File
 import kotlin.js.Promise
@@ -22,9 +22,7 @@ internal fun logsInZip(zip: File): Promise<List<File>> {
         val logs = ArrayList<ZippedLog>()
         while (at + ENTRY_BYTES <= directory.size && directory.number(at) == ENTRY) {
             val name = directory.decodeToString(at + ENTRY_BYTES, at + ENTRY_BYTES + directory.short(at + 28)).replace('\\', '/')
-            if (OpenedLog.isNamedLikeLog(name)) {
-                logs += ZippedLog(name, directory.short(at + 10), directory.number(at + 20), directory.number(at + 24), directory.number(at + 42))
-            }
+            if (OpenedLog.isNamedLikeLog(name)) logs += ZippedLog(name, directory.copyOfRange(at, at + ENTRY_BYTES))
             at += ENTRY_BYTES + directory.short(at + 28) + directory.short(at + 30) + directory.short(at + 32)
         }
         check(logs.sumOf { it.size } <= maxOf(RATIO * size, SMALL))
@@ -32,15 +30,22 @@ internal fun logsInZip(zip: File): Promise<List<File>> {
     }.unsafeCast<Promise<Array<File>>>().then { it.toList() }
 }
 
-/** A log in a ZIP, [packed] bytes that inflate to [size]; its header is [at] this byte. */
-private class ZippedLog(val name: String, val method: Int, val packed: Double, val size: Double, val at: Double) {
-    fun from(zip: File): Promise<File> = bytesOf(zip, at, at + HEADER_BYTES).then { header ->
-        val from = at + HEADER_BYTES + header.short(26) + header.short(28)
-        val part = zip.asDynamic().slice(from, from + packed)
-        if (method == 0) part else Response(part.stream().pipeThrough(js("new DecompressionStream('deflate-raw')"))).blob()
-    }.unsafeCast<Promise<Blob>>().then { content ->
-        check(content.size.toDouble() == size)
-        File(arrayOf<dynamic>(content), name.substringAfterLast('/')).also { it.place = name }
+/** A log in a ZIP, with its [entry] in the directory. */
+private class ZippedLog(val name: String, val entry: ByteArray) {
+    val size = entry.number(24)
+
+    fun from(zip: File): Promise<File> {
+        val at = entry.number(42)
+        return bytesOf(zip, at, at + HEADER_BYTES).then { header ->
+            val from = at + HEADER_BYTES + header.short(26) + header.short(28)
+            val part = zip.asDynamic().slice(from, from + entry.number(20))
+            // With these bytes around it, the browser compares its checksum, too.
+            val packed = arrayOf<dynamic>(GZIP_HEAD, part, entry.copyOfRange(16, 20), entry.copyOfRange(24, 28))
+            if (entry.short(10) == 0) part else unpacked(Blob(packed))
+        }.unsafeCast<Promise<Blob>>().then { content ->
+            check(content.size.toDouble() == size)
+            File(arrayOf<dynamic>(content), name.substringAfterLast('/')).also { it.place = name }
+        }
     }
 }
 
@@ -54,6 +59,9 @@ private const val MAX_COMMENT = 65535
 private const val ENTRY = 0x02014b50.toDouble()
 private const val ENTRY_BYTES = 46
 private const val HEADER_BYTES = 30
+
+/** The beginning of a gzip stream without a name. */
+private val GZIP_HEAD = byteArrayOf(0x1f, 0x8b.toByte(), 8, 0, 0, 0, 0, 0, 0, 0)
 
 /** As in badlog's window: only zeros become so much smaller. */
 private const val RATIO = 200
