@@ -115,6 +115,15 @@ def test_the_problem_of_a_binary_log_without_its_beginning_says_so(name: str, tm
     assert "its beginning is lost" in recording.problems[0].message and "CSV" in recording.problems[0].message
 
 
+@pytest.mark.parametrize("char, name", [(";", "semicolons"), ("\t", "tabs")])
+def test_columns_separated_otherwise_are_refused_even_with_decimal_commas(char: str, name: str) -> None:
+    for point in ".,":
+        rows = (f"0{point}0{row}{char}1{row}{point}5{char}{row}\n" for row in range(10))
+        recording = badlog.read(f"Zeit{char}Spannung{char}Strom\n{''.join(rows)}".encode())
+        assert not recording.topics
+        assert recording.problems[0].message.startswith(f"The columns are separated by {name};")
+
+
 def test_the_content_decides_never_the_name(tmp_path: Path) -> None:
     path = tmp_path / "really a bag.wpilog"
     path.write_bytes(BAG)

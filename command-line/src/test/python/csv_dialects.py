@@ -58,8 +58,10 @@ def write(folder, seed, count):
             for row in range(chance.randrange(5, 200))
         ]
         lines = [[chance.choice(["Time", "Timestamp", "time"])] + [f"Column {column}" for column in range(columns)]]
+        units = ["" if dialect["x"] == "iso" else "s"] + ["" if isinstance(value, bool) else "V" for value in rows[0][1:]]
+        dialect["units"] = dialect["units"] and any(units)
         if dialect["units"]:
-            lines.append(["" if dialect["x"] == "iso" else "s"] + ["" if isinstance(value, bool) else "V" for value in rows[0][1:]])
+            lines.append(units)
         lines += [[written(value, dialect) for value in row] for row in rows]
         text = [separator.join(line) for line in lines]
         if dialect["named"]:

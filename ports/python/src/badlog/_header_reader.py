@@ -158,8 +158,8 @@ class HeaderReader:
         if first_lines.is_binary or (may_be_binary and not first_lines.has_rows):
             return self._refuse(_UTF_16 if self._may_be_utf16 else _BINARY)
         self._report_encoding()
-        if len(titles) == 1 and width <= 1:
-            message = self._other_separator(titles[0], first_lines)
+        if len(titles) == 1:
+            message = self._other_separator(titles[0], first_lines, width)
             if message is not None:
                 return self._refuse(message)
         lines = first_lines.lines
@@ -223,12 +223,14 @@ class HeaderReader:
             self._problems.add(ProblemKind.NAME_IN_DOUBT, message, line, name)
         return matched
 
-    def _other_separator(self, title: str, first_lines: FirstLines) -> str | None:
+    def _other_separator(self, title: str, first_lines: FirstLines, width: int) -> str | None:
         for char, name in ((";", "semicolons"), ("\t", "tabs")):
             if char not in title:
                 continue
-            lines = first_lines.lines
-            if len(lines) < 2 or char.encode() in self._cursor.data[lines[1].start : lines[1].end]:
+            rows = [self._cursor.data[line.start : line.end].count(char.encode()) for line in first_lines.lines[1:]]
+            # Decimal commas split the cells of such rows.
+            is_other = all(count == title.count(char) for count in rows) if width > 1 else not rows or rows[0] > 0
+            if is_other:
                 return f"The columns are separated by {name}; save the file again as CSV with commas."
         return None
 

@@ -2,6 +2,7 @@ package badlog.cli.info
 
 import badlog.catalog.examine.UndefinedTopic
 import badlog.catalog.match.MatchMaker
+import badlog.cli.beside.FilesBeside
 import badlog.cli.command.ExitCode
 import badlog.cli.command.LogCommand
 import badlog.cli.command.LogLoop

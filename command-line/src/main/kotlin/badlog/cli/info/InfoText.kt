@@ -1,5 +1,6 @@
 package badlog.cli.info
 
+import badlog.cli.beside.FileBeside
 import badlog.cli.text.LINE_WIDTH
 import badlog.cli.text.XTime
 import badlog.cli.text.counted

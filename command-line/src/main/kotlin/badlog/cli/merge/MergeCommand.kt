@@ -20,7 +20,7 @@ internal class MergeCommand :
             "name is taken goes into a folder named after its file. With a WPILOG among the logs, or as the result, each topic " +
             "keeps its own times. All logs are held in memory at once. Logs of other clocks need --offset or --align; " +
             "--with-ds finds one. A name that ends in .zip makes a ZIP of " +
-            "the logs as they are, with their clocks in match.json.",
+            "the logs as they are, with their clocks in match.json; --with-ds then also finds logs of motors and CAN buses nearby.",
     ) {
     private val out by option("-o", "--out", metavar = "FILE").path().required().help("Write to this file.")
     private val isForced by option("--force").flag().help("Replace an existing file, but never a log that is read.")

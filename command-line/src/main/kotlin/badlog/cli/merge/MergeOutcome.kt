@@ -39,16 +39,22 @@ internal fun mergeOutcome(merge: Merged, moved: MovedLogs, target: Path, leftOut
     return Outcome(parts.any { it.recording.isSalvaged }, text.joinToString("\n"), jsonOf(json))
 }
 
-/** Returns the outcome of writing the logs [moved], as they are, to the ZIP [target]. It does not state the clocks of the logs [open]. */
-internal fun zipOutcome(moved: MovedLogs, target: Path, open: List<LogPart>): Outcome {
+/**
+ * Returns the outcome of writing the logs [moved], as they are, to the ZIP [target]. It does not state the clocks of the logs [open].
+ *
+ * @param doubts a sentence about each log near them that is left out.
+ */
+internal fun zipOutcome(moved: MovedLogs, target: Path, open: List<LogPart>, doubts: List<String>): Outcome {
     val count = counted(moved.parts.size.toLong(), "log")
     val text = listOf("-> $target", "  $count, unchanged, with the clocks in match.json") + clockLines(moved.moves, moved.pauses) +
-        open.map { wrapped("  open: ", "${it.file}; its clock is found when the ZIP is read, or given by --align or --offset", INDENT) }
+        open.map { wrapped("  open: ", "${it.file}; its clock is found when the ZIP is read, or given by --align or --offset", INDENT) } +
+        doubts.map { wrapped("  left out: ", it, INDENT) }
     val json = ZipJson(
         moved.parts.map { it.file.toString() },
         moved.moves.map(::MoveJson),
         moved.pauses.map(::PauseJson),
         open.map { it.file.toString() },
+        doubts,
     )
     return Outcome(isSalvaged = false, text.joinToString("\n"), jsonOf(json))
 }
@@ -123,6 +129,7 @@ private class ZipJson(
     private val moved: List<MoveJson>,
     private val apart: List<PauseJson>,
     private val open: List<String>,
+    private val leftOut: List<String>,
 )
 
 @Serializable

@@ -35,10 +35,19 @@ internal sealed interface MergeResult {
         override val outcome: Outcome get() = mergeOutcome(merge, moved, target, leftOut)
     }
 
-    /** A ZIP at [target] with the logs as they are. It does not state the clocks of the logs [open]. */
-    class Zipped(override val moved: MovedLogs, private val target: Path, private val open: List<LogPart>) : MergeResult {
+    /**
+     * A ZIP at [target] with the logs as they are. It does not state the clocks of the logs [open].
+     *
+     * @param doubts a sentence about each log near them that may be of another match, and is left out.
+     */
+    class Zipped(
+        override val moved: MovedLogs,
+        private val target: Path,
+        private val open: List<LogPart>,
+        private val doubts: List<String>,
+    ) : MergeResult {
         override fun remarks(isOfDoubts: Boolean): List<String> = emptyList()
 
-        override val outcome: Outcome get() = zipOutcome(moved, target, open)
+        override val outcome: Outcome get() = zipOutcome(moved, target, open, doubts)
     }
 }

@@ -29,22 +29,40 @@ internal class Merging(
 ) {
     private val finder = StationFinder()
 
+    /** Whether to look for other logs of the match. */
+    val findsMore: Boolean get() = station != null
+
     /**
      * Writes one log of [logs] to [target]. Their order counts only if none has an x axis.
      *
+     * @param near other logs, which become part of a ZIP if they surely belong to the same match.
      * @throws Failure if they cannot become one.
      */
-    fun write(logs: List<LogPart>, target: Path, progress: Progress): MergeResult {
+    fun write(logs: List<LogPart>, target: Path, progress: Progress, near: List<LogPart> = emptyList()): MergeResult {
         val sorted = if (logs.all { it.hasRows && it.xTopic == null }) logs else logs.sortedWith(PART_ORDER)
         if (sorted.isEmpty()) throw Failure("Merging needs at least two logs, but there is none.")
         val found = station?.let { stationFor(sorted, it) }
         val twin = found?.let { sorted.find { part -> Files.isSameFile(part.file, found.part.file) } }
         // A log that is given is not added a second time, and a place that is given counts.
         val beside = found.takeUnless { twin != null && clocks.isGiven(twin) }
-        val parts = (if (beside == null) sorted else sorted - setOfNotNull(twin)) + listOfNotNull(beside?.part)
+        val given = (if (beside == null) sorted else sorted - setOfNotNull(twin)) + listOfNotNull(beside?.part)
+        val (more, doubts) = if (near.isEmpty()) emptyList<LogPart>() to emptyList() else surelyOf(given, near)
+        val parts = given + more
         if (parts.size < 2 && !parts[0].isMatch) throw Failure("Merging needs at least two logs, but there is one.")
         val moved = clocks.moved(parts, beside)
-        return if (isZip(target)) zipped(parts, moved, target) else merge(moved, target, progress)
+        return if (isZip(target)) zipped(parts, moved, target, doubts) else merge(moved, target, progress)
+    }
+
+    /** Returns the logs among [near] that surely belong to the match of [given], and a sentence about each of the others. */
+    private fun surelyOf(given: List<LogPart>, near: List<LogPart>): Pair<List<LogPart>, List<String>> {
+        val found = matchesOf((given + near).map { MatchFile("${it.file}", it.role, clocked(it)) })
+        val names = found.matches.singleOrNull()?.parts.orEmpty().mapTo(HashSet()) { it.file.name }
+        val (sure, others) = near.partition { "${it.file}" in names }
+        val doubts = others.map { part ->
+            found.left.find { (file, _) -> file.name == "${part.file}" }?.second
+                ?: "${part.file} may be of another match; to add it, name it as a log."
+        }
+        return sure to doubts
     }
 
     /** Writes the robot's log and the Driver Station log of [beside] to [target], as one log. */
@@ -78,7 +96,7 @@ internal class Merging(
     }
 
     /** The files of [parts] stay as they are, with the known clocks beside them. */
-    private fun zipped(parts: List<LogPart>, moved: MovedLogs, target: Path): MergeResult {
+    private fun zipped(parts: List<LogPart>, moved: MovedLogs, target: Path, doubts: List<String>): MergeResult {
         moved.parts.find { it.isMatch }?.let { throw Failure("${it.file} consists of several logs; name them to make one ZIP of all.") }
         val known = (moved.placed + leadIn(moved)).toMutableSet()
         do {
@@ -94,7 +112,7 @@ internal class Merging(
         }
         requireOneMatch(parts, files)
         writeAtomically(target) { writeMatchZip(files, it) }
-        return MergeResult.Zipped(moved, target, moved.parts.filter { it !in known })
+        return MergeResult.Zipped(moved, target, moved.parts.filter { it !in known }, doubts)
     }
 
     /**

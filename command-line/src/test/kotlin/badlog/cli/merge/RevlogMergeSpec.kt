@@ -16,6 +16,7 @@ import io.kotest.matchers.string.shouldNotContain
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Path
+import kotlin.io.path.createDirectory
 import kotlin.io.path.div
 
 /**
@@ -104,6 +105,27 @@ class RevlogMergeSpec : FunSpec({
             val shown = said("info", folder / "m.zip")
             shown shouldContain "b_Q3.wpilog robot: moved by 12.0 s"
             shown shouldContain Regex("REV_Q3.revlog motors: moved by 11\\.[34]\\d* s")
+        }
+    }
+
+    test("with the Driver Station log, a ZIP gets the logs of motors near the robot's log, but none that may be of another match") {
+        inFolder { folder ->
+            folder.with("ds/2026_03_07 10_04_05 Sat.dslog", stationLog().bytes)
+            val enabled = listOf(0.0 to false, 4.0 to true, 7.0 to false, 8.0 to true, 14.0 to false, 15.0 to false)
+            val robot = (folder / "robot").createDirectory().wpilog(
+                "robot_Q3.wpilog",
+                listOf(Logged("Robot Enabled", "boolean", "", enabled), Logged("Arm/Applied Output", "double", "", outputs(arm))),
+            )
+            folder.with("rev/REV_Q3.revlog", revlog(1.0, arm.map { it.start + 0.6..it.endInclusive + 0.6 }))
+            folder.with("rev/still_Q3.revlog", revlog(1.0, emptyList()))
+            folder.with("rev/REV_Q4.revlog", revlog(1.0, arm))
+            val said = said("merge", robot, "--with-ds=${folder / "ds"}", "-o", folder / "match.zip")
+            said shouldContain "3 logs, unchanged"
+            said shouldContain "REV_Q3.revlog by -0.6 s"
+            said shouldContain Regex("left out: \\S+still_Q3.revlog fits none of the robots' logs")
+            said shouldNotContain "REV_Q4"
+            // Without a ZIP, only what is named is merged.
+            said("merge", robot, "--with-ds=${folder / "ds"}", "-o", folder / "both.wpilog") shouldNotContain "REV"
         }
     }
 

@@ -1,6 +1,7 @@
 package badlog.window.app
 
 import androidx.compose.runtime.snapshotFlow
+import badlog.catalog.match.MatchMaker
 import badlog.files.missingSentence
 import badlog.window.folder.Library
 import badlog.window.layout.LayoutStore
@@ -19,7 +20,7 @@ import java.nio.file.Path
  * The folder and the log that the window opens at its start.
  *
  * @property folder the folder with the listed logs, or null.
- * @property file the log it shows, or null for the newest of [folder].
+ * @property file the log it shows, or the `match.json` in [folder]; null for the newest log of [folder].
  * @property complaint the reason why it differs from the request, as a sentence, or null.
  * @property isPit whether it begins with the pit view.
  */
@@ -43,7 +44,7 @@ internal data class StartPlace(val folder: Path?, val file: Path?, val complaint
             val named = pathNamed(argument)?.toAbsolutePath()?.normalize()
             return when {
                 named == null -> StartPlace(folder, null, "“$argument” cannot be the name of a file; check the spelling.")
-                Files.isDirectory(named) -> StartPlace(named, null, null)
+                Files.isDirectory(named) -> StartPlace(named, MatchMaker.manifestIn(named), null)
                 Files.exists(named) -> StartPlace(named.parent, named, null)
                 else -> StartPlace(folder, null, missingSentence("$named"))
             }

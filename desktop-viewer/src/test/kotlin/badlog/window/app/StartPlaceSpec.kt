@@ -15,6 +15,9 @@ class StartPlaceSpec : FunSpec({
     test("a folder or file that the argument names is opened") {
         StartPlace.of("$folder", Settings(), null) shouldBe StartPlace(folder, null, null)
         StartPlace.of("$file", Settings(), null) shouldBe StartPlace(folder, file, null)
+        val match = tempdir().toPath()
+        val manifest = Files.writeString(match.resolve("match.json"), """{"version":1,"files":[{"name":"match.bag"}]}""")
+        StartPlace.of("$match", Settings(), null) shouldBe StartPlace(match, manifest, null)
     }
 
     test("the pit view can be requested before or after the folder") {

@@ -1,4 +1,4 @@
-package badlog.cli.info
+package badlog.cli.beside
 
 import badlog.catalog.match.MatchMaker
 import badlog.files.filesAround
@@ -20,7 +20,10 @@ import badlog.cli.text.jsonOf as fieldsOf
  * @property role its kind, for people.
  */
 @Serializable
-internal class FileBeside(val path: String, val role: String)
+internal class FileBeside(val path: String, val role: String) {
+    /** Whether it is a log, rather than a video. */
+    val isLog: Boolean get() = FileRole.of(role) != null
+}
 
 /** Finds, by their names, the files of devices and cameras that belong to robots' logs. */
 internal class FilesBeside {
