@@ -47,7 +47,7 @@ internal fun cutFile(recording: OpenRecording, span: Span, target: Path, progres
     return "Wrote $count rows to $target${part.remark}."
 }
 
-/** Saves a part of the current recording as a file that the person names. */
+/** Saves the current recording, or a part of it, as a file that the person names. */
 internal class CutSaver(
     private val current: CurrentRecording,
     private val view: AxisView,
@@ -67,6 +67,14 @@ internal class CutSaver(
     fun saveTable(graphs: List<BoardGraph>) = ask("board", ".csv") { recording, span, target, progress ->
         val lines = graphs.flatMap { it.lines }.distinct().mapNotNull { recording.signal(it)?.line }
         tableFile(recording, CsvDraft.of(recording.view, span, lines), target, progress)
+    }
+
+    /** Asks for a file, and writes the logs of the match to it as a ZIP; does nothing if there is only one. */
+    fun saveMatch() {
+        val recording = current.recording?.takeIf { it.station != null } ?: return
+        val title = "Save the logs of this match"
+        val target = askToWrite(files, notices, title, recording.file.parent, stemOf(recording.file), ".zip") ?: return
+        tasks.run("Writing ${target.fileName}", { matchZipFile(recording, target) }) { notices.say(it) }
     }
 
     private fun ask(name: String, ending: String, write: (OpenRecording, Span, Path, (Float) -> Unit) -> String) {

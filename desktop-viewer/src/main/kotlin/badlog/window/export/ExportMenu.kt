@@ -57,6 +57,11 @@ internal fun ExportMenu(
             },
             MenuEntry("$part as a bag…", "With all topics, metadata and attributes", whyNoLog) { cuts.save() },
             MenuEntry("$part as CSV…", "With all topics, for a spreadsheet", whyNoLog) { cuts.saveTable() },
+            MenuEntry(
+                "The logs of this match as a ZIP…",
+                "This log and its Driver Station log, unchanged, with their clocks; it opens as one log",
+                whyNoLog ?: "Show its Driver Station log first: menu Layout.".takeIf { current.recording?.station == null },
+            ) { cuts.saveMatch() },
             MenuEntry("The graphs as CSV…", "$part of their topics, for a spreadsheet", whyNoGraph) { cuts.saveTable(graphs) },
         )
     }
