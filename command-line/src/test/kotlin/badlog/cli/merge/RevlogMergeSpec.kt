@@ -124,7 +124,7 @@ class RevlogMergeSpec : FunSpec({
             said shouldContain "REV_Q3.revlog by -0.6 s"
             said shouldContain Regex("left out: \\S+still_Q3.revlog fits none of the robots' logs")
             said shouldNotContain "REV_Q4"
-            // Without a ZIP, only what is named is merged.
+            // Without a ZIP, only the named logs are merged.
             said("merge", robot, "--with-ds=${folder / "ds"}", "-o", folder / "both.wpilog") shouldNotContain "REV"
         }
     }

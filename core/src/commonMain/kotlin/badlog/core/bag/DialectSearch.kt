@@ -60,7 +60,7 @@ internal object DialectSearch {
     private fun dialect(reading: Reading, isNamed: Boolean): CsvDialect {
         val first = reading.lines[0]
         val hasTitles = first.any { !it.isEmpty && !it.isValue }
-        // A row of units is no row of values.
+        // A row of units has no values.
         val rows = if (hasTitles) reading.rows.run { drop(if (size > 2 && isUnits(this)) 1 else 0) } else reading.rows
         val body = if (hasTitles || first.size != reading.width) rows else rows + listOf(first)
         val isUsual = reading.separator == COMMA
