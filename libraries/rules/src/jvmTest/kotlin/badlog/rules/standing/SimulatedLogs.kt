@@ -65,12 +65,13 @@ private fun thirdLogsOf(folder: File): List<JudgedLog> {
 internal fun fifthLogs(folder: File): List<JudgedLog> = folder.walkTopDown().filter { it.name == "truth.tsv" }.sorted().toList().flatMap { fifthLogsOf(it) }
 
 private fun fifthLogsOf(truth: File): List<JudgedLog> = truth.readLines().drop(1).map { it.split('\t') }.parallelStream().map { row ->
-    val from = row[FIFTH_START].toDouble()
-    val said = if (row[FIFTH_FAULT] == "healthy") emptyList() else row.last().split(" ; ").map { Regex(it.trim()) }
+    val fault = row[FIFTH_FAULT]
+    val said = if (fault == "healthy") null else row.last().split(" ; ").map { Regex(it.trim()) }
     judgedLog(truth.resolveSibling(row.first()).readBytes(), row.first()) { finding ->
         val words = (listOf(finding.rule, finding.text) + finding.evidence).joinToString(" ").lowercase()
-        val isNamed = said.isNotEmpty() && said.all { it.containsMatchIn(words) } && !(finding.time < from - BEFORE)
-        if (finding.rule in FACTS || isNamed || (said.isNotEmpty() && finding.rule in MESSAGES)) Judgement.TRUE else Judgement.FALSE
+        val isRight = said != null && (finding.rule in MESSAGES || finding.rule in rightRulesFor(fault).orEmpty() || said.all { it.containsMatchIn(words) })
+        val isBefore = finding.time < row[FIFTH_START].toDouble() - BEFORE
+        if (finding.rule in FACTS || (isRight && !isBefore)) Judgement.TRUE else Judgement.FALSE
     }
 }.toList().filterNotNull()
 
