@@ -9,7 +9,7 @@ import kotlin.math.round
 /**
  * Returns why [recording] must be from a simulated robot, as part of a sentence. Null for a real robot, and if nothing shows it. An example
  * is `its battery had exactly 12 V throughout`. The evidence is its metadata, the FPGA of WPILib's simulation, dashboards that all ran on
- * the same computer, or its battery. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it; no measured
+ * the same computer, its battery, or currents that nothing measured. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it; no measured
  * battery behaves like that.
  *
  * @param topics the signals of the log.
@@ -68,7 +68,7 @@ private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
     }
 }
 
-/** A power distribution without a device: its currents are memory that was never written, and its voltage is 12 V or none. */
+/** A power distribution that no device stands for. Its currents are memory that was never written, and its voltage is 12 V or none. */
 private fun memoryIn(recording: Recording, topics: SignalTopics): String? {
     fun numbersOf(signal: String) = topics.of(signal).firstOrNull()?.topic?.let { name -> recording.topics.find { it.name == name } }?.let(::numbersOf).orEmpty()
     val volts = numbersOf("battery")
