@@ -23,5 +23,4 @@ internal fun countsOf(set: EvidenceSet, logs: List<JudgedLog>, hashes: Map<Strin
 }
 
 /** Returns these counts with those of [made] in place of what was counted for [rules] in the same sets. */
-internal fun List<RuleCounts>.recounted(made: Map<EvidenceSet, List<RuleCounts>>, rules: Set<String>): List<RuleCounts> =
-    filter { it.set !in made || it.rule !in rules } + made.values.flatten()
+internal fun List<RuleCounts>.recounted(made: Map<EvidenceSet, List<RuleCounts>>, rules: Set<String>): List<RuleCounts> = filter { it.set !in made || it.rule !in rules } + made.values.flatten()

@@ -33,7 +33,11 @@ fun deadReading(times: DoubleArray, measured: DoubleArray, isEnabled: BooleanArr
                 if (times[i].toLong() != lastMoved) movedSeconds++
                 lastMoved = times[i].toLong()
             }
-            if (isDead && !isDriven) isDriven = outputs.any { it.isUsed(maxOf(times[i], jumped + LATE_SECONDS), times.getOrElse(i + 1) { times[i] }) }
+            if (isDead &&
+                !isDriven
+            ) {
+                isDriven = outputs.any { it.isUsed(maxOf(times[i], jumped + LATE_SECONDS), times.getOrElse(i + 1) { times[i] }) }
+            }
             if (isDead && isDriven && isEnabled[i]) 1.0 else 0.0
         },
     )

@@ -9,8 +9,8 @@ import kotlin.math.round
 /**
  * Returns why [recording] must be from a simulated robot, as part of a sentence. Null for a real robot, and if nothing shows it. An example
  * is `its battery had exactly 12 V throughout`. The evidence is its metadata, the FPGA of WPILib's simulation, dashboards that all ran on
- * the same computer, its battery, or currents that nothing measured. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it; no measured
- * battery behaves like that.
+ * the same computer, its battery, or currents that nothing measured. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim`
+ * subtracts from it; no measured battery behaves like that.
  *
  * @param topics the signals of the log.
  */
@@ -70,7 +70,8 @@ private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
 
 /** A power distribution that no device stands for. Its currents are memory that was never written, and its voltage is 12 V or none. */
 private fun memoryIn(recording: Recording, topics: SignalTopics): String? {
-    fun numbersOf(signal: String) = topics.of(signal).firstOrNull()?.topic?.let { name -> recording.topics.find { it.name == name } }?.let(::numbersOf).orEmpty()
+    fun numbersOf(signal: String) =
+        topics.of(signal).firstOrNull()?.topic?.let { name -> recording.topics.find { it.name == name } }?.let(::numbersOf).orEmpty()
     val volts = numbersOf("battery")
     val isSet = NOMINAL in volts && volts.all { it == NOMINAL || it == 0.0 }
     return "its currents were never measured, and its battery had exactly 12 V or none".takeIf {
