@@ -102,6 +102,17 @@ class NoFaultSpec : FunSpec({
 
     test("a temperature that jumps is misread") {
         TestMatch().apply { from(20.0, "Drive/Left/TempCelsius") { if (it < 30) "144" else "45" } }.rules().forNone { it shouldContain "hot" }
+        TestMatch().apply {
+            number("Drive/Left/TempCelsius") {
+                if (it < 20) {
+                    1.0
+                } else if (it < 30) {
+                    216.0
+                } else {
+                    109.0
+                }
+            }
+        }.rules().forNone { it shouldContain "hot" }
     }
 
     test("an elevator that is held up by its motor is not jammed; an intake that does not turn is") {

@@ -117,7 +117,8 @@ class SignalsFileSpec : FunSpec({
         fun topics(name: String) = SignalTopics(RuleSet.BUILT_IN.signals, Vocabulary(listOf(Signal(name, SignalKind.CONDITION))), null)
         for (name in listOf("arm_connected", "drive_right_2_connected")) topics(name).of("device connected").map { it.topic } shouldBe listOf(name)
         topics("robot_autonomous").of("robot autonomous").map { it.topic } shouldBe listOf("robot_autonomous")
-        for (name in listOf("arm_disconnected", "radio_connected", "driver_controller_connected")) topics(name).of("device connected") shouldBe emptyList()
+        for (name in listOf("arm_disconnected", "radio_connected", "driver_controller_connected", "NTConnection/connected")) topics(name).of("device connected") shouldBe emptyList()
+        topics("Elbow/Motor/Faults/Brownout").of("brownout") shouldBe emptyList()
     }
 
     test("snake case, units as suffixes and other libraries' paths are recognized") {

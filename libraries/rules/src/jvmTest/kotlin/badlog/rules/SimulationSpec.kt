@@ -47,6 +47,16 @@ class SimulationSpec : FunSpec({
         found { number(BATTERY) { 12.0 - 0.0187 * (TestMatch.load(it) - TestMatch.load(0.0)).coerceAtLeast(0.0) } }.isSimulation() shouldBe true
     }
 
+    test("a power distribution that was never written is of a simulation if its voltage is 12 V or none") {
+        fun isSimulation(volts: Double, amperes: Double) = found {
+            number(BATTERY) { if (it.toInt() % 7 == 0) volts else 0.0 }
+            number("/PowerDistribution/ChannelCurrent[0]") { amperes }
+        }.isSimulation()
+        isSimulation(12.0, 6.95e-310) shouldBe true
+        isSimulation(12.1, 6.95e-310) shouldBe false
+        isSimulation(12.0, 5.0) shouldBe false
+    }
+
     test("a weak battery with rounded values is a real one") {
         found { number(BATTERY) { Math.round(120 - 0.2 * TestMatch.load(it)) / 10.0 } }.isSimulation() shouldBe false
     }

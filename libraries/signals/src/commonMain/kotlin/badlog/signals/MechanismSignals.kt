@@ -43,7 +43,8 @@ internal class MechanismSignals(private val robot: RobotParts, private val batte
         if (measured.quantity == Quantity.VELOCITY) return speedSignals(target.label, topics, ::following)
         val dead = DerivedSignal("encoder frozen", "", target.label, topics) { samples ->
             val own = samples.raw(measured.signal.name)
-            deadReading(own.x, own.y, samples.enabledAt(own.x))
+            val outputs = beside(target.part, Quantity.VOLTAGE, Quantity.OUTPUT).map { samples.raw(it.signal.name) }
+            deadReading(own.x, own.y, samples.enabledAt(own.x), outputs)
         }
         val ownDead = dead.takeIf { couplingIn(byPart[target.part].orEmpty()) == null }
         // A part with the name of a corner mostly steers a wheel. Its motor counts turns, and may turn the wheel backward instead.

@@ -12,6 +12,7 @@ enum class EvidenceSet(val id: String, val title: String, val isReal: Boolean = 
     GENERATED("generated", "generated matches"),
     PLANTED("planted", "second simulator"),
     THIRD("third", "third simulator"),
+    FIFTH("fifth", "fifth simulator"),
 
     /** Logs of healthy robots that a reviewer made to mislead a rule: each finding is wrong. */
     REVIEW("review", "made to mislead"),

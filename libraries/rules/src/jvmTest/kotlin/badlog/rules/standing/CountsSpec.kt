@@ -94,6 +94,14 @@ class CountsSpec : FunSpec({
             listOf(RuleCounts("Low battery", "0a", EvidenceSet.REAL, couldRun = 2, teams = 1, fired = 4, right = 1, wrong = 1, unknown = 1))
     }
 
+    test("rules that are counted again keep the counts of other sets, and other rules keep theirs") {
+        fun counts(rule: String, set: EvidenceSet, couldRun: Int) = RuleCounts(rule, "0a", set, couldRun, teams = 1, fired = 0, right = 0, wrong = 0, unknown = 0)
+        val old = listOf(counts("a", EvidenceSet.REAL, 1), counts("a", EvidenceSet.THIRD, 1), counts("b", EvidenceSet.REAL, 1))
+        val made = listOf(counts("a", EvidenceSet.REAL, 2))
+        old.recounted(mapOf(EvidenceSet.REAL to made), setOf("a")) shouldBe old.drop(1) + made
+        old.recounted(mapOf(EvidenceSet.REAL to emptyList()), setOf("a", "b")) shouldBe listOf(old[1])
+    }
+
     test("all rules that are right about planted faults exist") {
         for (fault in listOf("brownout", "vision", "motor_overheats")) rightRulesFor(fault) shouldNotBe null
         rightRulesFor("none") shouldBe null

@@ -105,4 +105,6 @@ private val RIGHT = mapOf(
         "Driven without moving",
     ),
     "motor_overheats" to LOAD + BLOCKED,
+    // The fifth says itself in which words a finding is right. A module that points aside also drives against the others.
+    "abs_slip" to MODULE + LOAD,
 )

@@ -58,6 +58,26 @@ private fun thirdLogsOf(folder: File): List<JudgedLog> {
     }.toList().filterNotNull()
 }
 
+/**
+ * Returns the matches of the fifth simulator in [folder] and below it. The `truth.tsv` of each has the planted faults, their times, and what a finding
+ * about them says: expressions for the fault and for the part, both of which have to be found in it or in its topics.
+ */
+internal fun fifthLogs(folder: File): List<JudgedLog> = folder.walkTopDown().filter { it.name == "truth.tsv" }.sorted().toList().flatMap { fifthLogsOf(it) }
+
+private fun fifthLogsOf(truth: File): List<JudgedLog> = truth.readLines().drop(1).map { it.split('\t') }.parallelStream().map { row ->
+    val fault = row[FIFTH_FAULT]
+    val said = if (fault == "healthy") null else row.last().split(" ; ").map { Regex(it.trim()) }
+    judgedLog(truth.resolveSibling(row.first()).readBytes(), row.first()) { finding ->
+        val words = (listOf(finding.rule, finding.text) + finding.evidence).joinToString(" ").lowercase()
+        val isRight = said != null && (finding.rule in MESSAGES || finding.rule in rightRulesFor(fault).orEmpty() || said.all { it.containsMatchIn(words) })
+        val isBefore = finding.time < row[FIFTH_START].toDouble() - BEFORE
+        if (finding.rule in FACTS || (isRight && !isBefore)) Judgement.TRUE else Judgement.FALSE
+    }
+}.toList().filterNotNull()
+
+private const val FIFTH_FAULT = 2
+private const val FIFTH_START = 3
+
 private fun judgedLog(bytes: ByteArray, name: String, judgement: (Finding) -> Judgement): JudgedLog? = rulesOver(bytes, name)?.let { result -> JudgedLog(name, null, result.ran, result.findings.map { JudgedFinding(it.rule, it.text, judgement(it)) }) }
 
 private fun logsIn(folder: File) = folder.walkTopDown().filter { it.isFile && it.extension in setOf("wpilog", "bag") }.sorted().toList()

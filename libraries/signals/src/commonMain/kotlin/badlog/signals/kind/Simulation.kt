@@ -9,13 +9,13 @@ import kotlin.math.round
 /**
  * Returns why [recording] must be from a simulated robot, as part of a sentence. Null for a real robot, and if nothing shows it. An example
  * is `its battery had exactly 12 V throughout`. The evidence is its metadata, the FPGA of WPILib's simulation, dashboards that all ran on
- * the same computer, or its battery. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim` subtracts from it; no measured
- * battery behaves like that.
+ * the same computer, its battery, or currents that nothing measured. WPILib's `RoboRioSim` begins with exactly 12 V, and `BatterySim`
+ * subtracts from it; no measured battery behaves like that.
  *
  * @param topics the signals of the log.
  */
 fun simulationIn(recording: Recording, topics: SignalTopics): String? =
-    metadataIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics)
+    metadataIn(recording) ?: fpgaIn(recording) ?: clientsIn(recording) ?: batteryIn(recording, topics) ?: memoryIn(recording, topics)
 
 /** Returns the topics among [names] that decide whether a log is of a simulated robot, besides its battery. */
 fun namesOfKind(names: List<String>): List<String> = names.filter { saysKind(it) || it.endsWith(FPGA) || it == CLIENTS }
@@ -68,6 +68,17 @@ private fun batteryIn(recording: Recording, topics: SignalTopics): String? {
     }
 }
 
+/** A power distribution that no device stands for. Its currents are memory that was never written, and its voltage is 12 V or none. */
+private fun memoryIn(recording: Recording, topics: SignalTopics): String? {
+    fun numbersOf(signal: String) =
+        topics.of(signal).firstOrNull()?.topic?.let { name -> recording.topics.find { it.name == name } }?.let(::numbersOf).orEmpty()
+    val volts = numbersOf("battery")
+    val isSet = NOMINAL in volts && volts.all { it == NOMINAL || it == 0.0 }
+    return "its currents were never measured, and its battery had exactly 12 V or none".takeIf {
+        isSet && numbersOf("channel current").any { it != 0.0 && abs(it) < UNWRITTEN }
+    }
+}
+
 private fun numbersOf(topic: Topic) = topic.samples.filter { it.isFinite() }
 
 /** Returns whether [volts] has more than two decimals; a program that rounds its values may meet 12 V by chance. */
@@ -89,3 +100,6 @@ private const val NOMINAL = 12.0
 private const val MIN_RESTING = 0.02
 private const val HUNDREDTHS = 100
 private const val ROUNDED = 1e-4
+
+/** Bits of addresses, read as numbers, are smaller than any current, in A. */
+private const val UNWRITTEN = 1e-100

@@ -73,6 +73,35 @@ class MechanismSensorsSpec : FunSpec({
         deadReading(times, falling, times.always()).most() shouldBe 0.0
     }
 
+    test("a value that was misread once, and an angle that wraps to and fro, are not dead") {
+        fun after(course: (Double) -> Double) = deadReading(times, times.of(course), times.always()).most(from = 30.5)
+        after { if (it in 30.0..30.4) -3.0 else swing(minOf(it, 30.0)) } shouldBe 0.0
+        after {
+            if (it < 30) {
+                swing(it)
+            } else if ((it * 10).toInt() % 2 == 0) {
+                -3.0 + 0.01 * it
+            } else {
+                3.0 - 0.01 * it
+            }
+        } shouldBe 0.0
+    }
+
+    test("a position that is set at a switch, where its motor stops, is not dead; one that its motor leaves is") {
+        val set = times.of { if (it < 30.5) swing(it) else -3.0 }
+        fun dead(output: (Double) -> Double) = deadReading(times, set, times.always(), listOf(times.series(output))).most()
+        dead { if (it < 30.55) 0.5 else 0.0 } shouldBe 0.0
+        dead {
+            if (it < 30.55) {
+                0.5
+            } else if (it < 31.5) {
+                0.0
+            } else {
+                0.2
+            }
+        } shouldBe 1.0
+    }
+
     test("a switch that stays pressed is not contradicted by a position that only drifts, wherever it begins") {
         switchError(times, times.of { 5 + 0.005 * it }, times.of { 1.0 }, range = 1.0).most() shouldBeLessThan 11.0
     }
