@@ -124,6 +124,7 @@ internal val PartIcon.vector: ImageVector
         PartIcon.ADD -> Icons.Add
         PartIcon.REMOVE -> Icons.Remove
         PartIcon.NOTE -> Icons.Note
+        PartIcon.ZOOM -> Icons.Search
         PartIcon.CLOSE -> Icons.Close
         PartIcon.DONE -> Icons.Check
         PartIcon.PERSON -> Icons.Flag

@@ -302,6 +302,7 @@ private val PartIcon.icon: Icon
         PartIcon.ADD -> Icon.PLUS
         PartIcon.REMOVE -> Icon.MINUS
         PartIcon.NOTE -> Icon.NOTE
+        PartIcon.ZOOM -> Icon.SEARCH
         PartIcon.CLOSE -> Icon.CLOSE
         PartIcon.DONE, PartIcon.PERSON -> Icon.LIST
         PartIcon.UNDONE -> Icon.UNDO

@@ -65,7 +65,7 @@ class Button(
 )
 
 /** The icons of buttons. */
-enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, CLOSE, DONE, PERSON, UNDONE, HISTOGRAM }
+enum class PartIcon { PREVIOUS, NEXT, AGAIN, PIN, ADD, REMOVE, NOTE, ZOOM, CLOSE, DONE, PERSON, UNDONE, HISTOGRAM }
 
 /** Buttons beside each other. */
 class Buttons(override val key: String, val buttons: List<Button>) : Part
@@ -126,8 +126,20 @@ class Value(
     val exact: () -> String = { text },
 ) : Part
 
-/** Rows below each other, called [name]: each is a [Row], a [Value] or a [Trouble]. */
-class Rows(override val key: String, val name: String, val rows: List<Part>, val isLong: Boolean = false) : Part
+/**
+ * Rows below each other, called [name]: each is a [Row], a [Value] or a [Trouble].
+ *
+ * @property rows the rows; a list may make each only when it is drawn.
+ * @property isLong whether they scroll in a place of their own.
+ * @property current the index of the row that a person went to; -1 for none.
+ */
+class Rows(
+    override val key: String,
+    val name: String,
+    val rows: List<Part>,
+    val isLong: Boolean = false,
+    val current: Int = rows.indexOfFirst { (it as? Row)?.isCurrent == true },
+) : Part
 
 /**
  * A row of a list: a claim, a note, an event.

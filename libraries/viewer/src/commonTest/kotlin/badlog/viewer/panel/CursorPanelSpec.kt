@@ -21,8 +21,8 @@ class CursorPanelSpec : FunSpec({
     test("lines that have just changed are first and marked, with six digits, or all on request") {
         val parts = panel(listOf("A", "B"), 2.0)
         parts.texts() shouldContainExactly listOf("2 s")
-        parts.values().map { Triple(it.name, it.text, it.isMarked) } shouldContainExactly listOf(Triple("B", "9.12346", true), Triple("A", "1", false))
-        parts.values().first().exact() shouldBe "9.123456789"
+        parts.values().map { Triple(it.name, it.text, it.isMarked) } shouldContainExactly listOf(Triple("B", "9.12346 V", true), Triple("A", "1 V", false))
+        parts.values().first().exact() shouldBe "9.123456789 V"
         panel(listOf("A", "B"), 0.0).values().map { it.name } shouldContainExactly listOf("A", "B")
         panel(listOf("Mode"), 3.0).values().single().text shouldBe "on"
     }
