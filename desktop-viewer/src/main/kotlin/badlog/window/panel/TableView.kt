@@ -41,7 +41,7 @@ internal fun TableView(table: Table, send: (Action) -> Unit) {
         }
         for (row in table.rows) {
             val subject = row.cells.first()
-            val cells = row.cells.drop(1).map { it.single() }
+            val cells = row.cells.drop(1).map { it.firstOrNull() ?: Cell("") }
             Subject(subject, send)
             if (subject.isNotEmpty() && isNarrow && isOne) Titles(columns, send)
             if (isNarrow) {

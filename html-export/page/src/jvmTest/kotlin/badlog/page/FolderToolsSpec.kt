@@ -89,13 +89,13 @@ internal class FolderToolsSpec : PageSpec({
             onPage(page, state = "empty", script = counting) {
                 choose(folder)
                 number("return window.started").toInt() shouldBeGreaterThan 0
-                val before = texts("td.FINDINGS, td.MATCH")
+                val before = texts("td.FINDINGS, tbody .MATCH")
                 awaitKept()
                 Chromium.driver.navigate().refresh()
                 awaitState("empty")
                 choose(folder)
                 number("return window.started") shouldBe 0.0
-                texts("td.FINDINGS, td.MATCH") shouldBe before
+                texts("td.FINDINGS, tbody .MATCH") shouldBe before
                 // A log that was written again is read again.
                 (folder / "pit.bag").writeBytes(log(9) + "2.1,9,9\n".encodeToByteArray())
                 Chromium.driver.navigate().refresh()
