@@ -40,7 +40,7 @@ internal fun ValueView(value: Value, send: (Action) -> Unit) {
             Icon(icon, tool.hint, press, if (tool.isOn == true) palette.accent else palette.muted)
         }
         NameText(value.name, Modifier.weight(1f), color = palette.muted)
-        Tip(value.exact(), Modifier.weight(0.8f)) {
+        Tip(value.exact, Modifier.weight(0.8f)) {
             Text(value.text, fontWeight = FontWeight.Medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
     }

@@ -59,6 +59,7 @@ import badlog.window.theme.Icons
 import badlog.window.theme.LocalPalette
 import badlog.window.theme.NameText
 import badlog.window.theme.Palette
+import badlog.window.theme.Tip
 import badlog.viewer.panel.Column as PanelColumn
 
 /**
@@ -111,7 +112,8 @@ private fun widthsOf(table: Table, available: Dp): List<Dp> {
     val rows = table.groups.flatMap { it.rows }
     val needed = table.columns.mapIndexed { i, column ->
         val letters = rows.maxOfOrNull { row -> row.cells[i].maxOfOrNull(::lettersOf) ?: 0 } ?: 0
-        maxOf(column.title.lines().maxOf { it.length } + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) + 2 * GAP
+        maxOf(column.title.lines().maxOf { it.length } + 2, letters.coerceAtMost(MAX_LETTERS)) * (if (column.isNumber) DIGIT else LETTER) +
+            2 * GAP
     }
     val share = maxOf(1f, (available).value / needed.sum())
     return needed.map { (it * share).dp }
@@ -136,7 +138,7 @@ private fun TableHead(table: Table, checks: Dp, widths: List<Dp>, send: (Action)
                 Modifier
                     .clickable(role = Role.Button) { send(sort) }
                     .focusProperties { canFocus = false }
-                    .semantics { contentDescription = "Sort by ${column.title.replace('\n', ' ')}" }
+                    .semantics { contentDescription = "Sort by ${column.hint.ifEmpty { column.title }}" }
             }
             Row(
                 Modifier.width(widths[i]).then(sorts).padding(horizontal = GAP.dp, vertical = 6.dp),
@@ -145,8 +147,10 @@ private fun TableHead(table: Table, checks: Dp, widths: List<Dp>, send: (Action)
             ) {
                 val isDescending = column.isDescending
                 val color = if (isDescending != null) palette.accent else palette.muted
-                Column(horizontalAlignment = if (column.isNumber) Alignment.End else Alignment.Start) {
-                    for (line in column.title.lines()) NameText(line, color = color, fontSize = 12.sp, fontWeight = FontWeight.SemiBold)
+                Tip(column.hint) {
+                    Column(horizontalAlignment = if (column.isNumber) Alignment.End else Alignment.Start) {
+                        for (line in column.title.lines()) NameText(line, color = color, fontSize = 12.sp, fontWeight = FontWeight.SemiBold)
+                    }
                 }
                 if (isDescending != null) Icon(if (isDescending) Icons.Down else Icons.Up, null, Modifier.size(12.dp), color)
             }

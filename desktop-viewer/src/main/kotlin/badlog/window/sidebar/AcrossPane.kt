@@ -110,7 +110,10 @@ internal fun AcrossPane(
     val topics = remember(matching, search, state) { acrossTopics(state, matching, search) }
     val table = @Composable { place: Modifier ->
         Column(place) {
-            FlowRow(Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
+            FlowRow(
+                Modifier.fillMaxWidth().padding(horizontal = 8.dp, vertical = 4.dp),
+                itemVerticalAlignment = Alignment.CenterVertically,
+            ) {
                 ToolButton("The topics of the graphs, in their order", text = "Graphs") {
                     across.change { copy(topics = graphed.filter(source.topics::contains)) }
                 }

@@ -82,11 +82,23 @@ internal class CursorPanel(
     fun refresh() {
         if (element.isHidden) return
         val pinned = scene.board.now.graphs.mapNotNullTo(HashSet()) { it.lines.singleOrNull() }
-        val wanted = if (query.isEmpty) shown() else all().filter { query.matches("${it.topic.name} ${unitText(it.unit)}", scene.traitsOf(it, query)) }
+        val wanted = if (query.isEmpty) {
+            shown()
+        } else {
+            all().filter {
+                query.matches("${it.topic.name} ${unitText(it.unit)}", scene.traitsOf(it, query))
+            }
+        }
         lines = wanted.distinctBy { it.topic.name to it.isDerived to it.name }.map { line ->
             val name = if (line.isDerived) line.name else line.topic.name
             // The name of a topic derived by an attribute may exist only in its graph.
-            val pin = if (scene.board.lines[name] == null) null else Button("Keep on the board", GraphChange.ToggleOwn(name), PartIcon.PIN, isOn = name in pinned)
+            val pin = if (scene.board.lines[name] ==
+                null
+            ) {
+                null
+            } else {
+                Button("Keep on the board", GraphChange.ToggleOwn(name), PartIcon.PIN, isOn = name in pinned)
+            }
             CursorLine(name, line, pin)
         }
         values = CursorValues(lines.map { it.line }, scene.xAxis)

@@ -39,6 +39,9 @@ import org.w3c.dom.events.Event
 internal class PartNodes(private val palette: Palette, private val send: (Action) -> Unit) {
     private val shared = ArrayList<List<String>>()
 
+    /** The nodes of buttons, which stay the same while values beside them change with each step of the cursor. */
+    private val buttons = js("new WeakMap()")
+
     /** Returns the [parts] of a panel as nodes. */
     fun of(parts: List<Part>): List<Node> {
         shared.clear()
@@ -153,10 +156,15 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         if (part is Row || part is Value) of(part) else Node("li", key = part.key, children = listOf(of(part)))
 
     private fun value(value: Value): Node {
-        val name = Node("span", "cut-name", attributes = mapOf("title" to value.name), children = listOf(Node("bdi", text = value.name)))
+        val name = Node("span", "cut-name", children = listOf(Node("bdi", text = value.name, hint = { value.name })))
         val text = Node("bdi", "value-text", value.text, hint = value.exact)
         val tools = value.tools.map { iconButton(it, "pin") }
-        return Node("li", value.className + if (value.isMarked) " is-marked" else "", key = value.key, children = listOf(name, text) + tools)
+        return Node(
+            "li",
+            value.className + if (value.isMarked) " is-marked" else "",
+            key = value.key,
+            children = listOf(name, text) + tools,
+        )
     }
 
     private fun row(row: Row): Node {
@@ -272,7 +280,10 @@ internal class PartNodes(private val palette: Palette, private val send: (Action
         return Node("button", "text-button", button.label, attributes = attributes, press = { send(button.action) })
     }
 
-    private fun iconButton(button: Button, className: String = ""): Node {
+    private fun iconButton(button: Button, className: String = ""): Node =
+        buttons.get(button).unsafeCast<Node?>() ?: madeButton(button, className).also { buttons.set(button, it) }
+
+    private fun madeButton(button: Button, className: String): Node {
         val attributes = mapOf("title" to button.hint, "aria-label" to button.hint) + button.state
         val names = "icon-button $className".trim()
         return Node("button", names, key = button.label, attributes = attributes, icon = button.icon?.icon, press = { send(button.action) })

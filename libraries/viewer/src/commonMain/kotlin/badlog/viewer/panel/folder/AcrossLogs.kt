@@ -49,8 +49,8 @@ class AcrossLogs(logs: List<AcrossLog>, private val state: AcrossState) {
     /** Returns the table. The smallest and the largest value of a column are marked, unless all are the same. */
     fun table(): Table {
         val names = state.topics.zip(shortNames(state.topics)).toMap()
-        val facts = listOf(column(AcrossColumn.Label, "Log"), column(AcrossColumn.Date, "Date"))
-        val columns = facts + figures.map { column(it.column, "${names[it.column.topic]}\n${it.title}", isNumber = true) }
+        val facts = listOf(column(AcrossColumn.Label, "Log", ""), column(AcrossColumn.Date, "Date", ""))
+        val columns = facts + figures.map { column(it.column, "${names[it.column.topic]}\n${it.title}", it.name) }
         val rows = logs.map { log ->
             val texts = listOf(Cell(log.label, log.path), Cell(log.date))
             val open = FolderAction.Open(log.path, showsFinding = false)
@@ -65,8 +65,7 @@ class AcrossLogs(logs: List<AcrossLog>, private val state: AcrossState) {
      */
     fun csv(): String {
         val head = listOf("Log", "Date", "File") + figures.flatMap { figure ->
-            val name = "${figure.column.topic} ${figure.column.statistic.title}"
-            if (figure.unit == null) listOf(name, "$name unit") else listOf(named(name, figure.unit))
+            if (figure.unit == null) listOf(figure.name, "${figure.name} unit") else listOf(named(figure.name, figure.unit))
         }
         val lines = logs.map { log ->
             listOf(log.label, log.date, log.path) + figures.flatMap { figure ->
@@ -77,9 +76,9 @@ class AcrossLogs(logs: List<AcrossLog>, private val state: AcrossState) {
         return (listOf(head) + lines).joinToString("") { line -> line.joinToString(",", postfix = "\r\n", transform = ::csvCell) }
     }
 
-    private fun column(column: AcrossColumn, title: String, isNumber: Boolean = false): Column {
+    private fun column(column: AcrossColumn, title: String, hint: String): Column {
         val isDescending = if (state.sort == column) state.isDescending else null
-        return Column(title, sort = FolderAction.MeasureAcross(state.sortedBy(column)), isDescending = isDescending, isNumber = isNumber)
+        return Column(title, hint, FolderAction.MeasureAcross(state.sortedBy(column)), isDescending, isNumber = column is AcrossColumn.Figure)
     }
 
     private fun sorted(logs: List<AcrossLog>): List<AcrossLog> = when (val column = state.sort) {
@@ -105,6 +104,7 @@ private class FigureFacts(val column: AcrossColumn.Figure, logs: List<AcrossLog>
     private val most = values.maxOrNull()
     private val units = logs.filter { column.topic in it.units }.map(::unitIn).distinct()
     val unit: String? = if (units.size > 1) null else units.firstOrNull() ?: Topic.UNITLESS
+    val name: String = "${column.topic} ${column.statistic.title}"
     val title: String = named(column.statistic.title, unit ?: Topic.UNITLESS)
 
     fun of(log: AcrossLog) = column.of(log)

@@ -52,6 +52,7 @@ class AcrossLogsSpec : FunSpec({
     test("two topics with the same ending keep enough of their titles to differ") {
         val titles = table(AcrossState(listOf("Drive/Left/Speed", "Drive/Right/Speed", "Arm/Angle"), setOf(Statistic.MAX)), emptyList()).columns.map { it.title.lines().first() }
         titles shouldContainExactly listOf("Log", "Date", "Left/Speed", "Right/Speed", "Angle")
+        table(state).columns.last().hint shouldBe "A max"
     }
 
     test("the CSV has exact values, and quotes where necessary") {
