@@ -24,7 +24,7 @@ fun cursorPanel(lines: List<CursorLine>, values: CursorValues, x: Double?, place
         val row = lines[found.line]
         fun text(format: (Double) -> String) =
             if (x == null) "" else row.line.textOf(row.line.indexAt(x)) { withUnit(format(it), row.line.unit) }
-        // The position is the key: rows whose texts change are cheaper than rows that move.
+        // The key is the position, because changing the text of a row costs less than moving it.
         Value("cursor-value $i", row.name, text(::numberText), found.hasChanged, listOfNotNull(row.pin)) { text(::exactText) }
     }
     val more = lines.size - MAX_ROWS
